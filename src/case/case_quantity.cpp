@@ -15,8 +15,8 @@ namespace dashpad {
 
 namespace {
 
-/// Adds a number of what `place` finds in a case, be the case constant or not: a nose, a law, a pad.
-/// `parameter` is in a table, which stays.
+/// Adds a number of the owner that `place` returns for a case, constant or not: a nose, a law, a pad.
+/// `parameter` must outlive the quantity.
 template <class Owner, class Place>
 void add_parameter(const std::string& prefix, const Parameter<Owner>& parameter, Place place,
                    std::vector<CaseQuantity>& into) {
@@ -28,7 +28,7 @@ void add_parameter(const std::string& prefix, const Parameter<Owner>& parameter,
                                   double value) { parameter.set(place(impact), value); }});
 }
 
-/// Adds every number of an owner that has a value, but for those that `is_left` leaves.
+/// Adds every number of an owner that is not absent and not excluded by `is_left`.
 template <class Owner, class Place, class Leave>
 void add_parameters(const ImpactCase& base, const std::string& prefix, Place place, Leave is_left,
                     std::vector<CaseQuantity>& into) {
@@ -39,8 +39,8 @@ void add_parameters(const ImpactCase& base, const std::string& prefix, Place pla
 
 constexpr auto none = [](const auto&) { return false; };
 
-/// The same of the alternative that a variant holds: a nose, a law, a form of a curve. The points of a table
-/// are not among them.
+/// The same for the alternative that a variant holds: a nose, a law, a form of a curve, but not points of
+/// tables.
 template <class Place>
 void add_alternative(const ImpactCase& base, const std::string& prefix, Place place,
                      std::vector<CaseQuantity>& into) {
@@ -54,10 +54,10 @@ void add_alternative(const ImpactCase& base, const std::string& prefix, Place pl
       place(base));
 }
 
-/// What a material and its condition have. `of` gives a reference to the one or the other: a pad or a layer.
+/// Adds the numbers of a material and its condition. `of` returns the pad or layer that has them.
 template <class Of>
 void add_material(const ImpactCase& base, const std::string& prefix, Of of, std::vector<CaseQuantity>& into) {
-  // Of another density or temperature a material must say something; it may then vary without being given.
+  // Density and temperature need data in the card; they may then vary without being given in the case.
   const Material& material = of(base).material;
   for (const Parameter<PadCondition>& parameter : PadCondition::parameters) {
     const bool is_silent =
@@ -101,7 +101,7 @@ void add_layer(const ImpactCase& base, std::size_t i, std::vector<CaseQuantity>&
       base, prefix, [i](auto& impact) -> auto& { return impact.pad.layers.at(i); }, into);
 }
 
-/// What earlier blows have left is a number of a pad that remembers it.
+/// Adds the numbers of a pad; the earlier penetration only where the law remembers blows.
 void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
   const auto pad_in = [](auto& impact) -> auto& { return impact.pad; };
   const bool is_layered = !base.pad.layers.empty();
@@ -141,7 +141,8 @@ void add_support(const Support& base, std::vector<CaseQuantity>& into) {
                         }});
 }
 
-/// Of a case without gravity that of a fall on earth: its weight still does no work in contact.
+/// Gravity of the fall, m/s2; standard gravity for a case without gravity, whose weight still does no work in
+/// contact.
 double gravity_of_fall(const ImpactCase& impact) {
   return impact.impactor.gravity > 0 ? impact.impactor.gravity : standard_gravity;
 }
@@ -192,7 +193,7 @@ CaseQuantities quantities_of(const ImpactCase& base) {
   add_support(base.support, all);
   add_parameters<Backing>(
       base, "support.", [](auto& impact) -> auto& { return impact.backing; }, none, all);
-  // Their number is no quantity that a study could spread: each would have other columns.
+  // The number of blows is no such quantity: it would change the columns of a study.
   if (base.blows)
     add_parameters<Blows>(
         base, "blows.", [](auto& impact) -> auto& { return *impact.blows; },

@@ -18,15 +18,15 @@ namespace dashpad {
 
 namespace {
 
-/// Relative spacing of the stations, finer than that of most runs.
+/// Resolution of the stations, finer than in most runs.
 constexpr double start_resolution = 0.02;
-/// Points of a snapshot: more than a picture shows.
+/// Usual number of points of a snapshot, more than a picture shows.
 constexpr int most_points = 160;
-/// But none is left out over which the stress changes by more than this share, as on the axis of a pad that
-/// is nearly closed.
+/// Change of the stress, as a share, from which on a point is kept in any case, as near the axis of a nearly
+/// closed pad.
 constexpr double largest_jump = 0.05;
 
-/// Entries of the history, increasing.
+/// The entries of the history that are shown, increasing.
 std::vector<std::size_t> chosen_entries(const History& history) {
   const auto peak = static_cast<std::size_t>(std::max_element(history.force.begin(), history.force.end()) -
                                              history.force.begin());
@@ -49,7 +49,7 @@ std::vector<std::size_t> chosen_entries(const History& history) {
   return entries;
 }
 
-/// Its force is that of the columns, which their neighbours help.
+/// A snapshot without points; its force is that of the columns without the help of neighbours.
 ContactSnapshot empty_snapshot(const ImpactCase& impact, const History& history, std::size_t entry) {
   ContactSnapshot snapshot;
   snapshot.time = history.time[entry];
@@ -66,7 +66,7 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
   snapshot.stress.push_back(std::max(stress, 0.0));
 }
 
-/// Takes a contact from one entry of a history to another, step by step.
+/// Moves a contact from one entry of a history to another, step by step.
 template <IsContact Contact>
 void replay(const History& history, std::size_t& now, std::size_t entry, Contact& contact) {
   for (; now < entry; ++now)
@@ -74,14 +74,14 @@ void replay(const History& history, std::size_t& now, std::size_t entry, Contact
                                  history.time[now + 1] - history.time[now]));
 }
 
-/// The columns that press, out to where the stress vanishes.
+/// Adds the pressing columns, out to where the stress vanishes.
 template <class Law>
 void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
              ContactSnapshot& snapshot) {
   const auto [pressing, edge] = field.stressed();
   if (pressing == 0) return;
   const double spacing = nose.radius(edge) / most_points;
-  // Below a flat tip all is as on the axis.
+  // Below a flat tip all columns are as on the axis.
   if (nose.tip > 0) add_point(snapshot, 0, field.column(0).strain, field.column(0).stress);
   for (std::size_t j = 0; j < pressing; ++j) {
     const auto column = field.column(j);
@@ -148,7 +148,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   LayeredContact contact(layers_of(impact.pad), nose);
   contact.start(start_resolution, deepest(history));
   const auto look = [&](double penetration, ContactSnapshot& snapshot) {
-    // Below a flat tip all is as on the axis.
+    // Below a flat tip all columns are as on the axis.
     if (nose.tip > 0 && contact.column(0).stress > 0)
       add_point(snapshot, 0, contact.column(0).strain, contact.column(0).stress);
     for (std::size_t j = 0; j < contact.touched_columns(); ++j)
@@ -162,7 +162,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   return replayed(impact, history, contact, contact.lock_penetration(), look);
 }
 
-/// Without memory the stress is the curve's. A foam that does not recover is off its curve once its
+/// Without memory the stress is that of the curve. A foam that does not recover leaves its curve once its
 /// penetration has stopped.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
                                         const History& history) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The contact that suits a case, in memory that is kept from one impact to the next.
+/// The contact of a case, in memory that is reused from one impact to the next.
 
 #include <optional>
 #include <tuple>
@@ -18,9 +18,9 @@
 
 namespace dashpad {
 
-// The layers of a case as a contact takes them.
+// The layers of a case as arguments of a contact.
 
-/// The layers must be sound.
+/// The layers of a pad, which must be sound.
 inline LayeredContact::Parts layers_of(const Pad& pad) {
   LayeredContact::Parts parts;
   for (const PadLayer& layer : pad.layers)
@@ -31,11 +31,11 @@ inline LayeredContact::Parts layers_of(const Pad& pad) {
 
 class Contacts {
  public:
-  /// Whether the last foam was this one. To see whether the curves of a foam are sound takes up to a third of
-  /// the time of an impact; one that has been in contact is.
+  /// Whether this was the last foam, which is then sound. Checking the curves of a foam takes up to a third
+  /// of the time of an impact.
   [[nodiscard]] bool know(const PadLaw& law) const { return foam_ && foam_->is_of(law); }
-  /// Returns visit(contact), of the columns with what their neighbours do. Plain: columns computed one by
-  /// one, without short cuts.
+  /// Returns visit(contact), for the contact of columns with their neighbours. With ColumnMath::plain columns
+  /// are computed one by one, without short cuts.
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const ColumnFactor factor = factor_of_columns(impact);
@@ -70,7 +70,7 @@ class Contacts {
       }
     };
     const PadLaw& law = impact.pad.material.law;
-    // The curves of a foam are made ready once; the contact multiplies its force itself.
+    // The curves of a foam are prepared once, without the scale; its contact multiplies the force instead.
     return has_curves(law) || scale == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, scale));
   }
 

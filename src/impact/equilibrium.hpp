@@ -1,12 +1,12 @@
 #pragma once
-/// The nonlinear solve of a step: the trial at whose end pad, support and impactor agree.
+/// The nonlinear solution of a step: a trial at the end of which pad, support and impactor are in
+/// equilibrium.
 ///
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 25)
 ///
-/// where Xs is the motion of the back of the pad, which a support that moves has from the force over the
-/// step,
-///
-/// in each of the phases. Held, the unknown is the force. Lengths in m, times in s, forces in N.
+/// in each of the phases, where Xs is the motion of the back of the pad, which on a moving support follows
+/// from the force over the step. While the pad is held, the unknown is the force. Lengths in m, times in s,
+/// forces in N.
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +30,8 @@ class Equilibrium {
 
   void start(double resolution) { resolution_ = resolution; }
 
-  /// The pad advances. Loading, the unknown is the fourth root of the advance: at the end of loading the
-  /// force has a power of the strain rate with a small exponent, and an infinite slope in the advance itself.
+  /// A loading step. The unknown is the fourth root of the advance, since at the end of loading the force
+  /// goes with a small power of the strain rate and has an infinite slope in the advance itself.
   Trial loading(double step, const Predictor& predictor) {
     const double locked = contact_.lock_penetration();
     const double unhindered = farthest(step);
@@ -55,7 +55,7 @@ class Equilibrium {
     return finished(at.trial);
   }
 
-  /// The pad comes back. `just_turned`: the loading has ended at this moment.
+  /// An unloading step. `just_turned`: loading has ended at this moment.
   Trial unloading(double step, const Predictor& predictor, bool just_turned) {
     MovingSearch at(*this, step, predictor);
     double advance = guess(step, predictor, at.slope);
@@ -67,15 +67,14 @@ class Equilibrium {
     search.guess = advance;
     search.slope = at.slope;
     search.resolution = numerics.rounding / 2 * (at.scale + thickness_);
-    // Short strides: of several roots, the one next to where the pad is belongs to the branch.
+    // Strides are short, since of several roots the nearest belongs to the branch.
     search.stride = numerics.unloading_stride * std::abs(advance) + search.resolution;
     at.may_let_go = true;
     find_root([&](double x) { return at.residual(x); }, [&](double left) { return at.is_solved(left); },
               search);
     if (at.trial.pad.advance >= 0) {
-      // The pad, by the error of the contact integral, carries less than the support asks for: it is held
-      // until the support has come down to it. Likewise just after the turning, where the drive is 0 but for
-      // an error of either sign.
+      // By the error of the contact integral the pad carries less than the support's force: it is held until
+      // that force has fallen. Likewise just after the turning point, where the drive is 0 within its error.
       if (!foundation_.is_firm(now().back, now().force) && (now().drive < 0 || just_turned)) {
         const Trial waiting = held(step, predictor);
         if (now().drive < 0 || waiting.end.drive < 0) return waiting;
@@ -85,7 +84,7 @@ class Equilibrium {
     return finished(at.trial);
   }
 
-  /// The penetration stays; the support's force moves the impactor.
+  /// A step at constant penetration; the support's force moves the impactor.
   Trial held(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
@@ -95,8 +94,7 @@ class Equilibrium {
       trial.pad = contact_.trial(0, now().time, step);
       return finished(trial);
     }
-    trial.pad_stiffness =
-        predictor.pad_stiffness();  // an unloading that waits for the support goes on from it
+    trial.pad_stiffness = predictor.pad_stiffness();  // a later unloading continues from it
     const double flexibility = motion_.flexibility(now().back, now().force, step);
     const double travel = std::abs(speed_to_back()) * step;
     const double scale = std::abs(reach(now())) + travel;
@@ -106,9 +104,9 @@ class Equilibrium {
     search.guess = now().force + motion_.approach(step, false) / flexibility;
     search.slope = flexibility;
     search.resolution = numerics.rounding * std::abs(now().force);
-    // At first contact there is no force yet to go by.
+    // At first contact there is no force yet.
     search.stride = now().force != 0 ? std::abs(now().force) : (travel + scale) / flexibility;
-    // Below zero the support's line goes on: the release is located by the sign.
+    // The support's line is continued below zero, so that the sign locates the release.
     const auto residual = [&](double force) {
       const double extended =
           force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.holding());
@@ -120,7 +118,7 @@ class Equilibrium {
     return finished(trial);
   }
 
-  /// Without force the motion is known, and with it the penetration on an unloaded support; in flight, below
+  /// A step without force, in which the motion is known, and with it the penetration; in flight that is below
   /// zero.
   Trial released(double step, const Predictor& predictor) {
     Trial trial;
@@ -128,29 +126,30 @@ class Equilibrium {
     trial.pad_stiffness = predictor.pad_stiffness();
     trial.end.penetration = -motion_.residual(0, 0, step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
-    // Foam that stays crushed waits for the nose where it was left.
+    // Foam that stays crushed remains where it was left.
     const double advance = contact_.recovers() ? trial.end.penetration - now().penetration : 0;
     trial.pad = contact_.trial(advance, now().time, step);
     return trial;
   }
 
-  /// The penetration reaches the lock, which satisfies Eq. 25 for one step only.
+  /// A step in which the penetration reaches the lock; Eq. 25 holds for one length of step only.
   Trial at_lock(double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
     trial.pad_stiffness = predictor.pad_stiffness();
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    // On what does not give way the force may have no bound there, and its impulse is not half of the last.
+    // On a support that does not yield the force may have no bound there; its mean is then not half its last
+    // value.
     const double bound = foundation_.stops_hard() && !memoryless ? 2 * now().force : trial.pad.force;
     motion_.residual(y, std::min(trial.pad.force, bound), step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     return trial;
   }
 
-  /// The force at the end is known, as at a corner of the support, and with it motion and penetration; for
-  /// one step only the pad then carries that force. A pad that would have to turn back to get there has no
-  /// such trial, and its force is that of a spring.
+  /// A step that ends with a known force, as at a corner of the support, and thus with known motion and
+  /// penetration; for one length of step only the pad carries that force. If the pad would have to turn back,
+  /// there is no such trial, and its force is that of a spring.
   Trial at_force(double force, Phase phase, double step, const Predictor& predictor) {
     Trial trial;
     trial.step = step;
@@ -166,7 +165,7 @@ class Equilibrium {
     }
     return trial;
   }
-  /// Whether the pad carries the force that a trial ends with, as nearly as in a solved one.
+  /// Whether the pad carries the force at the end of a trial to the accuracy of a solved one.
   [[nodiscard]] bool is_solved(const Trial& trial) const {
     const State& end = trial.end;
     const double flexibility = motion_.flexibility(end.back, end.force, trial.step);
@@ -175,8 +174,8 @@ class Equilibrium {
                allowed_residual(std::max(reach(now()), reach(end)), end.force, trial.pad_stiffness);
   }
 
-  /// The trial with its drive (Eq. 26) at the end of the step, m/s. Steps that resolved as a spring what a
-  /// change of the rate adds would become shorter without end.
+  /// The trial with its drive (Eq. 26) at the end of the step, m/s, and its lasting stiffness: steps that
+  /// resolved the effect of a changing rate like a spring would shrink without end.
   Trial finished(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive =
@@ -192,10 +191,10 @@ class Equilibrium {
             std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
     }
     if constexpr (MayForget<Contact>) {
-      // Against a panel the pad turns at rate zero, where a change of the rate adds without bound.
+      // Against a panel the pad turns at rate zero, where the effect of a changing rate has no bound.
       const bool turns_at_rest = foundation_.kind() == Foundation::Kind::panel;
       if ((turns_at_rest || contact_.forgets(trial.pad)) && trial.pad.advance != 0) {
-        // By a little more of the same rate.
+        // The stiffness at an unchanged rate, by a slightly longer step.
         const double more = numerics.more_of_the_same;
         const PadTrial& pad = trial.pad;
         const double beyond = contact_.trial((1 + more) * pad.advance, pad.from, (1 + more) * pad.step).force;
@@ -206,9 +205,9 @@ class Equilibrium {
     return trial;
   }
 
-  /// On a damper the force tells the rate of the pad, and the first drive is that rate. One that is about 0
-  /// changes its sign only as it grows: that is the drive where the two differ, and a trial in which they do
-  /// is off by its backward difference.
+  /// On a damper the force determines the rate of the pad, which is the drive. Near 0 a rate may change its
+  /// sign only as its growth has that sign, so the drive is the larger of the two (theory.md, Eq. 45), and a
+  /// trial with the wrong sign has an error of its backward difference.
   void follow_damper(Trial& trial, double force_rate) const {
     State& end = trial.end;
     const double rate = end.drive;
@@ -222,12 +221,12 @@ class Equilibrium {
   /// Residual of Eq. 25 at the end of a trial, m; at the lock it is positive before the pad locks.
   [[nodiscard]] double residual(const Trial& trial) const { return motion_.residual(trial.end); }
 
-  /// Motion of the impactor towards what the step finds in place, m: what roundings are of.
+  /// Motion of the impactor relative to what it meets, m, the scale of rounding errors.
   [[nodiscard]] double reach(const State& state) const {
     return state.motion - foundation_.origin(state.back);
   }
-  /// Residual at which a trial of a pad with memory is solved, m; `scale`: the reach, m. Close to full
-  /// compression what the motion allows may be more than the gap over which the force grows.
+  /// Residual at which a trial of a pad with memory counts as solved, m; `scale`: the reach, m. Close to full
+  /// compression it is limited by the gap over which the force grows.
   [[nodiscard]] double allowed_residual(double scale, double force, double pad_stiffness) const {
     const double gap = std::abs(contact_.lock_penetration() - now().penetration);
     const double growing = std::max(gap, std::abs(force) / pad_stiffness);
@@ -239,30 +238,30 @@ class Equilibrium {
  private:
   static constexpr bool memoryless = HasEnergy<Contact>;
 
-  /// Up to where it has been, in this blow or before, the pad may be stiffer than its base curve.
+  /// Whether the pad has been deeper, in this blow or before, and so may be stiffer than its base curve.
   [[nodiscard]] bool is_loaded_again() const {
     double deepest = motion_.deepest();
     if constexpr (RemembersBlows<Contact>) deepest = std::max(deepest, contact_.joint());
     return now().penetration < deepest;
   }
   [[nodiscard]] const State& now() const { return motion_.now(); }
-  /// Of the advance: after an event the pad is taken as a spring.
+  /// Guess of the advance, m; just after an event as for a spring.
   [[nodiscard]] double guess(double step, const Predictor& predictor, double slope) const {
     const std::optional<double> rate = predictor.next_rate(step);
     return rate ? *rate * step : spring_advance(step, slope);
   }
-  /// The root of Eq. 25 for a pad whose force grows in proportion to the advance, or a share of the gap:
-  /// the stiffness changes with it. `slope` is that of Eq. 25.
+  /// Root of Eq. 25 for a force proportional to the advance, m, limited to a share of the gap, over which the
+  /// stiffness changes. `slope`: slope of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
     const double most = numerics.guess_of_gap * (contact_.lock_penetration() - now().penetration);
     return std::clamp(motion_.approach(step, false) / slope, -most, most);
   }
-  /// How far the nose would go into the pad in a step if nothing held it, m.
+  /// Penetration at the end of a step if no force acted, m.
   [[nodiscard]] double farthest(double step) const {
     if (foundation_.is_plain()) return now().motion + motion_.approach(step, true);
     return now().motion - now().back.motion() + motion_.approach(step, true);
   }
-  /// m/s; towards a support at once on the ground, that of the impactor.
+  /// Speed of the impactor relative to the back of the pad, or to what is behind a support at once, m/s.
   [[nodiscard]] double speed_to_back() const { return now().velocity - now().back.velocity(); }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static double slope_of_fourth_power(double z) { return 4 * z * z * z; }
@@ -274,7 +273,8 @@ class Equilibrium {
     return trial;
   }
 
-  /// What the trials of a moving pad share: the residual by the advance, and when it is near enough to 0.
+  /// Search over trials of a moving pad: the residual as a function of the advance, and when it is close
+  /// enough to 0.
   struct MovingSearch {
     MovingSearch(Equilibrium& of, double step, const Predictor& predictor) : of_(of) {
       const State& now = of.now();
@@ -296,11 +296,11 @@ class Equilibrium {
       return of_.motion_.residual(of_.now().penetration + advance, force, trial.step, trial.end);
     }
 
-    /// What is left of the residual is taken up by the force, in proportion: Eq. 25 then holds but for the
-    /// curvature, and the columns stay where they were tried.
+    /// Whether the trial is solved. The force then takes up the remaining residual linearly: Eq. 25 holds but
+    /// for the curvature, and the columns stay as they were tried.
     bool is_solved(double left) {
       State& end = trial.end;
-      // Without force the pad stays without it on the way to the root: the step passes the release.
+      // Without force there is none on the way to the root either: the step passes the release.
       if (may_let_go && end.force <= 0 && left >= 0) return true;
       if constexpr (memoryless) return is_rounding(left, scale);
       const double flexibility = of_.motion_.flexibility(end.back, end.force, trial.step);
@@ -313,7 +313,7 @@ class Equilibrium {
                (std::abs(left) < numerics.solved_small_advance * allowed &&
                 std::abs(missing) < numerics.most_take_up * std::abs(trial.pad.advance));
       if (end.force <= 0) return true;
-      // In a very short step the rate, and with it the force, would be what the residual makes of it.
+      // In a very short step the residual alone would determine the rate, and with it the force.
       const double taken_up = trial.pad_stiffness * missing;
       const double most =
           numerics.most_force_taken_up * of_.resolution_ * std::max(end.force, of_.now().force);
@@ -323,9 +323,9 @@ class Equilibrium {
     }
 
     Trial trial;
-    double scale = 0;         ///< of the reach, m
-    double slope = 1;         ///< of Eq. 25 in the advance, as far as it is known
-    bool may_let_go = false;  ///< unloading
+    double scale = 0;         ///< largest reach in the step, m
+    double slope = 1;         ///< guess of the slope of Eq. 25 in the advance
+    bool may_let_go = false;  ///< in unloading steps
 
    private:
     Equilibrium& of_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Where within a step something happens: regula falsi with halved end values (Illinois). The values may jump
-/// to a bound where no step exists.
+/// Location of an event within a step: regula falsi with halved end values (Illinois). The values may jump to
+/// a bound where no step exists.
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +11,17 @@
 namespace dashpad {
 
 struct EventSearch {
-  double step = 0;              ///< by which it has happened
-  double precision = 0;         ///< of the answer
+  double step = 0;              ///< step after which the event has happened, s
+  double precision = 0;         ///< precision of the result, s
   double value_now = infinite;  ///< > 0
   double value_then = 0;        ///< at `step`, <= 0; -infinite where that step has no solution
-  double guess = infinite;      ///< where it is expected, if that step has none
+  double guess = infinite;      ///< expected place, if that step has no solution, s
 };
 
-/// A step before the event, where value_at(step) > 0 or the step is 0, and one after it.
+/// Two steps: one before the event, where value_at(step) > 0 or the step is 0, and one after it.
 template <class Value>
 std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& search) {
-  constexpr double largest = 1e300;  // value to interpolate with
+  constexpr double largest = 1e300;  // largest value to interpolate with
   double low = 0;
   double high = search.step;
   double f_low = search.value_now;
@@ -31,10 +31,10 @@ std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& sea
   for (int i = 0; i < 80 && high - low > search.precision; ++i) {
     const bool is_nowhere = f_high == -infinite;
     double x = is_nowhere ? low : (f_low * high - f_high * low) / (f_low - f_high);
-    // Where the guesses have settled, one just beyond the event closes the bracket.
+    // Once the guesses have settled, one just beyond the event closes the bracket.
     if (std::abs(x - before) < search.precision / 50) x += (side == 1 ? 1 : -1) * search.precision / 25;
     before = x;
-    // No solution at the far end is no number to interpolate with: first the guess, then halves.
+    // Without a solution at the far end interpolation is impossible: first the guess, then bisection.
     if (is_nowhere) x = i == 0 ? search.guess : infinite;
     if (!(x > low && x < high) || i % 8 == 7) x = low + (high - low) / 2;
     const double f = std::min(value_at(x), largest);

@@ -1,5 +1,5 @@
 #pragma once
-/// The table of events (theory.md, section 4): from which phases, how a trial tells that one has happened,
+/// The table of events (theory.md, section 4): the phases in which each may happen, its indicator in a trial,
 /// and on which side of it a step ends.
 
 #include <algorithm>
@@ -15,22 +15,22 @@
 
 namespace dashpad {
 
-/// All that an event is told by.
+/// The data that indicators of events depend on.
 struct Sight {
   Phase phase = Phase::loading;
   const State& now;
   const Trial& trial;
   const Foundation& foundation;
-  bool recovers = true;     ///< the pad
-  double corner = 0;        ///< of the support: a force, N, or a deflection, m
-  double joint = 0;         ///< penetration at which a pad that was struck before is loaded anew, m; 0: none
-  bool is_pressed = false;  ///< a column is under pressure at the end, in flight
-  double least_return = 0;  ///< speed from which on the back is waited for in flight, m/s
-  bool is_closed = false;   ///< the pad, now: it gives way no further
-  /// By how much the pad's rate is above the next corner of its force at the end, in shares of that rate.
+  bool recovers = true;     ///< whether the pad recovers
+  double corner = 0;        ///< corner of the support: a force, N, or a deflection, m
+  double joint = 0;         ///< penetration at which a pad struck before joins its first loading, m; 0: none
+  bool is_pressed = false;  ///< in flight: a column is under pressure at the end
+  double least_return = 0;  ///< speed above which a return of the back is awaited, m/s
+  bool is_closed = false;   ///< the pad is fully compressed at the start
+  /// Rate of the pad at the end over the next tested rate below, less 1.
   double over_rate_corner = 1;
 
-  /// What passes the corners.
+  /// The quantity that passes the corners: force, N, or deflection, m.
   [[nodiscard]] double at_corner(const State& state) const {
     return foundation.kind() == Foundation::Kind::at_once ? state.force : state.back.deflection;
   }
@@ -39,11 +39,11 @@ struct Sight {
 struct EventKind {
   Event event;
   bool from_loading, from_unloading, from_held, from_flight;
-  /// Positive before the event, as a rule increasingly so with the time that is left.
+  /// Positive before the event, usually growing with the time until it.
   double (*indicator)(const Sight&);
-  /// Whether the event can happen from the state now on.
+  /// Whether the event can happen from the present state.
   bool (*is_armed)(const Sight&);
-  /// The step ends just after the event: its far side has a solution.
+  /// Whether the step ends just after the event, as its far side has a solution.
   bool ends_after;
 
   [[nodiscard]] constexpr bool may_happen_in(Phase phase) const {
@@ -66,22 +66,22 @@ inline bool always(const Sight&) { return true; }
 inline double force(const Sight& s) { return s.trial.end.force; }
 inline double force_over_held_pad(const Sight& s) { return s.trial.end.force - s.trial.pad.force; }
 inline double strength_left(const Sight& s) { return s.trial.pad.force - s.trial.end.force; }
-/// A flat nose stands on the uncrushed foam until the support pushes hard enough; on foam that has been
-/// crushed, until a panel or a damper does. (A support at once never pushes harder than it has.)
+/// A flat nose does not crush the foam until the support pushes hard enough; foam crushed before, until a
+/// panel or a damper does. (A support at once never pushes harder than before.)
 inline bool is_below_strength(const Sight& s) {
   const bool may_push_harder = s.now.penetration == 0 || s.foundation.kind() != Foundation::Kind::at_once;
   const double strength = s.trial.pad.force;
-  // Just after the turning the force is that of the pad, and may rise from there.
+  // Just after the turning point the force is that of the pad, and may rise.
   return !s.recovers && !s.is_closed && may_push_harder &&
          (s.now.force < strength || s.trial.end.force > (1 + numerics.at_corner) * strength);
 }
 inline bool pad_recovers(const Sight& s) { return s.recovers; }
-/// Eq. 26; without a solution of Eq. 25 it is passed.
+/// The drive, Eq. 26; without a solution of Eq. 25 the event has passed.
 inline double drive(const Sight& s) {
   if (s.trial.obstacle == Event::turning) return far_beyond;
   return s.trial.end.drive;
 }
-/// The panel has landed on its stop, with which its speed jumps: that ends the step first.
+/// Whether the panel has landed on its stop, where its speed jumps; that ends the step first.
 inline bool has_landed(const Sight& s) { return s.trial.end.back.struck != 0; }
 inline bool is_driven(const Sight& s) {
   return s.trial.obstacle == Event::turning || (s.now.drive > 0 && !has_landed(s));
@@ -93,7 +93,7 @@ inline double has_unloading_step(const Sight& s) {
 inline double has_step_below_lock(const Sight& s) { return s.trial.obstacle == Event::lock ? -1 : 1; }
 inline double way_to_corner(const Sight& s) {
   const double now = s.at_corner(s.now) - s.corner, then = s.at_corner(s.trial.end) - s.corner;
-  // A panel that has struck its stop stays there: how far it would have gone is not known.
+  // A panel that has struck its stop stays there; how far it would have moved is unknown.
   if (then == 0) return -std::abs(now);
   return now < 0 ? -then : then;
 }
@@ -105,8 +105,8 @@ inline double support_goes_on(const Sight& s) {
 }
 inline bool is_crushing(const Sight& s) { return s.foundation.is_crushing(s.now.back, s.now.force); }
 inline double is_apart(const Sight& s) { return s.is_pressed ? -1 : 1; }
-/// In flight: by how much the panel can still come back, or is still going away, faster than what is waited
-/// for, m/s. Only when it has gone as far as it goes has it done all that it will do to the support.
+/// Excess of the speed at which the panel can still return, or still moves away, over the least awaited one
+/// in flight, m/s. The support may reach its largest values until then.
 inline double speed_to_wait_for(const Foundation& foundation, const State& state, double least) {
   return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
 }
@@ -114,7 +114,8 @@ inline double left_to_wait_for(const Sight& s) {
   return speed_to_wait_for(s.foundation, s.trial.end, s.least_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
-/// In flight: the columns below the nose follow it, and their law has a corner where they turn.
+/// Speed at which the nose leaves the pad in flight, m/s; columns follow it, and their law has a corner where
+/// they turn.
 inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
 inline bool moves_apart(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
@@ -126,7 +127,7 @@ inline bool is_before_joint(const Sight& s) {
 
 }  // namespace event_rules
 
-/// In the order in which they count when they coincide. From loading, unloading, held, flight.
+/// The events in order of precedence if they coincide. The flags: loading, unloading, held, flight.
 inline constexpr std::array<EventKind, 13> event_table{{
     {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
     {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
@@ -151,14 +152,14 @@ inline constexpr std::array<EventKind, 13> event_table{{
 
 /// The first event of a trial, in the order of the table.
 struct FirstEvent {
-  const EventKind* kind = nullptr;  ///< none: the step is smooth
+  const EventKind* kind = nullptr;  ///< null: the step is smooth
   double corner = 0;
-  int count = 0;  ///< events in the trial
+  int count = 0;  ///< number of events in the trial
 
   [[nodiscard]] Event event() const { return kind == nullptr ? Event::none : kind->event; }
 };
 
-/// The rows that can happen in a phase, each looked at by a call that the compiler knows.
+/// The first event among those of a phase, with calls that the compiler resolves.
 template <Phase phase>
 FirstEvent first_event_in(Sight sight) {
   FirstEvent first;
@@ -184,7 +185,7 @@ FirstEvent first_event_in(Sight sight) {
   return first;
 }
 
-/// A trial without a solution has no other event than what is in its way.
+/// The first event of a trial; without a solution, only the one that prevents it.
 inline FirstEvent first_event(const Sight& sight) {
   switch (sight.phase) {
     case Phase::loading: return first_event_in<Phase::loading>(sight);
@@ -196,21 +197,21 @@ inline FirstEvent first_event(const Sight& sight) {
   return {};
 }
 
-// The phase that follows an event (theory.md, section 4). With `is_driven` and `has_unloading_step`, which
-// tell how far a branch goes, all there is of rules about branches.
+// The phase that follows an event (theory.md, section 4). Together with `is_driven` and `has_unloading_step`,
+// the ends of branches, these are all rules about branches.
 //
-// The rate that satisfies equilibrium has up to three values; the drive (Eq. 26) says which of them the
-// limit of a vanishing dashpot takes.
+// Up to three rates satisfy equilibrium; the drive (Eq. 26) selects the one in the limit of a vanishing
+// dashpot.
 
-/// What an impact is made of, as far as branches go.
+/// Conditions of an impact on which branches depend.
 struct BranchConditions {
-  bool pad_recovers = true;  ///< the pad follows its law back; if not, it holds its deformation
+  bool pad_recovers = true;  ///< the pad unloads by its law; if not, it holds its deformation
   bool stops_hard = false;   ///< Foundation::stops_hard()
   bool rigid_support = false;
-  bool back_is_waited_for = false;  ///< it may come after the impactor, or still goes away from it
+  bool back_is_waited_for = false;  ///< the back may come after the impactor, or still moves away
 };
 
-/// `drive` is that of the state now, m/s. Phase::over: the run ends.
+/// The phase after an event; `drive`: present drive, m/s. Phase::over ends the run.
 inline Phase phase_after(Event event, Phase now, double drive, BranchConditions conditions) {
   const Phase by_drive = drive > 0 ? Phase::loading : Phase::unloading;
   switch (event) {

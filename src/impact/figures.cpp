@@ -43,8 +43,8 @@ void for_each_stretch(const Track& track, Visit&& visit) {
   }
 }
 
-/// The force between entry i and the next of a track: the mean of the parabolas through either and one more
-/// of the same stretch, or a line.
+/// The force between entry i and the next of a track: the mean of the two parabolas through both and one more
+/// entry of the same stretch, or the only one, or a line.
 class ForceCurve {
  public:
   ForceCurve(const Track& track, std::size_t i)
@@ -88,7 +88,7 @@ Moment where_force_falls_below(double level, const Track& track, std::size_t i, 
   return {time, h.velocity[i] - impulse / impactor.mass + impactor.gravity * duration};
 }
 
-/// Integral of a force over a way, both given at the entries of a track.
+/// Integral of a force over a displacement, J, both given at the entries of a track.
 double work_of(const Track& track, const std::vector<double>& force, const std::vector<double>& way) {
   const std::vector<double>& time = track.history.time;
   double sum = 0;
@@ -110,7 +110,7 @@ double work_of(const Track& track, const std::vector<double>& force, const std::
   return sum;
 }
 
-/// Values that differ by less, relative, are the same.
+/// Relative difference below which values count as equal.
 constexpr double plateau = 1e-12;
 
 struct Peak {
@@ -118,7 +118,7 @@ struct Peak {
   double value = 0;
 };
 
-/// Of what is given at the entries of a track.
+/// The peak of values at the entries of a track.
 Peak peak_of(const std::vector<double>& values, const Track& track) {
   const std::vector<double>& times = track.history.time;
   Peak peak;
@@ -127,7 +127,7 @@ Peak peak_of(const std::vector<double>& values, const Track& track) {
     for (std::size_t i = first; i <= last; ++i)
       if (values[i] > values[top]) top = i;
     Peak here{times[top], values[top]};
-    // On a plateau there is nothing between the entries.
+    // On a plateau the peak is at an entry.
     const bool is_peak = top > first && top < last && values[top + 1] < (1 - plateau) * values[top];
     if (is_peak) {
       const Parabola p(times, values, top - 1);
@@ -154,7 +154,7 @@ void read_peaks(const Track& track, Figures& figures) {
     figures.peak_deflection = peak_of(h.support_deflection, track).value;
   }
   figures.peak_penetration = *std::max_element(h.penetration.begin(), h.penetration.end());
-  // What leaves a pad on a free body may go on behind it for good.
+  // An impactor that leaves a pad on a free body may move on behind it forever.
   const auto left =
       figures.release ? std::upper_bound(h.time.begin(), h.time.end(), figures.release->time) : h.time.end();
   figures.peak_motion = *std::max_element(h.motion.begin(), h.motion.begin() + (left - h.time.begin()));
@@ -180,7 +180,7 @@ void read_weight(const Track& track, const Impactor& impactor, Figures& figures)
     return;
   }
   if (h.force[i - 1] <= weight) {
-    // Light from the start of the rebound.
+    // The force is below the weight from the start of the rebound.
     const double v = h.velocity[i - 1];
     const double share = v > 0 ? v / (v - h.velocity[i]) : 0;
     figures.force_below_weight =
@@ -197,7 +197,7 @@ void read_contact_end(const Track& track, const Impactor& impactor, Figures& fig
   const double least = contact_end_share * figures.peak_force;
   std::size_t last = force.size() - 1;
   while (last > 0 && !(force[last] > least)) --last;
-  // No entry is above: what was read as the peak is no number, or far from all of them.
+  // If no entry is above, the peak is NaN or far from all entries.
   if (last > 0 && last + 1 < force.size())
     figures.contact_end = where_force_falls_below(least, track, last, impactor);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The figures of one run at one resolution, before runs are compared.
+/// The figures of one run at one resolution, before the comparison of runs.
 
 #include <array>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace dashpad {
 
-/// What a run leaves behind: the history, and where in it the phases change.
+/// Record of a run: its history, and the smooth stretches between events in it.
 struct Track {
   History history;
   std::vector<std::size_t> stretch_starts;  ///< entries at which a smooth stretch begins; the first is 0
@@ -20,7 +20,7 @@ struct Track {
     for (auto* column : columns()) column->reserve(entries);
     stretch_starts.reserve(entries);
   }
-  /// `layers`: of a pad of layers, how many.
+  /// `layers`: number of layers, 0 for a pad of one foam.
   void clear(std::size_t layers = 0) {
     for (auto* column : columns()) column->clear();
     history.layer_strain.resize(layers);
@@ -30,7 +30,7 @@ struct Track {
     }
     stretch_starts.assign(1, 0);
   }
-  /// The last entry is where a smooth stretch ends and the next begins.
+  /// Ends a smooth stretch at the last entry and begins the next.
   void begin_stretch() {
     if (stretch_starts.back() != size() - 1) stretch_starts.push_back(size() - 1);
   }
@@ -59,41 +59,43 @@ struct Figures {
   std::optional<Moment> release;
   std::optional<Moment> bottomed;
   std::optional<Moment> rest;
-  double left_to_sink = 0;  ///< m, of an impactor at rest on a pad that creeps
-  /// Fastest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest before it.
+  double left_to_sink = 0;  ///< distance that an impactor at rest on a creeping pad would still sink, m
+  /// Largest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest one before.
   double last_swing = 0, slowest_swing = 0;
   double final_velocity = 0;
-  double support_energy = 0;    ///< J, stored at the end
-  double support_loss = 0;      ///< J, crushed and damped
-  double moving_energy = 0;     ///< J, of panel and body at the end
+  double support_energy = 0;    ///< stored at the end, J
+  double support_loss = 0;      ///< lost by crushing and damping, J
+  double moving_energy = 0;     ///< kinetic energy of panel and body at the end, J
   double weight_work = 0;       ///< J
   double peak_transmitted = 0;  ///< N
   double peak_deflection = 0;   ///< m
   double set = 0;               ///< m
-  double crushing_force = 0;    ///< N, largest of a support that crushes
-  double body_velocity = 0;     ///< m/s, at the end
-  double pad_work = 0;          ///< J, integral of F dY
-  double sheet_energy = 0;      ///< J, that the impactor has given a sheet on the pad
-  double speed_to_sheet = 0;    ///< m/s, lost to it by a flat tip at first contact
+  double crushing_force = 0;    ///< largest force of a support that crushes, N
+  double body_velocity = 0;     ///< at the end, m/s
+  double pad_work = 0;          ///< integral of F dY, J
+  double sheet_energy = 0;      ///< given to a sheet on the pad, J
+  double speed_to_sheet = 0;    ///< lost to the sheet by a flat tip at first contact, m/s
   int reloadings = 0;
   std::size_t stations = 0;
   std::size_t steps = 0;
-  double work = 0;  ///< of the run, s of a processor, roughly
+  double work = 0;  ///< estimated processor time of the run, s
 };
 
-/// Peak force and motion between the entries of a track: parabolas and cubics within each smooth stretch.
+/// Reads peaks of force and motion between the entries of a track, by parabolas and cubics in smooth
+/// stretches.
 void read_peaks(const Track& track, Figures& figures);
 
-/// The moment when the force falls below the impactor's weight on rebound, between the entries of a track;
-/// the release, if it never was above.
+/// Reads the moment at which the force falls below the impactor's weight on rebound, between the entries of a
+/// track; the release, if it was never above.
 void read_weight(const Track& track, const Impactor& impactor, Figures& figures);
 
-/// The end of contact, between the entries of a track: the force falls below contact_end_share of its peak
-/// for the last time. None unless the impactor was released without force. Reads `peak_force` and `ending`.
+/// Reads the end of contact between the entries of a track: the force falls below contact_end_share of its
+/// peak for the last time. None unless the impactor was released without force. Reads `peak_force` and
+/// `ending`.
 void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures);
 
-/// Integral of F dY over the track, by local parabolas of F(t) and Y(t) within each smooth stretch: of higher
-/// order than the step, so that it audits the step's energy (theory.md, Eq. 30).
+/// Integral of F dY over the track, J, by local parabolas of F(t) and Y(t) within each smooth stretch: of
+/// higher order than the step, whose energy it thus audits (theory.md, Eq. 30).
 double work_on_pad(const Track& track);
 
 }  // namespace dashpad

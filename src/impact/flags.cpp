@@ -30,18 +30,18 @@ constexpr std::array all_flags{
     FlagKind{"EXTRAPOLATED RATE", Severity::note},        // a law
     FlagKind{"EXTRAPOLATED", Severity::doubtful},
     FlagKind{"SMALL NOSE", Severity::doubtful},
-    // Of measured pulses
+    // Flags of measured pulses
     FlagKind{"IMPOSSIBLE VELOCITY CHANGE", Severity::unusable},
     FlagKind{"DROP HEIGHT IN DOUBT", Severity::doubtful},
     FlagKind{"UNLIKE SPEEDS", Severity::doubtful},
-    // Of assessments
+    // Flags of assessments
     FlagKind{"REPLACED", Severity::note},
     FlagKind{"NO INTERVALS", Severity::doubtful},
     FlagKind{"NO INTERVAL", Severity::doubtful},
     FlagKind{"UNKNOWN RANGE", Severity::doubtful},
     FlagKind{"UNVERIFIED", Severity::doubtful},
     FlagKind{"SECONDARY SOURCE", Severity::note},
-    // Of material tests
+    // Flags of material tests
     FlagKind{"ASSUMPTION", Severity::note},
     FlagKind{"ENERGY GAIN", Severity::doubtful},
     FlagKind{"OUT OF BOUNDS", Severity::note},
@@ -61,7 +61,7 @@ std::string bottoming(const Summary& summary) {
                          : "on its rigid support, so that the force has no finite value there");
 }
 
-/// Share of the impact energy that is rounding, also where an estimate says less.
+/// Share of the impact energy that counts as rounding even if the estimate is smaller.
 constexpr double rounding = 1e-9;
 
 double energy_gained(const Summary& summary) { return -summary.energy_absorbed_fraction; }
@@ -80,7 +80,7 @@ std::string pushing_back(const Summary& summary) {
       summary.force_on_way_in);
 }
 
-/// Why no blow follows this one.
+/// The reason why no blow follows this one.
 std::string series_cut(const Summary& summary) {
   const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
                           : summary.status == Status::time_limit ? "had not ended by the time limit"
@@ -89,8 +89,8 @@ std::string series_cut(const Summary& summary) {
                      summary.blow, summary.blows, why);
 }
 
-/// A pad of which next to nothing was left, or the layers in the order in which they were struck through;
-/// nothing if none was. What bottomed out is said to have done so.
+/// The flag of a pad or of layers struck through, in the order of time; nothing if none was. A pad that
+/// bottomed out has the flag BOTTOMED instead.
 std::optional<Flag> striking_through(const Summary& summary) {
   const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
@@ -119,10 +119,10 @@ std::string softening(const Summary& summary) {
       plain_number(summary.softening_rates.front()));
 }
 
-/// Of a figure: what moves it by less is no reservation.
+/// Relative change of a figure below which there is no reservation.
 constexpr double worth_saying = 0.01;
 
-/// What a source does to the decisive figure that it moves most.
+/// Effect of a source on the decisive figure that it moves most.
 struct Effect {
   std::string key;
   double down = 0, up = 0;  ///< shares of the nominal, >= 0
@@ -159,7 +159,7 @@ std::string words_of(const Effect& effect) {
   return what + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
 }
 
-/// Nothing for what moves no decisive figure.
+/// The flag of an extrapolation; nothing if it moves no decisive figure.
 std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolation& of,
                                        const std::vector<std::string>& decisive) {
   const std::string name = name_of(of.beyond);
@@ -189,7 +189,7 @@ bool is_cut(const Summary& summary) {
 }
 
 bool leaves_a_known_pad(const Summary& summary) {
-  // A tolerance may be missed by the end of contact alone.
+  // The tolerance may be missed by the end of contact alone.
   const bool is_known = summary.trustworthy() || summary.errors.peak_penetration <= summary.tolerance;
   return summary.release && is_known && !summary.bottomed;
 }

@@ -16,14 +16,14 @@
 namespace dashpad {
 namespace {
 
-/// Values between which the solver's arithmetic is sure not to overflow; nobody's impact is outside.
+/// Ranges within which the solver's arithmetic cannot overflow, wider than any real impact.
 constexpr Bounds masses = Impactor::parameters[0].bounds;
 constexpr Bounds lengths = Pad::parameters[0].bounds;
 constexpr Bounds stiffnesses = wide(1e-3, 1e15);
 constexpr Bounds dampings = wide(1e-6, 1e12);
 constexpr Bounds forces = wide(1e-6, 1e12);
 
-/// NaN breaks every range. `must`: what the rule begins with.
+/// Adds a violation if the value is out of bounds; NaN always is. `must`: first words of the rule.
 void check(std::vector<Violation>& broken, std::string key, double value, const Bounds& bounds,
            std::string_view unit, const std::string& must = "must be ") {
   constexpr std::string_view begin = "must be ";
@@ -31,7 +31,7 @@ void check(std::vector<Violation>& broken, std::string key, double value, const 
     broken.push_back({std::move(key), value, must + rule->substr(begin.size())});
 }
 
-// The rules between the numbers of a nose. A value that is not a number breaks its range already.
+// The rules between the numbers of a nose. NaN breaks its range already.
 
 template <class Shape>
 void check_rules(const Shape&, std::vector<Violation>&) {}
@@ -62,8 +62,8 @@ void check_rules(const Profile& profile, std::vector<Violation>& broken) {
   check(broken, list, profile.scale * profile.points.back().depth, lengths, "m", "the last depth must be ");
 }
 
-/// Lengths of a nose are in the range of lengths, or 0 where their table admits it; its other numbers are
-/// within the bounds of the table.
+/// Checks the numbers of a nose: lengths against the range of lengths, or 0 if their table admits it; others
+/// against their bounds in the table.
 void check_nose(std::vector<Violation>& broken, const Nose& nose) {
   std::visit(
       [&]<class Shape>(const Shape& shape) {
@@ -93,7 +93,7 @@ void check_support(std::vector<Violation>& broken, const Support& support) {
   }
 }
 
-/// NaN breaks the rules.
+/// Checks the earlier penetration; NaN breaks the rule.
 void check_earlier_penetration(std::vector<Violation>& broken, const Pad& pad) {
   const double earlier = pad.earlier_penetration;
   const bool has_thickness = lengths.contain(pad.thickness);
@@ -128,7 +128,7 @@ void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
          "blow has no bound"});
 }
 
-/// What is 0 is not there.
+/// Checks the parts of a support; those that are 0 are absent.
 void check_backing(std::vector<Violation>& broken, const Support& support, const Backing& of) {
   const std::size_t before = broken.size();
   check_bounds(of, "support.", broken);
@@ -167,7 +167,7 @@ void add(std::vector<Violation>& broken, std::vector<Violation> more, const std:
   }
 }
 
-/// Thinnest layer, of the pad.
+/// Least thickness of a layer as a share of the pad's.
 constexpr double least_share = 1e-6;
 
 void check_layers(std::vector<Violation>& broken, const Pad& pad) {
@@ -196,7 +196,7 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
   check_bounds(impact.impactor, "impactor.", broken);
   check_nose(broken, impact.impactor.nose);
   for (const Parameter<Pad>& parameter : Pad::parameters) {
-    // Of layers the sum, where each of them has a thickness. What is said of earlier blows is checked below.
+    // The sum of layers is checked if each has a thickness; earlier blows are checked below.
     const bool is_sum_of_faults =
         parameter.member == &Pad::thickness &&
         !std::ranges::all_of(impact.pad.layers, [](const PadLayer& layer) { return layer.thickness > 0; });

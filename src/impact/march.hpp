@@ -1,9 +1,9 @@
 #pragma once
-/// One run through an impact at one resolution: the loop of theory.md, section 4, and the figures read off.
+/// One run through an impact at one resolution: the loop of theory.md, section 4, and its figures.
 ///
-/// The run goes through phases: loading, unloading, held (a rigid foam off its crush curve, or a fully
-/// compressed pad on a yielding support: Eq. 29; a pad is also held for a moment where neither of the other
-/// two has a solution), flight (contact is lost, but a panel may come after the impactor). They end at events
+/// The phases of a run are loading, unloading, held (a rigid foam off its crush curve, or a fully compressed
+/// pad on a yielding support, Eq. 29; also any pad for a moment, if neither of the other two has a solution)
+/// and flight (contact is lost, but a panel may come after the impactor). They end at events
 /// (impact/events.hpp), which are located within the step.
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace dashpad {
 
-/// A panel whose mass the tolerance would not show is left out: steps that resolved its own vibration would
-/// number as the root of the ratio of the masses (theory.md, section 5.2).
+/// The support without a panel too light to matter at the tolerance: the number of steps that resolve its
+/// vibration would grow with the root of the ratio of masses (theory.md, section 5.2).
 inline Backing without_light_panel(Backing backing, const Impactor& impactor, double tolerance) {
   if (backing.mass < numerics.lightest_panel * tolerance * impactor.mass && backing.gap == 0)
     backing.mass = 0;
@@ -57,8 +57,8 @@ class March {
   March& operator=(const March&) = delete;
 
   struct Bounds {
-    double expected = infinite;   ///< peak penetration, m, as far as it is known
-    double most_work = infinite;  ///< after which the run is given up, s
+    double expected = infinite;   ///< expected peak penetration, m
+    double most_work = infinite;  ///< work after which the run is given up, s
   };
   /// Runs the impact with steps of about `resolution` radians of the momentary oscillation.
   Figures run(double resolution, Track& track, Bounds bounds = {}) {
@@ -91,13 +91,13 @@ class March {
   struct Stretch {
     Trial trial;
     Event event = Event::none;
-    bool moves = true;  ///< if not, the event happens where the state stands
+    bool moves = true;  ///< if not, the event happens at the present state
   };
 
   double begin(double resolution, double expected, Track& track) {
     resolution_ = resolution;
     figures_ = {};
-    // What does not give way at once is held until the support pushes hard enough.
+    // A pad that does not give way at once is held until the support pushes hard enough.
     const double strength = contact_.first_force();
     const double at_once = foundation_.force_at_once(impactor_.speed);
     phase_ = strength > at_once && !foundation_.stops_hard() ? Phase::held : Phase::loading;
@@ -119,7 +119,7 @@ class March {
     add_entry(track);
     double stiffness = 0;
     const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
-    // A pad on a damper may give way, as to a shock, long before the two have come anywhere.
+    // A pad on a damper may give way, as to a shock, long before either has moved far.
     const bool gives_way_first = !memoryless && foundation_.kind() == Foundation::Kind::damper;
     const double most_force = gives_way_first ? resolution * at_once : infinite;
     const double step = control_.first_step(phase_, impactor_.speed, most_force, force_of, stiffness);
@@ -130,7 +130,7 @@ class March {
 
   bool limit_is_reached(const Track& track) {
     if (now_.time >= options_.time_limit) {
-      // What has been left for good is left, though the panel still has to go through its gap.
+      // An impactor that will not meet the pad again is released, even if the panel is still in its gap.
       const bool has_left =
           phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= least_return();
       figures_.ending = has_left ? Ending::released : Ending::time_limit;
@@ -140,7 +140,7 @@ class March {
            contact_.stations() >= most_stations || idle_ + moments_ > numerics.most_idle_events;
   }
 
-  /// Of the run so far, s.
+  /// Work of the run so far, s.
   [[nodiscard]] double work(const Track& track) const {
     const double of_steps = numerics.work_of_step * double(track.size());
     if constexpr (HasLayers<Contact>)
@@ -175,7 +175,7 @@ class March {
     sight.least_return = least_return();
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
-      // The force may have its peak there; where it does not, a step passes the corner without loss of order.
+      // The force may peak there; elsewhere a step passes the corner without loss of order.
       if (phase_ == Phase::loading && motion_.force_rate() > 0)
         if (const double at = contact_.rate_corner(); at > 0)
           sight.over_rate_corner = contact_.slip_rate(trial.pad) / at - 1;
@@ -183,7 +183,7 @@ class March {
     return sight;
   }
 
-  /// A panel about to land, with which the pad turns: no loading step may reach as far.
+  /// Whether a panel is about to land: the pad turns with it, so no loading step may reach that far.
   [[nodiscard]] bool lands_now() const {
     const double soon = numerics.event_precision * resolution_ * resolution_ * control_.usual();
     return phase_ == Phase::loading && foundation_.time_to_stop(now_.back) < soon;
@@ -194,7 +194,7 @@ class March {
     Trial trial = attempt(step);
     FirstEvent first = first_event(sight(trial));
     const double shortest = numerics.shortest_step * std::max(now_.time, step);
-    // Far too long for what it found, or into several events at once: a shorter step tells more.
+    // A step far too long for its result, or with several events, is halved.
     for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
       const bool too_long =
           first.kind == nullptr && step > numerics.too_long * control_.longest(phase_, trial);
@@ -214,9 +214,10 @@ class March {
     const Event event = first.event();
     const double too_short = numerics.least_step_to_branch_end * resolution_ * beyond.step;
     Trial trial = locate(first, beyond, is_corner(event));
-    // On a branch with more than one force for a rate: the slower search.
+    // On a branch with several forces for a rate the slower search is needed.
     if (is_corner(event) && !equilibrium_.is_solved(trial)) trial = locate(first, beyond, false);
-    // At once: the phase changes where it stands. What ends or locks the run is still gone up to.
+    // If the event is immediate, the phase changes at the present state, but a step still leads to a release
+    // or lock.
     const bool branch_ends = event == Event::turning || event == Event::reloading;
     const bool goes_on = event != Event::release && event != Event::lock;
     if ((goes_on && trial.step < shortest) || (branch_ends && trial.step < too_short))
@@ -228,18 +229,18 @@ class March {
     return {trial, event, true};
   }
 
-  /// The release of a moving pad with memory: Eq. 27 along the motion without force.
+  /// Whether it is the release of a moving pad with memory, found by Eq. 27 along the motion without force.
   [[nodiscard]] bool is_lost_contact(Event event) const {
     return !memoryless && event == Event::release && phase_ != Phase::held;
   }
 
-  /// The corner of a support at once at a moving pad with memory: the force is known.
+  /// Whether it is a corner of a support at once below a moving pad with memory, where the force is known.
   [[nodiscard]] bool is_corner(Event event) const {
     return !memoryless && !has_sheet_ && event == Event::corner && phase_ != Phase::held &&
            phase_ != Phase::flight && foundation_.kind() == Foundation::Kind::at_once;
   }
 
-  /// A trial that ends where an event is looked for, and its indicator: positive before the event.
+  /// A trial in the search of an event, and its indicator, positive before the event.
   struct Look {
     Trial trial;
     double value = 0;
@@ -269,8 +270,8 @@ class March {
     return {trial, value};
   }
 
-  /// The longest step that does not pass an event, or the shortest that does, as the event wants it; one of
-  /// length 0 if the event is now.
+  /// The longest step that does not pass an event, or the shortest that does, depending on the event; a step
+  /// of length 0 if the event is now.
   Trial locate(const FirstEvent& first, const Trial& beyond, bool by_force) {
     const EventKind& kind = *first.kind;
     const bool by_attempt = kind.event != Event::lock && !is_lost_contact(kind.event) && !by_force;
@@ -319,11 +320,11 @@ class March {
     }
   }
 
-  /// Neither phase has a solution from here, as at a corner of the support from which loading and unloading
-  /// both lead back: the pad is held for a moment.
+  /// Holds the pad for a moment where neither phase has a solution, as at a corner of the support from which
+  /// loading and unloading both lead back.
   void hold_for_a_moment() {
     if (foundation_.stands_still(now_.back, now_.force)) return;
-    // What moves against a panel would be stopped by it at once.
+    // Holding would stop a pad that moves against a panel at once.
     const bool on_panel = foundation_.kind() == Foundation::Kind::panel;
     if (on_panel && std::abs(now_.drive) > numerics.least_speed_to_stop * impactor_.speed) return;
     const double moment = numerics.held_moment * resolution_ * resolution_ * control_.usual();
@@ -359,7 +360,7 @@ class March {
     }
     if (event == Event::turning) {
       turn();
-      // A rigid foam on a firm support has brought the impactor to rest on it.
+      // Rigid foam on a firm support has brought the impactor to rest.
       if (next == Phase::over && foundation_.backing().body_mass == 0) motion_.stop();
     }
     enter(next, event == Event::lock ? Ending::bottomed_out : Ending::released);
@@ -370,7 +371,7 @@ class March {
     has_just_turned_ = true;
   }
 
-  /// The force jumps where a phase begins in which something else sets it.
+  /// Lets the force jump where a phase begins in which something else determines it.
   void jump_from(Phase before) {
     if (phase_ == Phase::held) motion_.begin_holding();
     if (before == Phase::flight && phase_ == Phase::loading && !contact_.recovers())
@@ -394,11 +395,11 @@ class March {
     if (if_over == Ending::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
   }
 
-  // ------------------------------------------------------------------ what is left of a run
+  // ------------------------------------------------------------------ the record of a run
 
   void record(Track& track) {
     add_entry(track);
-    // In a shorter step the rate is little else than what the roots have left over.
+    // In a shorter step the rate is mostly the residual of the roots.
     const double rate = std::abs(predictor_.pad_rate());
     const double elapsed = track.history.time.back() - track.history.time[track.size() - 2];
     if (elapsed > numerics.least_step_with_rate * resolution_ * control_.usual() &&
@@ -446,10 +447,10 @@ class March {
     figures_.set = foundation_.set();
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
-    // What came back to the pad after a release, and stayed, has not left it.
+    // An impactor that came back after a release and stayed has not left the pad.
     if (figures_.ending != Ending::released) figures_.release.reset();
     read_peaks(track, figures_);
-    // That of a rigid support is the pad's, which has no finite value where it bottoms out.
+    // On a rigid support it is the force of the pad, which has no finite value at bottoming.
     if (figures_.ending == Ending::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
       figures_.peak_transmitted = 0;
     read_weight(track, impactor_, figures_);
@@ -470,8 +471,8 @@ class March {
 
   Impactor impactor_;
   double thickness_;
-  double crater_ = 0;  ///< in which a pad that was struck before is met, m below its surface when new
-  double joint_ = 0;   ///< penetration at which it goes over to its first loading, m; 0: it does not
+  double crater_ = 0;  ///< depth of the crater of a pad struck before, m below the surface of the new pad
+  double joint_ = 0;   ///< penetration at which the pad joins its first loading, m; 0: none
   Foundation foundation_;
   Contact& contact_;
   const Options& options_;
@@ -485,10 +486,10 @@ class March {
   double resolution_ = 0;
   double most_work_ = 0;
   Phase phase_ = Phase::loading;
-  int idle_ = 0;                  ///< turns of the loop since time last went on
-  int moments_ = 0;               ///< in which the pad was held, since a step was taken
-  double turning_time_ = 0;       ///< of the nose against the back of the pad, the last, s
-  bool has_just_turned_ = false;  ///< no time has passed since then
+  int idle_ = 0;                  ///< loops since time last advanced
+  int moments_ = 0;               ///< moments the pad was held since the last step
+  double turning_time_ = 0;       ///< time of the last turn of the nose against the pad's back, s
+  bool has_just_turned_ = false;  ///< no time has passed since turning_time_
   double left_at_ = 0;            ///< penetration at the last release, m
   Swing swing_;
   Figures figures_;

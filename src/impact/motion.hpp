@@ -4,10 +4,10 @@
 ///   V1 = V0 - (F0 / 2 + F1 / 2 - q / 6) dt / M                                     (theory.md, Eq. 23)
 ///   X1 = X0 + V0 dt - (F0 / 3 + F1 / 6 - q / 12) dt^2 / M
 ///
-/// and for gravity V1 + g dt, X1 + g dt^2 / 2. q is the bend of the parabola of F(t) through the last three
-/// moments, 0 after an event. A sheet adds its mass and drag (impact/sheet.hpp). For a pad without memory on
-/// an elastic support the mean force is the one whose work is exact (theory.md, Eq. 24). The back of the pad
-/// moves by the same force. Compression positive; SI units.
+/// and for gravity V1 + g dt, X1 + g dt^2 / 2. q is the curvature term of the parabola of F(t) through the
+/// last three moments, 0 after an event. A sheet adds its mass and drag (impact/sheet.hpp). For a pad without
+/// memory on an elastic support the mean force has exact work (theory.md, Eq. 24). The same force moves the
+/// back of the pad. Compression positive; SI units.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ class Motion {
         contact_(contact),
         sheet_(std::move(sheet)) {}
 
-  /// `force`: at first contact, N.
+  /// Starts at first contact; `speed` in m/s, `force` in N.
   void start(double speed, double force) {
     now_ = {};
     sheet_.start();
@@ -44,14 +44,14 @@ class Motion {
   [[nodiscard]] const State& now() const { return now_; }
   /// Largest penetration so far, m.
   [[nodiscard]] double deepest() const { return deepest_; }
-  /// Of the last step, N/s and s.
+  /// Rate of the force over the last step, N/s, and its length, s.
   [[nodiscard]] double force_rate() const { return force_rate_; }
   [[nodiscard]] double last_step() const { return last_step_; }
 
-  /// Takes the end of a step; `smooth`: the force goes on from it without a kink.
+  /// Accepts the end of a step; `smooth`: the force continues from it without a kink.
   void accept(const State& end, double step, bool smooth) {
     if (sheet_.has_mass()) {
-      // Step by step, since the drag jumps at the rim of a nose.
+      // The work is summed step by step, since the drag jumps at the rim of a nose.
       const Sheet::Load sheet = sheet_.load(now_.penetration, end.penetration, step);
       work_on_sheet_ +=
           (sheet.drag + sheet.mass * (end.velocity - now_.velocity) / step) * (end.motion - now_.motion);
@@ -65,30 +65,30 @@ class Motion {
     deepest_ = std::max(deepest_, end.penetration);
     learn_work();
   }
-  /// What the impactor has given a sheet since it met the first of it, J.
+  /// Energy given to a sheet since first contact, without that to a flat tip's share, J.
   [[nodiscard]] double work_on_sheet() const { return work_on_sheet_; }
   void stop() { now_.velocity = 0; }
-  /// The back strikes its stop, and the nose is what it was.
+  /// Lets the back strike its stop; the nose moves on unchanged.
   void land(const BackState& back) {
     now_.back = back;
     now_.drive = now_.velocity - back.velocity();
     smooth_ = false;
   }
-  /// What the last root has left over of Eq. 25 would be the rate of a very short step: none of it is left.
+  /// Removes the residual of Eq. 25, which would determine the rate of a very short step.
   void close() { now_.motion = now_.penetration + now_.back.motion(); }
-  /// Of the impactor, by the force of the pad, m/s2.
+  /// Acceleration of the impactor under a force of the pad, m/s2.
   [[nodiscard]] double acceleration(double force) const { return (mass_ * gravity_ - force) / moving_mass(); }
-  /// The nose meets foam that stayed crushed: the force jumps.
+  /// Lets the force jump where the nose meets foam that stayed crushed.
   void begin_crushing(double penetration, double force) {
     now_.penetration = penetration;
     jump_to(force);
   }
-  /// The pad keeps its shape from now on, and what is behind it sets the force.
+  /// Begins to hold the shape of the pad: what is behind it then determines the force.
   void begin_holding() {
     now_.back = foundation_.stuck(now_.back, now_.velocity);
     jump_to(foundation_.force_when_stuck(now_.back, now_.force, moving_mass(), mass_ * gravity_));
   }
-  /// Fills `end`, but for its drive, for a step in which it does; not for a support at once.
+  /// Fills `end`, except its drive, for a step in which the pad is held; not for a support at once.
   void stick(double step, State& end) const {
     const BackState from = foundation_.stuck(now_.back, now_.velocity);
     end.time = now_.time + step;
@@ -98,14 +98,13 @@ class Motion {
     end.velocity = end.back.velocity();
     end.force = foundation_.force_when_stuck(end.back, now_.force, mass_, mass_ * gravity_);
     if (const double recoil = foundation_.recoil(end.back); recoil < 0) {
-      // The back is stopped, and what is stuck to it by pressure alone leaves it.
+      // The back stops, and the impactor, which only pressure holds to it, leaves.
       end.velocity += recoil;
       end.force = -std::abs(end.force);
     }
   }
 
-  /// Fills `end`, but for its drive, for a trial penetration and its force; returns the residual of Eq. 25,
-  /// m.
+  /// Fills `end`, except its drive, for a trial penetration and its force; returns the residual of Eq. 25, m.
   double residual(double penetration, double force, double step, State& end) const {
     end.penetration = penetration;
     end.force = force;
@@ -122,20 +121,20 @@ class Motion {
     end.back = foundation_.after(now_.back, over, {end.motion - now_.motion, end.velocity});
     return penetration + end.back.motion() - end.motion;
   }
-  /// N: what slows the impactor down, of the pad and of a sheet on it.
+  /// Force of pad and sheet that slows the impactor down, N.
   [[nodiscard]] double force_on_impactor() const {
     if (!sheet_.has_mass()) return now_.force;
     const double carried = sheet_.carried();
     return (now_.force + sheet_.drag(now_.penetration, pad_rate()) + carried * gravity_) * mass_ /
            (mass_ + carried);
   }
-  /// The same for a state that was filled before.
+  /// Residual of Eq. 25 for a state filled before, m.
   [[nodiscard]] double residual(const State& end) const {
     return end.penetration +
            (foundation_.is_plain() ? foundation_.deflection(end.force) : end.back.motion()) - end.motion;
   }
-  /// By how much the impactor comes closer to the back of the pad in a step, if the force stays what it is
-  /// or, `unhindered`, none; m.
+  /// Travel of the impactor towards the back of the pad in a step at constant force, or without force if
+  /// `unhindered`, m.
   [[nodiscard]] double approach(double step, bool unhindered) const {
     const double force = unhindered ? 0 : now_.force;
     const double way = (now_.velocity - force * step / (2 * mass_) + gravity_ * step / 2) * step;
@@ -144,22 +143,23 @@ class Motion {
     const double velocity = now_.velocity - force * step / mass_ + gravity_ * step;
     return way - (foundation_.after(now_.back, over, {way, velocity}).motion() - now_.back.motion());
   }
-  /// dF/dt at the end of a step.
+  /// dF/dt at the end of a step, N/s.
   [[nodiscard]] double force_rate_after(double force, double step) const {
     const double rise = force - now_.force;
     return (rise + share_of_bend(step) * (rise - force_rate_ * step)) / step;
   }
-  /// d(X1 - Xback1)/dF1, in size, m/N: `force` is that at which the support is looked at.
+  /// Magnitude of d(X1 - Xback1)/dF1, m/N, with the support's compliance at `force`.
   [[nodiscard]] double flexibility(const BackState& back, double force, double step) const {
     return foundation_.compliance(back, force, step, share_of_moment(step)) + inertial_compliance(step);
   }
-  /// -dX1/dF1 of Eq. 23.
+  /// -dX1/dF1 of Eq. 23, m/N.
   [[nodiscard]] double inertial_compliance(double step) const {
     return step * step / mass_ * share_of_moment(step);
   }
 
  private:
-  /// dF/dY at the end of a step, of a pad with a sheet: never below 0, whatever the rounding in a short one.
+  /// Updates dF/dY of a pad with a sheet at the end of a step; never below 0, for all rounding in short
+  /// steps.
   void learn_stiffness(const State& end, double step) {
     const double advance = end.penetration - now_.penetration;
     is_held_ = advance == 0;
@@ -167,7 +167,7 @@ class Motion {
     stiffness_ = std::max(mean + share_of_bend(step) * (mean - mean_stiffness_), 0.0);
     mean_stiffness_ = mean;
   }
-  /// dY/dt now, m/s: a support at once gives way by what the force grows.
+  /// Present dY/dt, m/s; a support at once yields as the force grows.
   [[nodiscard]] double pad_rate() const {
     if (is_held_) return 0;
     if (foundation_.kind() != Foundation::Kind::at_once) return now_.velocity - now_.back.velocity();
@@ -175,7 +175,7 @@ class Motion {
     return stiffness_ > 0 ? closing / (1 + foundation_.static_compliance(now_.back, now_.force) * stiffness_)
                           : closing;
   }
-  /// Of the impactor and what it carries, kg.
+  /// Mass of the impactor and of the sheet that it carries, kg.
   [[nodiscard]] double moving_mass() const { return mass_ + sheet_.carried(); }
   void move(State& end, double mean, double moment, double mass, double gravity, double step) const {
     end.velocity = now_.velocity - mean * step / mass + gravity * step;
@@ -187,7 +187,7 @@ class Motion {
     smooth_ = false;
     learn_work();
   }
-  /// A pad without memory on an elastic support: the work is a function of where the two are.
+  /// Whether pad and support have energies that are functions of their state.
   [[nodiscard]] bool keeps_energy() const { return HasEnergy<Contact> && foundation_.is_elastic(); }
   [[nodiscard]] StepForce force_over(double penetration, double force, double step) const {
     if constexpr (HasEnergy<Contact>) {
@@ -200,7 +200,7 @@ class Motion {
     const double bend = share_of_bend(step) * (rise - force_rate_ * step);
     return {now_.force, force, now_.force + rise / 2 - bend / 6, now_.force / 2 + rise / 6 - bend / 12, step};
   }
-  /// Way and work of pad and support together up to now, which all trials from here share.
+  /// Updates the travel and work of pad and support up to now, common to all trials from here.
   void learn_work() {
     if constexpr (HasEnergy<Contact>) {
       if (!foundation_.is_elastic()) return;
@@ -232,7 +232,7 @@ class Motion {
   bool smooth_ = false;
   double way_ = 0;   ///< m
   double work_ = 0;  ///< J
-  // Of a pad with a sheet: whether it kept its shape over the last step, and dF/dY over that and now, N/m.
+  // For a pad with a sheet: whether it was held over the last step, and dF/dY over that step and now, N/m.
   bool is_held_ = false;
   double mean_stiffness_ = 0;
   double stiffness_ = 0;

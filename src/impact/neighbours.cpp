@@ -10,17 +10,18 @@
 namespace dashpad {
 namespace {
 
-// Of c: by finite elements of our own, fitted to two foams and tested on a third (theory.md, section 6).
+// Factors of c, by finite elements of our own, fitted to two foams and tested on a third (theory.md, section
+// 6.1).
 constexpr double of_disc = 0.625;
 constexpr double of_slip = 0.375;
-/// Radius over thickness below which nothing was computed: smaller noses have the factor of this one.
+/// Smallest computed radius over thickness; smaller noses have the factor of this one.
 constexpr double smallest = 0.5;
-/// Of the axes of an ellipsoid across the motion, up to which it counts as round.
+/// Largest ratio of the axes of an ellipsoid across the motion for which it counts as round.
 constexpr double longest = 1.5;
 
 constexpr double never = infinite;
 
-/// A disc by its perimeter: 2 / a is the perimeter over the area.
+/// A flat tip as a disc of the radius a, where 2 / a is the perimeter over the area.
 Tip flat_tip(double perimeter, double area, double thickness) {
   return {.over_pad = 2 * area / perimeter / thickness, .is_flat = true, .until = never};
 }
@@ -48,12 +49,12 @@ std::optional<Tip> tip_of(const Nose&, double) {
   return std::nullopt;
 }
 
-/// Whether the contact comes to the rim of a block before the pad is closed.
+/// Whether the contact reaches the rim of a block before the pad is closed.
 bool reaches_rim(const ImpactCase& impact) {
   return impact.pad.area && sections_of(impact).area(impact.pad.thickness) >= *impact.pad.area;
 }
 
-/// Nominal c: the least error of the force on bonded pads, radii of 2 to 6.6 thicknesses.
+/// Nominal c; the error of the force on bonded pads, R of 2 to 6.6 L, has a flat minimum at 0.93.
 constexpr double of_uniaxial_tests = 0.8;
 
 bool is_by_uniaxial_tests(const Material& material) {

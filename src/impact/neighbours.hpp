@@ -1,5 +1,5 @@
 #pragma once
-/// By how much neighbours help the columns of a case: the factor of its force, and where it stops.
+/// The help of neighbours to the columns of a case: the factor of its force, and its limits.
 
 #include <optional>
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace dashpad {
 
-/// Of the nose where it first meets the pad.
+/// Shape of the nose where it first meets the pad.
 struct Tip {
-  double over_pad = 0;  ///< radius of its round tip, or of a disc with the perimeter of its flat one, over L
+  double over_pad = 0;  ///< tip radius over L; of a flat tip, 2 area / perimeter over L
   bool is_flat = false;
-  /// Penetration at which a round tip ends, m; infinite where the nose goes on as it begins.
+  /// Penetration at which a round tip ends, m; infinite if it has no end.
   double until = 0;
 };
 
-/// Nothing where columns have no neighbours that they do not share the load with (a block below a nose that
-/// is as wide), and where what they do was not computed: below cones, cylinders, profiles, ellipsoids that
-/// are long, and on a block whose rim the nose reaches.
+/// The tip of a nose. Nothing where all columns are loaded alike (a block below a nose as wide), or where the
+/// effect was not computed: below cones, cylinders, profiles and long ellipsoids, and on a block if the nose
+/// reaches its rim.
 std::optional<Tip> tip_of(const ImpactCase& impact);
 
 /// Whether the face of the nose covers the pad, so that all columns are pressed alike.

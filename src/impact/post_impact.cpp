@@ -17,13 +17,13 @@ void check(const Body& body, const char* name) {
                                 " body is not finite");
 }
 
-/// M / (M + other), the share of the mass, also for one that is infinite.
+/// M / (M + other), the share of a mass, which may be infinite.
 double share(double mass, double other) { return std::isinf(mass) ? 1 : mass / (mass + other); }
 
 }  // namespace
 
-/// Eqs. 1 and 2 as changes of velocity: each body takes (1 + sqrt(C)) of the speed of approach, times the
-/// other's share of the mass.
+/// Eqs. 1 and 2 as changes of velocity: that of each body is (1 + sqrt(C)) times the speed of approach times
+/// the other's share of the mass.
 PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error) {
   check(first, "first");
   check(second, "second");
@@ -48,7 +48,7 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction, double
   after.second_velocity = second.velocity + (1 + after.restitution) * first_share * approach;
   after.available_energy = reduced_mass * approach * approach / 2;
 
-  // sqrt is steepest below C.
+  // The square root is steeper below C than above.
   after.errors.restitution = after.restitution - std::sqrt(std::max(0.0, after.energy_coefficient - error));
   if (after.energy_coefficient < error)
     after.errors.restitution =

@@ -1,7 +1,7 @@
 #pragma once
-/// Guesses for the next step, from the steps before: rate of the penetration, and stiffness of the pad.
+/// Guesses of the penetration rate and of the pad's stiffness in the next step, from the steps before.
 ///
-/// A guess decides how many trials a step needs, not what its solution is.
+/// A guess affects the number of trials of a step, not its solution.
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,16 @@
 
 namespace dashpad {
 
-/// Where the penetration rate of the next step is likely to lie, by the mean rates of the last three steps.
+/// Guess of the penetration rate in the next step, m/s, by the mean rates of the last three steps.
 ///
 /// The rate falls and grows like an exponential for most of an impact, so its logarithm is extrapolated, by
 /// divided differences over the middles of the steps.
 class RateTrend {
  public:
-  /// Forgets: after an event the rate may be another one.
+  /// Forgets all rates, as after an event the rate may be another.
   void restart() { *this = {}; }
 
-  /// Mean rate (not 0) over a step of length `step`; all since the restart have one sign.
+  /// Adds the mean rate, not 0, over a step of length `step`; all rates since the restart have one sign.
   void add(double rate, double step) {
     const double log_rate = std::log(std::abs(rate));
     if (steps_ > 0) {
@@ -44,7 +44,7 @@ class RateTrend {
     const double change = ahead * (slope_ + bend_ * (ahead + (step_before_ + step_) / 2));
     return rate_ * std::exp(std::clamp(change, -most_change, most_change));
   }
-  /// In which the rate changes by a factor of e, s; infinite while that is not known.
+  /// Time in which the rate changes by a factor of e, s; infinite while it is not known.
   [[nodiscard]] double time_scale() const { return slope_ != 0 ? 1 / std::abs(slope_) : infinite; }
   /// Rate at the end of the last step.
   [[nodiscard]] double now() const { return rate_ * std::exp(std::clamp(slope_ * step_ / 2, -1.0, 1.0)); }
@@ -63,27 +63,27 @@ class RateTrend {
 
 class Predictor {
  public:
-  /// `speed` at first contact, m/s; `stiffness` of the pad there, N/m.
+  /// Starts at first contact with `speed`, m/s, and the `stiffness` of the pad, N/m.
   void start(double speed, double stiffness) {
     *this = {};
     pad_rate_ = speed;
     pad_stiffness_ = stiffness_to_resolve_ = spring_ = stiffness;
   }
 
-  /// Mean rate of the penetration over the last step, or what a new phase begins with, m/s.
+  /// Mean rate of the penetration over the last step, or that at the start of a new phase, m/s.
   [[nodiscard]] double pad_rate() const { return pad_rate_; }
-  /// dF/dY over the last step, N/m, and what it is likely to be over the next.
+  /// dF/dY over the last step, N/m; next_stiffness() is a guess of that over the next.
   [[nodiscard]] double pad_stiffness() const { return pad_stiffness_; }
-  /// As Trial::stiffness_to_resolve().
+  /// Stiffness that steps must resolve, N/m (Trial::stiffness_to_resolve()).
   [[nodiscard]] double stiffness_to_resolve() const { return stiffness_to_resolve_; }
   [[nodiscard]] double next_stiffness() const { return pad_stiffness_ * stiffening_; }
-  /// In which the rate changes by a factor of e, s.
+  /// Time in which the rate changes by a factor of e, s.
   [[nodiscard]] double time_scale() const { return trend_.time_scale(); }
-  /// How long until the drive is 0, by the last step, s.
+  /// Time until the drive is 0, by its change in the last step, s.
   [[nodiscard]] double time_to_turning(const State& now) const { return -now.drive / drive_rate_; }
 
-  /// Mean rate over a step: by its trend, or between the rate now and that of the last step that was tried
-  /// from here, of which events take many. None just after an event.
+  /// Mean rate over a step: by its trend, or between the present rate and that of the last step tried from
+  /// here, since the search of an event tries many. Nothing just after an event.
   [[nodiscard]] std::optional<double> next_rate(double step) const {
     if (tried_step_ == 0) return trend_.is_known() ? std::optional(trend_.over(step)) : std::nullopt;
     if (!trend_.is_known()) return tried_rate_;
@@ -91,12 +91,12 @@ class Predictor {
     return rate + (tried_rate_ - rate) * step / tried_step_;
   }
 
-  /// A trial that had a solution, though it may not be accepted.
+  /// Records a trial, which may not be accepted.
   void learn_from_try(const Trial& trial) {
     if (trial.obstacle == Event::none && trial.pad.advance != 0)
       tried_step_ = trial.step, tried_rate_ = trial.pad_rate();
   }
-  /// A trial that is accepted, from the state `before` on; `event`: what it ends with.
+  /// Records an accepted trial, which began at the state `before` and ends with `event`.
   void learn(Phase phase, const State& before, const Trial& trial, Event event) {
     const double rate = trial.pad_rate();
     tried_step_ = 0;
@@ -104,12 +104,12 @@ class Predictor {
       spring_ = trial.stiffness_to_resolve();
     pad_rate_ = rate;
     if (phase != Phase::held) {
-      // What a first trial is left with is a guess, and must not go on to grow by itself.
+      // The stiffness of a first trial is a guess, which must not grow by itself.
       guesses_ = trial.pad_stiffness == next_stiffness() ? guesses_ + 1 : 0;
       const double least = 1 / numerics.most_stiffening;
       const bool is_mere_guess = guesses_ > numerics.most_guesses;
       const double most = is_mere_guess ? 1 : numerics.most_stiffening;
-      // A pad of constant force has none, and 0 / 0 is no trend.
+      // A pad of constant force has no stiffness, and 0 / 0 is no trend.
       const bool has_trend = trend_.is_known() && pad_stiffness_ > 0;
       stiffening_ = has_trend ? std::clamp(trial.pad_stiffness / pad_stiffness_, least, most) : 1;
       pad_stiffness_ = trial.pad_stiffness;
@@ -127,12 +127,12 @@ class Predictor {
       trend_.restart();
     drive_rate_ = (trial.end.drive - before.drive) / trial.step;
   }
-  /// A phase that begins with `event` at the state `now`.
+  /// Prepares for the phase that begins with `event` at the state `now`.
   void begin_phase(Event event, const State& now) {
     tried_step_ = 0;
     const double approach = now.velocity - now.back.velocity();
     if (event == Event::turning || event == Event::reloading) {
-      // What the last step had may be the quotient of two roundings.
+      // The stiffness of the last step may be a quotient of roundings.
       pad_stiffness_ = stiffness_to_resolve_ = spring_;
       stiffening_ = 1;
     }
@@ -141,7 +141,7 @@ class Predictor {
       pad_rate_ = std::max(approach, 0.0);
     if (event == Event::unlock || event == Event::release) pad_rate_ = approach;
   }
-  /// The pad was held for a moment.
+  /// Forgets the rate, as the pad was held for a moment.
   void forget_rate() {
     pad_rate_ = tried_step_ = 0;
     trend_.restart();
@@ -152,10 +152,10 @@ class Predictor {
   double pad_stiffness_ = 0;
   double stiffness_to_resolve_ = 0;
   double spring_ = 0;      ///< stiffness before the rate broke down towards the turning point
-  double stiffening_ = 1;  ///< of the pad from the step before to the last
-  int guesses_ = 0;        ///< of the stiffness, one after the other
+  double stiffening_ = 1;  ///< factor of the stiffness from the step before to the last
+  int guesses_ = 0;        ///< number of consecutive guesses of the stiffness
   double drive_rate_ = 0;
-  double tried_step_ = 0;  ///< the last that was tried from the state now and had a solution; 0: none
+  double tried_step_ = 0;  ///< last solved step tried from the present state; 0: none
   double tried_rate_ = 0;
   RateTrend trend_;
 };

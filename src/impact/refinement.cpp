@@ -12,7 +12,7 @@ namespace {
 
 constexpr double unknown = infinite;
 
-/// Calls visit(member of each) for every number of a run that is extrapolated.
+/// Calls visit(the member of each run) for every number that is extrapolated.
 template <class Visit, class... Run>
 void for_each_number(Visit&& visit, Run&... runs) {
   visit(runs.peak_force...);
@@ -56,10 +56,10 @@ std::array<double*, 10> all(ErrorEstimates& e) {
           &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed,  &e.support};
 }
 
-/// Went through the impact, to figures that are numbers.
+/// Whether a run went through the impact and has finite figures.
 bool is_sound(const Figures& run) { return run.ending != Ending::too_many_steps && is_finite(run); }
 
-/// Ended alike.
+/// Whether two runs ended alike.
 bool same_kind(const Figures& a, const Figures& b) {
   return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
          a.contact_end.has_value() == b.contact_end.has_value() &&
@@ -70,7 +70,7 @@ Figures extrapolate(const Figures& fine, const Figures& coarse) {
   Figures result = fine;
   for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
                   coarse);
-  // Of magnitudes that are next to nothing the correction may be the larger part.
+  // The correction of a tiny magnitude may exceed it.
   for (double Figures::*of :
        {&Figures::peak_transmitted, &Figures::peak_deflection, &Figures::set, &Figures::crushing_force})
     if (result.*of < 0) result.*of = fine.*of;
@@ -111,7 +111,7 @@ bool Refinement::add(const Figures& run) {
 
 void Refinement::judge(const Figures& run, const Figures& before) {
   const Figures& now = extrapolated_;
-  // Comparisons with a value that is not a number are false: std::max would pass over it.
+  // std::max would ignore NaN.
   const auto error = [](double x, double x_before, double x_run, double scale) {
     if (!std::isfinite(x) || !std::isfinite(x_before) || !std::isfinite(x_run)) return unknown;
     const double difference =
@@ -122,7 +122,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return error(x, x_before, x_run, std::abs(x));
   };
   errors_ = {};
-  // On a rigid support a bottomed pad has no peak force; what matters is when and how fast it bottoms.
+  // On a rigid support a bottomed pad has no peak force; what matters is time and speed at bottoming.
   const bool ended_in_lock = now.ending == Ending::bottomed_out;
   if (!ended_in_lock) {
     errors_.peak_force = relative(now.peak_force, before.peak_force, run.peak_force);
@@ -141,7 +141,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     return error(m.velocity, m_before.velocity, m_run.velocity,
                  std::max(std::abs(m.velocity), numerics.least_speed * speed_));
   };
-  // The larger error of time and velocity.
+  // The larger of the errors of time and velocity.
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
                           const std::optional<Moment>& m_run) {
     if (!m) return 0.0;
@@ -170,7 +170,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     if (x == 0 && x_before == 0 && x_run == 0) return 0.0;
     return scale > 0 ? error(x, x_before, x_run, scale) : unknown;
   };
-  // What moves and stays is small against what comes and goes; of bodies, against the impact speed.
+  // Deflections and sets count relative to the peak deflection, bodies' speeds to the impact speed.
   const auto of_ways = [&](double scale) {
     return std::max(of_support(now.peak_deflection, before.peak_deflection, run.peak_deflection, scale),
                     of_support(now.set, before.set, run.set, scale));
@@ -181,10 +181,10 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   errors_.support = std::max(of_others, of_ways(now.peak_deflection));
   worst = std::max({worst, of_others,
                     of_ways(std::max(now.peak_deflection, numerics.least_deflection * now.peak_motion))});
-  // The small difference of large numbers has their rounding.
+  // A small difference of large numbers has their rounding.
   errors_.energy_absorbed =
       std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
-  // Nor is it known what the last swing adds where that is not told from one with more to come.
+  // The last swing adds an unknown share unless the speeds of swings differ clearly from the limit of rest.
   const double slow = numerics.speed_at_rest * speed_;
   const auto is_beyond = [&](double side, double x, double x_before, double x_run) {
     return x_run == 0 || side * (x - slow) > std::max(std::abs(x - x_before), std::abs(x - x_run));
@@ -193,10 +193,10 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
     errors_.energy_absorbed = unknown;
   const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
-  // The absorbed share, a small difference of large numbers, is held to ten times the tolerance relative to
-  // itself, down to a twentieth of the impact energy.
+  // The absorbed share, a small difference of large numbers, is held to ten times the tolerance, relative to
+  // itself or to a twentieth of the impact energy.
   const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
-  // A reloading that one run has and the other steps over may be much or nothing: one more run tells.
+  // A reloading that only one of two runs has may matter or not: one more run decides.
   const bool enough =
       reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.

@@ -1,13 +1,12 @@
 #pragma once
-/// A sheet on the struck face of the pad, with mass and neither stiffness nor tension: a cover of rubber, a
-/// trim of steel.
+/// A sheet with mass but neither stiffness nor tension on the struck face of the pad: a rubber cover, a steel
+/// trim.
 ///
 ///   (M + m) dV/dt = M g - F - D,   m = mu a,   D = (dm/dt) (dY/dt) while the nose goes in   (theory.md, Eq.
 ///   56)
 ///
-/// A column's share of it is at rest with the pad until the nose meets it, is then taken along in a plastic
-/// blow, and goes on with the speed that it has where the column is left without stress. Compression
-/// positive; SI units.
+/// A column's share of it is at rest with the pad until the nose meets it, is taken along in a plastic blow,
+/// and keeps the speed that it has where the column is left without stress. Compression positive; SI units.
 
 #include <algorithm>
 #include <numbers>
@@ -18,21 +17,21 @@ namespace dashpad {
 
 class Sheet {
  public:
-  /// None.
+  /// No sheet.
   Sheet() = default;
-  /// `mass_per_area`: mu, kg/m2, >= 0; 0: none.
+  /// `mass_per_area`: mu, kg/m2, >= 0; 0: no sheet.
   Sheet(double mass_per_area, const Sections& nose) : mass_per_area_(mass_per_area), nose_(nose) {}
 
   [[nodiscard]] bool has_mass() const { return mass_per_area_ > 0; }
-  /// The tip has met its share.
+  /// Starts at first contact, as the tip has met its share.
   void start() {
     carried_ = mass_per_area_ * nose_.tip;
     loss_rate_ = 0;
   }
-  /// m: what moves with the nose, kg.
+  /// m, mass that moves with the nose, kg.
   [[nodiscard]] double carried() const { return carried_; }
 
-  /// Over a step from one penetration to another: the mean of m, kg, and of D, N.
+  /// Means of m, kg, and of D, N, over a step from one penetration to another.
   struct Load {
     double mass = 0;
     double drag = 0;
@@ -45,7 +44,7 @@ class Sheet {
       const double met = mass_per_area_ * (nose_.area(to) - nose_.area(from));
       return {carried_ + met / 2, met * (to - from) / (step * step)};
     }
-    // On the way back the columns that are left are known by the end of a step only.
+    // On the way back the columns left are known only at the end of a step.
     return {to < from ? std::max(carried_ - loss_rate_ * step / 2, 0.0) : carried_, 0};
   }
   /// D at a penetration and its rate, N.
@@ -53,7 +52,7 @@ class Sheet {
     if (rate <= 0) return 0;
     return mass_per_area_ * 2 * std::numbers::pi * nose_.rate(penetration) * rate * rate;
   }
-  /// The end of a step; `radius` of the columns under stress, m.
+  /// Accepts the end of a step; `radius` is that of the stressed area, m.
   void accept(double radius, bool goes_back, double step) {
     const double before = carried_;
     carried_ = mass_per_area_ * std::numbers::pi * radius * radius;
@@ -64,7 +63,7 @@ class Sheet {
   double mass_per_area_ = 0;
   Sections nose_;
   double carried_ = 0;
-  double loss_rate_ = 0;  ///< kg/s
+  double loss_rate_ = 0;  ///< loss of m per time, kg/s
 };
 
 }  // namespace dashpad

@@ -35,18 +35,18 @@ void refuse_unsound(const ImpactCase& impact, bool law_is_sound, const Options& 
   throw std::invalid_argument(message);
 }
 
-/// Entries of a history for which there is room from the start: more than most impacts need, and in all less
-/// than the 128 KiB that the heap hands back to the system, and has to ask for anew, with every Solver.
+/// Entries of a history that are reserved from the start: more than most impacts need, and in total less than
+/// the 128 KiB from which on the heap returns memory to the system and requests it anew for every Solver.
 constexpr std::size_t usual_entries = 700;
 
-/// What the runs of an impact leave behind.
+/// Records of the runs of an impact.
 struct Runs {
-  Track now;      ///< of the run that goes on, or failed
-  Track finest;   ///< of the last of those whose figures are reported
-  Pulse coarser;  ///< of the one before it
+  Track now;      ///< current or failed run
+  Track finest;   ///< finest run whose figures are reported
+  Pulse coarser;  ///< pulse of the run before it
 };
 
-/// Runs the impact at finer and finer resolution until the figures settle or the work is spent.
+/// Runs the impact at increasingly fine resolution until the figures settle or the work is spent.
 template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Runs& runs) {
   Refinement refinement(impact.impactor, options.tolerance);
@@ -54,10 +54,10 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   double expected = impact.pad.thickness;
   double left = numerics.most_work *
                 std::clamp(std::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.most_patience);
-  double cost = 0;    // of the next run, as far as the runs so far tell, s
-  double steps = 0;   // likewise
-  double before = 0;  // work of the run before that got through
-  int given_up = 0;   // runs since then
+  double cost = 0;    // estimate for the next run, s
+  double steps = 0;   // steps of the next run
+  double before = 0;  // work of the last run that got through
+  int given_up = 0;   // runs given up since then
   runs.finest.clear();
   runs.coarser.time.clear();
   runs.coarser.acceleration.clear();
@@ -73,8 +73,8 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     if (run.peak_penetration > 0) expected = run.peak_penetration;
     if (options.fixed_runs > 0 ? refinement.runs() >= options.fixed_runs : refinement.settled()) break;
     if (options.fixed_runs > 0) continue;
-    // What the next run will cost: twice the steps, and of columns up to twice as many each. A run that
-    // stalls says nothing of it, and one that is finer may get through.
+    // Cost of the next run: twice the steps, each with up to twice the columns. A run that stalls predicts
+    // nothing, and a finer one may get through.
     left -= run.work;
     const double growth = before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0;
     if (run.ending == Ending::too_many_steps) {
@@ -97,9 +97,9 @@ ImpactCase first_blow(const ImpactCase& series) {
   return blow;
 }
 
-/// What the next blow meets (theory.md, Eq. 47): the only place where a state is carried from one blow to the
-/// next. Nothing after the last blow, and after one whose outcome does not say what it leaves behind; with a
-/// fixed number of runs its accuracy does not count.
+/// The case of the next blow (theory.md, Eq. 47): the only place where a state is carried from one blow to
+/// the next. Nothing after the last blow, or after one that leaves the pad in an unknown state; with a fixed
+/// number of runs accuracy does not matter.
 std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& blow, const Summary& summary,
                                     const Options& options) {
   const bool leaves_a_pad =
@@ -109,7 +109,7 @@ std::optional<ImpactCase> next_blow(const ImpactCase& series, const ImpactCase& 
   if (blow_memory(blow.pad.material.law) != BlowMemory::none)
     next.pad.earlier_penetration =
         (1 - series.blows->recovery) * std::max(blow.pad.earlier_penetration, summary.peak_penetration);
-  // Below its preload a support stays where it is.
+  // Below its preload a support does not move.
   if (summary.support && summary.support->crushing_force > blow.backing.preload)
     next.backing.earlier_force = std::max(blow.backing.earlier_force, summary.support->crushing_force);
   return next;
@@ -127,7 +127,7 @@ struct Solver::Memory {
                           [&](auto& contact) { return refine(impact, contact, options, runs); });
   }
 
-  /// One blow.
+  /// Solves one blow.
   void solve(const ImpactCase& impact, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const Refinement refinement = refine_law(impact, options);

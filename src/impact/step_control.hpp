@@ -1,5 +1,5 @@
 #pragma once
-/// How long a step may be: each limit by its name (theory.md, section 4, Step length).
+/// The limits of a step's length, each by its name (theory.md, section 4, Step length).
 ///
 /// Times in s, lengths in m, stiffness in N/m.
 
@@ -16,9 +16,9 @@
 
 namespace dashpad {
 
-/// When the nose last turned against the back of the pad.
+/// The last turn of the nose against the back of the pad.
 struct LastTurn {
-  double elapsed = 0;   ///< since then, s; below 0 if it has not turned
+  double elapsed = 0;   ///< time since then, s; below 0 if there was none
   bool is_now = false;  ///< no time has passed since then
 };
 
@@ -31,7 +31,7 @@ class StepControl {
         thickness_(thickness),
         foundation_(foundation) {}
 
-  /// `lock`: penetration at which the pad locks, m.
+  /// Starts a run; `lock`: penetration at which the pad locks, m.
   void start(double resolution, double lock) {
     resolution_ = resolution;
     lock_ = lock;
@@ -39,8 +39,8 @@ class StepControl {
     usual_ = infinite;
   }
 
-  /// The first step, short against what the pad's stiffness over it allows; that is left in `pad_stiffness`.
-  /// `force_of(penetration, step)` is by how much the pad's force grows, which `most_force` bounds, N.
+  /// The first step, short against what the pad's stiffness over it allows; sets `pad_stiffness` to that,
+  /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `most_force`, N.
   template <class ForceOf>
   [[nodiscard]] double first_step(Phase phase, double speed, double most_force, ForceOf&& force_of,
                                   double& pad_stiffness) const {
@@ -55,7 +55,7 @@ class StepControl {
     return y / speed;
   }
 
-  /// The longest step from a state: it resolves the momentary oscillation, the strain and the closing gap.
+  /// The longest step from a state that resolves the momentary oscillation, the strain and the closing gap.
   [[nodiscard]] double longest(Phase phase, const State& state, double pad_stiffness, double pad_rate) const {
     if (phase == Phase::flight)
       return std::min(oscillation_limit(phase, state, 0, 0), resolution_ * thickness_ / std::abs(pad_rate));
@@ -71,14 +71,14 @@ class StepControl {
     return longest(phase, now, predictor.stiffness_to_resolve(), predictor.pad_rate());
   }
 
-  /// What a step from here on is usually as long as: the longest, but no jump from what it was.
+  /// Usual length of a step from here on: the longest allowed, without a jump from its value before.
   [[nodiscard]] double usual() const { return usual_; }
   void learn(Phase phase, const State& now, const Predictor& predictor) {
     usual_ = std::min(longest(phase, now, predictor), numerics.growth * usual_);
   }
   void learn_force(double force) { largest_force_ = std::max(largest_force_, force); }
 
-  /// The next step: grown from the last by no more than a half, and shorter where something is approached.
+  /// The next step: at most half longer than the last, and shorter where an event is approached.
   template <class Contact>
   [[nodiscard]] double next(Phase phase, const Motion<Contact>& motion, const Predictor& predictor,
                             const LastTurn& turn) const {
@@ -98,10 +98,10 @@ class StepControl {
       step = std::min(step, end_of_unloading_limit(now, predictor));
       if (motion.force_rate() < 0) step = std::min(step, release_limit(now, motion.force_rate(), step));
     }
-    // From rest against the panel the nose comes back at a rate that grows with the time.
+    // From rest against the panel the nose returns at a rate that grows with time.
     if (phase == Phase::flight && now.drive > 0 && turn.elapsed > 0)
       step = std::min(step, std::max(numerics.closing * resolution_ * turn.elapsed, resolution_ * usual_));
-    // On a firm support the pad turns at rate zero, about which the force has a power of the time.
+    // On a firm support the pad turns at rate zero, near which the force goes with a power of the time.
     const double last = turn.is_now && firm ? 0 : motion.last_step();
     return std::min(numerics.growth * std::max(last, resolution_ * usual_), step);
   }
@@ -123,14 +123,15 @@ class StepControl {
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
     return resolution_ * std::min(thickness_, widening(state.penetration)) / std::abs(pad_rate);
   }
-  /// Penetration over which the area of the contact changes, m; the longer the more of it a flat tip has.
+  /// Penetration over which the area of the contact changes, m; the longer the larger a flat tip's share of
+  /// it.
   [[nodiscard]] double widening(double penetration) const {
     return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_ : infinite;
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_stiffness, double pad_rate) const {
     const double gap = lock_ - state.penetration;
     const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
-    // Where the force has a bound it grows over more than the gap that is left.
+    // A bounded force grows over more than the remaining gap.
     const bool is_bounded = pad_stiffness * gap < numerics.bounded * state.force;
     const double least = is_bounded ? numerics.least_closing_if_bounded : numerics.least_closing;
     return (share * gap + least * resolution_ * resolution_ * thickness_) / std::abs(pad_rate);
@@ -142,22 +143,22 @@ class StepControl {
     if (follows_rate) step = std::min(step, logarithm_limit(left));
     return std::max(step, resolution_ * usual_);
   }
-  /// About the turning point the force has the logarithm of the time to it: steps that grow with its root
-  /// keep the error of second order.
+  /// Near the turning point the force depends on the logarithm of the time to it; steps that grow with the
+  /// root of that time keep the error of second order.
   [[nodiscard]] double logarithm_limit(double time) const { return std::sqrt(resolution_ * usual_ * time); }
-  /// While the force rises a pad on a damper gives way in a time of its own, far below that of an
-  /// oscillation; at first contact in one that is as short as the time since then.
+  /// While the force rises, a pad on a damper gives way in a time of its own, far below that of an
+  /// oscillation; at first contact it is as short as the time since then.
   [[nodiscard]] double damped_limit(const Predictor& predictor, double time) const {
     const double scale = predictor.time_scale();
     if (!std::isfinite(scale)) return numerics.growth * time;
     return resolution_ * std::max(numerics.damped * scale, std::min(usual_, time));
   }
-  /// Where the unloading may end any moment, the pad's rate changes with the square root of the time left.
+  /// Where unloading may end at any moment, the pad's rate changes with the square root of the time left.
   [[nodiscard]] double end_of_unloading_limit(const State& now, const Predictor& predictor) const {
     if (now.drive <= 0) return infinite;
     return resolution_ * std::max(usual_, predictor.time_scale());
   }
-  /// Towards the release steps shrink, since the force vanishes there with a power of the time left.
+  /// Steps shrink towards the release, since the force vanishes there with a power of the time left.
   [[nodiscard]] double release_limit(const State& now, double force_rate, double step) const {
     const bool in_contact = now.force > contact_end_share * largest_force_;
     const double fall =
@@ -169,12 +170,12 @@ class StepControl {
 
   double mass_;
   Sections nose_;
-  double share_of_side_;  ///< of the area of its widest section: what is not the tip's
+  double share_of_side_;  ///< share of the nose's largest area that is not the tip's
   double thickness_;
   const Foundation& foundation_;
   double resolution_ = 0;
   double lock_ = 0;
-  double largest_force_ = 0;  ///< so far
+  double largest_force_ = 0;  ///< largest force so far, N
   double usual_ = 0;
 };
 

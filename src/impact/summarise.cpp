@@ -13,8 +13,8 @@ namespace dashpad {
 
 namespace {
 
-/// Shortest time over which a rate is taken, of the history: in a shorter step it is made of what the roots
-/// have left over.
+/// Shortest time over which a rate is taken, as a share of the history: in a shorter step it is the residual
+/// of the roots.
 constexpr double shortest_share = 1e-3;
 
 double largest_rate(const std::vector<double>& time, const std::vector<double>& strain) {
@@ -29,7 +29,7 @@ double largest_rate(const std::vector<double>& time, const std::vector<double>& 
   return largest;
 }
 
-/// When a strain is first passed, by a line between entries, s.
+/// Time at which a strain is first passed, by a line between entries, s.
 std::optional<double> time_of(double level, const std::vector<double>& time,
                               const std::vector<double>& strain) {
   const auto beyond = std::ranges::find_if(strain, [&](double e) { return e > level; });
@@ -39,7 +39,7 @@ std::optional<double> time_of(double level, const std::vector<double>& time,
   return time[i - 1] + (time[i] - time[i - 1]) * (level - strain[i - 1]) / (strain[i] - strain[i - 1]);
 }
 
-/// What each layer of a pad went through; none where the history has no layers.
+/// Figures of the layers of a pad; none where the history has no layers.
 std::vector<LayerSummary> layer_summaries(const Pad& pad, const History& history) {
   std::vector<LayerSummary> all;
   for (std::size_t i = 0; i < std::min(pad.layers.size(), history.layer_strain.size()); ++i) {
@@ -62,8 +62,7 @@ std::vector<Extrapolation> extrapolations(const Material& material, const PadCon
   return reasons;
 }
 
-/// Why a result is extrapolated, a reason each: layers beyond what they were tested for, that which was first
-/// there first.
+/// Reasons why a result is extrapolated by layers beyond their tests, in the order of time.
 std::vector<Extrapolation> layer_extrapolations(const Pad& pad, const std::vector<LayerSummary>& layers) {
   std::vector<std::size_t> order(layers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -85,7 +84,7 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
   if (impact.pad.layers.empty())
     reasons = extrapolations(impact.pad.material, impact.pad.condition, summary.peak_strain,
                              summary.peak_strain_rate);
-  // A linear support has one point, which only says its slope.
+  // A linear support has one point, which only gives its slope.
   const auto& points = impact.support.points();
   const std::optional<double> force =
       summary.support ? summary.support->peak_transmitted : summary.peak_force;
@@ -135,8 +134,9 @@ SupportFigures support_figures(const Support& support, const Backing& backing, c
   return of;
 }
 
-/// Of laws 4 and 5, whose rate stress has the size of the strain rate, whatever its sign: a pad that opens on
-/// a spring pushes the harder the faster it does. 0 where the peak is not larger than that by a twentieth.
+/// Summary::force_on_way_in. The rate stress of laws 4 and 5 depends on the magnitude of the strain rate, so
+/// that a pad that opens on a spring pushes the harder the faster it does. 0 unless the peak is larger by a
+/// twentieth.
 double force_on_way_in(const ImpactCase& impact, const History& history, double peak) {
   constexpr double noticed = 1.05;
   const PadLaw& law = impact.pad.material.law;
@@ -169,7 +169,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   Summary s;
   s.status = status_of(refinement);
   if (figures.ending != Ending::bottomed_out) {
-    // That of a run which is cut at its very beginning may be extrapolated below nothing.
+    // The peak of a run that is cut at its very beginning may be extrapolated below 0.
     s.peak_force = std::max(figures.peak_force, 0.0);
     s.time_of_peak_force = figures.time_of_peak_force;
     s.peak_acceleration = *s.peak_force / impactor.mass;
@@ -184,7 +184,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   s.release = figures.release;
   s.bottomed = figures.bottomed;
   if (figures.release) {
-    // A rigid foam may leave an impactor at rest with a rounding of either sign.
+    // Rigid foam may leave an impactor at rest with a rounding of either sign.
     const double velocity = figures.release->velocity;
     s.rebound_speed = impact.backing.body_mass > 0 ? std::max(-velocity, 0.0) : std::abs(velocity);
     s.restitution = impact.backing.body_mass > 0 ? (figures.body_velocity - velocity) / impactor.speed
@@ -201,7 +201,7 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
               s.energy.impact;
   s.layers = layer_summaries(impact.pad, finest);
   s.extrapolations = extrapolations(impact, s);
-  s.softening_rates = softening_rates(impact.pad.material.law);  // layers have no such curve
+  s.softening_rates = softening_rates(impact.pad.material.law);  // no layer may have such a curve
   s.errors = refinement.errors();
   s.tolerance = tolerance;
   s.stations = figures.stations;

@@ -1,5 +1,5 @@
 #pragma once
-/// When an impactor that its weight presses on the pad has come to rest (theory.md, section 4, Rest).
+/// Detection of rest of an impactor pressed on the pad by its weight (theory.md, section 4, Rest).
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace dashpad {
 /// Follows the speed from one turn of the impactor to the next.
 class Swing {
  public:
-  /// Whether it has come to rest, and how far it would still sink if it went on to slow down as it does, m;
-  /// none if it has not. `before`: velocity of the impactor at the state before `now`, m/s, `step` s ago.
+  /// If the impactor has come to rest, the distance that it would still sink with its speed decaying
+  /// exponentially, m; else nothing. `before`: its velocity at the state before `now`, m/s, `step` s ago.
   std::optional<double> rest(double before, const State& now, double step, const Impactor& impactor) {
     const double slow = numerics.speed_at_rest * impactor.speed;
     const bool turns = (before > 0) != (now.velocity > 0);
@@ -39,13 +39,12 @@ class Swing {
     return slows > 0 ? now.velocity * now.velocity / slows : infinite;
   }
 
-  /// The fastest speed of the swing with which it came to rest, and of the slowest of all others, m/s; 0:
-  /// there was none.
+  /// Largest speed in the swing with which it came to rest, and in the slowest of all others, m/s; 0: none.
   [[nodiscard]] double last() const { return last_; }
   [[nodiscard]] double slowest() const { return slowest_; }
 
  private:
-  double fastest_ = 0;  ///< since the last turn, m/s
+  double fastest_ = 0;  ///< largest speed since the last turn, m/s
   double last_ = 0;
   double slowest_ = 0;
   int turns_ = 0;

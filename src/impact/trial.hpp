@@ -1,23 +1,23 @@
 #pragma once
-/// The state of an impact, and a step that is tried from it: values both.
+/// The state of an impact, and a step tried from it; both are values.
 
 #include "model/contact/contact.hpp"
 #include "model/support/foundation.hpp"
 
 namespace dashpad {
 
-/// Lengths in m, velocity in m/s, force in N.
+/// State of an impact: time in s, lengths in m, velocity in m/s, force in N.
 struct State {
   double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
   /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 26).
   double drive = 0;
-  BackState back;  ///< left at 0 by an elastic support on the ground
+  BackState back;  ///< stays 0 for an elastic support on the ground
 };
 
-/// In flight: no column is under pressure, but the back may come after the impactor.
+/// Phase of a run; in flight no column is under pressure, but the back may come after the impactor.
 enum class Phase { loading, unloading, held, flight, over };
 
-/// What ends a phase or a smooth stretch (theory.md, section 4).
+/// Event that ends a phase or a smooth stretch (theory.md, section 4).
 enum class Event {
   none,
   release,
@@ -36,18 +36,18 @@ enum class Event {
   parting
 };
 
-/// A step tried from the state now. Nothing has happened until it is accepted.
+/// A step tried from the present state, which changes only when the step is accepted.
 struct Trial {
   State end;
   PadTrial pad;
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
-  double lasting_stiffness = 0;  ///< without what a change of the rate adds at once; 0: the same
-  double force_rate = 0;         ///< dF/dt at the end, N/s, by the parabola of Eq. 23; of supports that crush
-  Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step in this phase
-  bool overshoots = false;       ///< on a damper: the rate at the end has a sign that it cannot have come to
+  double lasting_stiffness = 0;  ///< dF/dY without the immediate effect of the rate, N/m; 0: the same
+  double force_rate = 0;         ///< dF/dt at the end by Eq. 23, N/s; only for supports that crush
+  Event obstacle = Event::none;  ///< why Eq. 25 has no solution over this step
+  bool overshoots = false;       ///< on a damper: the rate at the end has an impossible sign
 
-  /// Which steps must resolve, N/m.
+  /// Stiffness that steps must resolve, N/m.
   [[nodiscard]] double stiffness_to_resolve() const {
     return lasting_stiffness > 0 ? lasting_stiffness : pad_stiffness;
   }

@@ -7,7 +7,7 @@
 namespace dashpad {
 namespace {
 
-/// Far beyond anything that can be measured, in any unit; keeps products of parameters from overflowing.
+/// Beyond any measurable magnitude in any unit; keeps products of parameters from overflowing.
 constexpr double largest_magnitude = 1e15;
 
 bool is_out_of_scale(double value) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Variants whose alternatives have a name and a table of parameters (laws, noses): by name, and their
-/// numbers as a list, which writers of results and listings go through.
+/// Variants of alternatives with a name and a parameter table (laws, noses): checks, their numbers as a list,
+/// and alternatives by name.
 
 #include <optional>
 #include <string>
@@ -16,12 +16,12 @@ namespace dashpad {
 struct ParameterValue {
   std::string key;
   std::string symbol;
-  std::string unit;  ///< SI; "1" for a pure number
-  double value = 0;  ///< in that unit
+  std::string unit;  ///< SI unit; "1" for a pure number
+  double value = 0;  ///< value in `unit`
   std::string meaning;
 };
 
-/// Adds a number that breaks its own bounds, its key behind `prefix`; but not one that is not there.
+/// Adds a violation if a number breaks its bounds, with `prefix` before its key; absent numbers break none.
 template <class Owner>
 void check_bounds(const Owner& owner, const Parameter<Owner>& parameter, const std::string& prefix,
                   std::vector<Violation>& broken) {
@@ -31,7 +31,7 @@ void check_bounds(const Owner& owner, const Parameter<Owner>& parameter, const s
     broken.push_back({prefix + parameter.key, value, *std::move(rule)});
 }
 
-/// The same of all numbers of an owner.
+/// The same for all numbers of an owner.
 template <class Owner>
 void check_bounds(const Owner& owner, const std::string& prefix, std::vector<Violation>& broken) {
   for (const Parameter<Owner>& parameter : Owner::parameters) check_bounds(owner, parameter, prefix, broken);
@@ -50,7 +50,7 @@ std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>
       variant);
 }
 
-/// Calls visit(alternative) with a default-made one of each kind, in order.
+/// Calls visit(alternative) with a default-constructed one of each kind, in order.
 template <class Variant, class Visit>
 void for_each_alternative(Visit&& visit) {
   [&]<std::size_t... index>(std::index_sequence<index...>) {
@@ -66,7 +66,7 @@ std::vector<std::string> names_of_alternatives() {
   return names;
 }
 
-/// Its numbers still to be set; nothing for a name that is none.
+/// The alternative of that name, default-constructed; nothing for an unknown name.
 template <class Variant>
 std::optional<Variant> alternative_named(std::string_view name) {
   std::optional<Variant> result;

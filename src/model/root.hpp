@@ -1,7 +1,7 @@
 #pragma once
-/// Roots of functions that increase, if in places as steep as a jump: secant steps from a good guess, inside
-/// the bracket found so far, and TOMS 748 where they do not settle soon. All that is smooth is solved here;
-/// where within a step something happens is found by impact/event_search.hpp.
+/// Roots of increasing functions, which may be as steep as a jump in places: secants from a good guess,
+/// inside the bracket found so far, and TOMS 748 if they do not settle soon. Times of events within a step
+/// are found by impact/event_search.hpp.
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -13,24 +13,23 @@
 
 namespace dashpad {
 
-/// How long the searches go on. None of these numbers decides what a root is, but for the rule of a last
-/// secant.
+/// Limits of the searches. None of them affects the root found, except those of the last secant.
 struct RootNumerics {
-  std::uintmax_t most_calls = 200;  ///< of a function by TOMS 748
-  int most_secants_by_value = 10;   ///< find_root()
-  int most_secants = 12;            ///< increasing_root()
-  int most_strides = 200;           ///< while the sign on one side is not known
-  double probe = 1e4;               ///< least step, in the precision, until the slope is known
-  /// Longest chord, in the precision, whose slope may be taken for that at the root: of a longer one it may
-  /// be that of a steep place elsewhere. And step times chord, in the precision squared: what is left after a
-  /// last step is in proportion to both.
+  std::uintmax_t most_calls = 200;  ///< function calls by TOMS 748
+  int most_secants_by_value = 10;   ///< secants of find_root()
+  int most_secants = 12;            ///< secants of increasing_root()
+  int most_strides = 200;           ///< evaluations while the sign on one side is not known
+  double probe = 1e4;               ///< least step over the precision until the slope is known
+  /// Longest chord over the precision with a slope usable at the root; a longer one may contain a steep place
+  /// elsewhere. And largest step times chord over the precision squared: the error after a last step is
+  /// proportional to both.
   double longest_chord = 1e8;
   double most_left = 1e10;
-  int usual_bits = 50;  ///< to which root_between() comes
+  int usual_bits = 50;  ///< precision of root_between(), bits
 };
 inline constexpr RootNumerics root_numerics;
 
-/// The bracket of a root: f(low) <= 0 <= f(high), as far as they are known.
+/// The bracket of a root, f(low) <= 0 <= f(high), as far as the values are known.
 struct RootBracket {
   double low = 0;
   double high = 0;
@@ -46,8 +45,8 @@ struct RootBracket {
     else
       low = x, f_low = value, low_known = true;
   }
-  /// Where to look next instead of `next`, so that it lies inside and no farther than a stride where no sign
-  /// is known.
+  /// The place to evaluate next: `next`, but inside the bracket, and at most a stride towards a side where no
+  /// sign is known.
   [[nodiscard]] double place_inside(double next, double x, double& stride) const {
     if (next >= x && !high_known) {
       next = std::min({next, x + stride, high});
@@ -70,7 +69,7 @@ void narrow(RootBracket& bracket, F&& f, Narrow&& is_narrow) {
       f, bracket.low, bracket.high, bracket.f_low, bracket.f_high, is_narrow, most);
 }
 
-/// The bracket of the root between two places with these values, to so many bits.
+/// The bracket narrowed to a number of bits; its values must be known.
 template <class F>
 RootBracket narrowed(RootBracket bracket, F&& f, int bits = root_numerics.usual_bits) {
   narrow(bracket, f, boost::math::tools::eps_tolerance<double>(static_cast<unsigned>(bits)));
@@ -88,13 +87,13 @@ double root_between(F&& f, double low, double high) {
 // ------------------------------------------------------------------ by the value that counts as zero
 
 struct RootSearch {
-  double low = 0;                 ///< the root is sought above; may be minus infinity
-  double high = 0;                ///< and below
-  bool high_is_positive = false;  ///< whether f(high) >= 0 is
+  double low = 0;                 ///< lower bound of the root; may be minus infinity
+  double high = 0;                ///< upper bound of the root
+  bool high_is_positive = false;  ///< whether f(high) >= 0 is known
   double guess = 0;
   double slope = 1;       ///< estimate of df/dx at the guess, > 0
-  double resolution = 0;  ///< of x: rounding
-  double stride = 0;      ///< first stride in search of a finite lower end
+  double resolution = 0;  ///< rounding of x
+  double stride = 0;      ///< first stride in the search of a finite lower end
 };
 
 enum class RootPlace { inside, at_or_below_low, at_or_above_high };
@@ -104,9 +103,8 @@ struct Root {
   RootPlace place = RootPlace::inside;
 };
 
-/// f increasing on [low, high] (where it is not, some root is found). `near(value)` says whether f = value is
-/// near enough to zero; it is asked after every call of f but those of TOMS 748. The last call of f is at the
-/// returned x.
+/// Root of f, increasing on [low, high] (else some root is found). `near(value)` returns whether f = value is
+/// close enough to zero; only secants ask it. The last call of f is at the returned x.
 template <class F, class Near>
 Root find_root(F&& f, Near&& near, RootSearch s) {
   RootBracket bracket{.low = s.low, .high = s.high};
@@ -127,7 +125,7 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
     }
     if (next >= bracket.high) {
       if (!bracket.high_known && !s.high_is_positive) {
-        // The end itself may be the answer: the function is asked there once.
+        // The end itself may be the answer: f is evaluated there once.
         next = bracket.high;
       } else {
         next = std::isfinite(bracket.low) ? bracket.middle() : bracket.high - s.stride;
@@ -144,7 +142,7 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
     if (at_low && value >= 0) return {x, RootPlace::at_or_below_low};
   }
   if (near(value)) return {x};
-  // Not settled: make the bracket sure, then close it.
+  // Not settled: complete the bracket, then narrow it.
   while (!bracket.low_known && !std::isfinite(bracket.low)) {
     const double trial = bracket.high - s.stride;
     s.stride *= 2;
@@ -170,19 +168,19 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
 
 struct IncreasingRootSearch {
   double guess = 0;
-  double slope = 0;      ///< of the function at the guess, as far as it is known; 0: it is not
-  double low = 0;        ///< the root is not below; where the function is positive there, that is the answer
-  double high = 0;       ///< nor above; likewise
-  double stride = 0;     ///< farthest step at first towards a side where no sign is known yet
-  double precision = 0;  ///< of the root
+  double slope = 0;      ///< slope of the function at the guess; 0: not known
+  double low = 0;        ///< lower bound of the root, returned if the function is positive there
+  double high = 0;       ///< upper bound of the root, returned if the function is negative there
+  double stride = 0;     ///< first limit of steps towards a side where no sign is known
+  double precision = 0;  ///< precision of the root
 };
 
 struct IncreasingRoot {
   double x = 0;
-  double slope = 0;  ///< of the function there, by the last chord; 0: at a bound
+  double slope = 0;  ///< slope of the function there, by the last chord; 0: at a bound
 };
 
-/// Whether a root lies no farther off than `precision` after a last step by the slope of a chord.
+/// Whether a last step by the slope of a chord leads to within `precision` of the root.
 inline bool is_close_to_root(double step, double chord, double precision) {
   return chord <= root_numerics.longest_chord * precision &&
          (std::abs(step) <= precision ||
@@ -206,7 +204,7 @@ IncreasingRoot increasing_root(F&& f, const IncreasingRootSearch& s) {
   for (int i = 0; goes_on(i); ++i) {
     const double value = f(x);
     if (!std::isfinite(value)) return {x, 0};
-    // Where it is level, a slope known from elsewhere says nothing.
+    // Where the function is level, a slope from elsewhere is of no use.
     if (i > 0 && std::abs(x - before) > s.precision) {
       slope = std::max((value - f_before) / (x - before), 0.0);
       chord = std::abs(x - before);
@@ -218,7 +216,7 @@ IncreasingRoot increasing_root(F&& f, const IncreasingRootSearch& s) {
     double step = slope > 0 ? -value / slope : std::copysign(stride, -value);
     if (slope > 0 && is_close_to_root(step, chord, s.precision))
       return {std::clamp(x + step, bracket.low, bracket.high), slope};
-    // A step too short to tell the slope would go on for ever.
+    // A step too short to determine the slope would be repeated forever.
     if (std::abs(step) < root_numerics.probe * s.precision && !is_close_to_root(0, chord, s.precision))
       step = std::copysign(root_numerics.probe * s.precision, step);
     if (bracket.low_known && bracket.high_known && is_narrow(bracket.low, bracket.high)) break;

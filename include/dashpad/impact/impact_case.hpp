@@ -1,5 +1,5 @@
 #pragma once
-/// One impact: what strikes what, how fast. SI throughout.
+/// One impact: impactor, pad, support, and the blows of a series. SI throughout.
 
 #include <array>
 #include <optional>
@@ -16,9 +16,9 @@ namespace dashpad {
 /// A rigid body that moves along one line.
 struct Impactor {
   double mass = 0;   ///< kg, > 0
-  Nose nose = {};    ///< the part of it that meets the pad
-  double speed = 0;  ///< m/s at first contact, towards the pad, > 0
-  /// m/s2 along the motion, >= 0. 0: the weight does no work.
+  Nose nose = {};    ///< part that meets the pad
+  double speed = 0;  ///< speed at first contact, towards the pad, m/s, > 0
+  /// Gravity along the motion, m/s2, >= 0; with 0 the weight does no work.
   double gravity = 0;
 
   static const std::array<Parameter<Impactor>, 3> parameters;
@@ -39,12 +39,12 @@ struct PadLayer {
   static const std::array<Parameter<PadLayer>, 1> parameters;
 };
 
-/// The thinnest is a share of the pad.
+/// The least thickness is a share of the pad's (violations()).
 inline constexpr std::array<Parameter<PadLayer>, 1> PadLayer::parameters{{
     {"thickness", "L", "m", &PadLayer::thickness, positive, "thickness of the layer"},
 }};
 
-/// What the back of a pad lies on, where that is told to slip or not.
+/// Floor on which the back of a pad lies.
 enum class Floor {
   bonded,        ///< it does not slip
   resting,       ///< it does not slip, and may lift off
@@ -53,27 +53,26 @@ enum class Floor {
 inline constexpr std::array floors{Floor::bonded, Floor::resting, Floor::frictionless};
 /// "bonded", "resting", "frictionless".
 std::string name_of(Floor floor);
-/// Nothing for another name.
+/// The floor with that name; nothing for an unknown name.
 std::optional<Floor> floor_named(std::string_view name);
 
 struct Pad {
-  double thickness = 0;  ///< m, > 0; of a pad of layers, their sum (set_layers)
-  Material material;     ///< of a pad of layers, none
+  double thickness = 0;  ///< m, > 0; with layers their sum (set_layers())
+  Material material;     ///< unused with layers
   PadCondition condition = {};
-  /// Of its face, m2, > 0: a block that may end before the nose does. Without it the pad is wider than the
+  /// Area of the face of a block, m2, > 0; the nose may overhang it. Without it the pad is wider than the
   /// nose.
   std::optional<double> area = {};
-  /// Largest penetration that earlier blows of the same nose at the same place have left in the pad, m, in
-  /// [0, thickness): 0 for a new pad, and for laws that recover fully (theory.md, Eq. 46).
+  /// Largest penetration remembered from earlier blows of the same nose at the same place, m, in [0,
+  /// thickness); 0 for a new pad and for laws that recover fully (theory.md, Eq. 46).
   double earlier_penetration = 0;
-  /// Mass per area of a sheet on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]; it has no stiffness
+  /// Mass per area of a sheet without stiffness on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]
   /// (theory.md, Eq. 56).
   double sheet = 0;
   Floor floor = Floor::bonded;
-  /// By how much the columns of the pad are helped by their neighbours, c of Eq. 57 (theory.md), in [0, 2];
-  /// 0: not at all, as in the report.
+  /// Help of the columns by their neighbours, c of theory.md, Eq. 57, in [0, 2]; 0: none, as in the report.
   double neighbours = 0;
-  /// From the struck face on; none: the pad is of one foam, `material` under `condition`.
+  /// Layers from the struck face on; if empty, the pad is of one foam, `material` under `condition`.
   std::vector<PadLayer> layers = {};
 
   static const std::array<Parameter<Pad>, 5> parameters;
@@ -90,10 +89,10 @@ inline constexpr std::array<Parameter<Pad>, 5> Pad::parameters{{
      "help of the columns' neighbours", LeftOut::computed, "0.2.0"},
 }};
 
-/// The same blow again and again, with rests between.
+/// A series of equal blows with rests in between.
 struct Blows {
   int count = 2;  ///< in [2, 100]
-  /// Share of the pad's memory that is gone after each rest, in [0, 1]; 0 for foams that stay crushed.
+  /// Share of the pad's memory that is lost in each rest, in [0, 1]; 0 for foams that stay crushed.
   double recovery = 0;
 
   static const std::array<Parameter<Blows>, 2> parameters;
@@ -105,11 +104,12 @@ inline constexpr std::array<Parameter<Blows>, 2> Blows::parameters{{
      "recovery between blows"},
 }};
 
-/// What `neighbours` is where nobody says it: 0.8 for the laws of foams, 0 for those of the report and where
-/// the numbers of a layer come from strikes by a sphere, in which what neighbours do is.
+/// Default of `neighbours`: 0.8 for foams by their curves and viscoelastic foam; 0 for the laws of the
+/// report, and for cards measured by strikes of a sphere, whose numbers include the help of neighbours. A pad
+/// of layers has 0.8 only if all its layers do.
 double nominal_neighbours(const Pad& pad);
 
-/// Gives the pad these layers, and their thickness.
+/// Gives the pad these layers and the sum of their thicknesses.
 void set_layers(Pad& pad, std::vector<PadLayer> layers);
 
 struct ImpactCase {
@@ -118,16 +118,16 @@ struct ImpactCase {
   Pad pad;
   Support support;
   Backing backing = {};
-  std::optional<Blows> blows = {};  ///< none: one blow
+  std::optional<Blows> blows = {};  ///< absent: one blow
 };
 
-/// The nose as this pad meets it: no wider than the face of the pad (theory.md, Eq. 3).
+/// Sections of the nose, limited to the face of the pad (theory.md, Eq. 3).
 Sections sections_of(const ImpactCase& impact);
 
 /// Every physical rule that the case breaks; empty for a case that can be solved. Keys are those of case
 /// files, such as `impactor.mass` and `pad.parameters.modulus`.
 std::vector<Violation> violations(const ImpactCase& impact);
-/// The same but for the law of the pad, where that is known to keep its rules.
+/// The same without the rules of the pad's law, for one that is known to keep them.
 std::vector<Violation> violations_beside_law(const ImpactCase& impact);
 
 }  // namespace dashpad

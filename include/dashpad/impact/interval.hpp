@@ -1,6 +1,6 @@
 #pragma once
-/// What is not known of an impact, and the interval that it gives each figure (theory.md, section 6, "How
-/// sure a figure is"). Plain data; uncertainty/intervals.hpp makes it. SI.
+/// The uncertainty of an impact and the interval that it gives each figure (theory.md, section 6.2). Plain
+/// data, filled by uncertainty/intervals.hpp. SI.
 
 #include <string>
 #include <string_view>
@@ -8,20 +8,20 @@
 
 namespace dashpad {
 
-/// What a figure hangs on beside its case.
+/// Source of uncertainty of a figure.
 enum class Source {
-  continuation,  ///< how the foam goes on beyond its tested strain
-  rate,          ///< and beyond its tested rates
-  way_back,      ///< what the foam gives back
-  scatter,       ///< from sample to sample
-  posterior,     ///< what the data of a fit leave open of its unknowns
-  misfit,        ///< by what measured impacts differ from the fitted law
-  neighbours,    ///< columns that do not help each other
+  continuation,  ///< stress of the foam beyond its tested strain
+  rate,          ///< stress of the foam beyond its tested rates
+  way_back,      ///< energy that the foam gives back
+  scatter,       ///< differences among samples
+  posterior,     ///< unknowns of a fit, as its data determine them
+  misfit,        ///< deviation of measured impacts from the fitted law
+  neighbours,    ///< help of neighbouring columns
 };
 /// "continuation", "rate", "way back", "scatter", "posterior", "misfit", "neighbours".
 std::string to_string(Source source);
 
-/// A figure with one source alone: its hull where that is a range, 95 % where it is statistical.
+/// Interval of a figure by one source alone: the hull over a range, 95 % for a statistical source.
 struct Contribution {
   Source source = Source::continuation;
   double low = 0;   ///< <= nominal
@@ -29,31 +29,30 @@ struct Contribution {
 };
 
 struct FigureInterval {
-  std::string key;   ///< of result_quantities()
-  double level = 0;  ///< m/s2, of a dwell time
+  std::string key;   ///< key in result_quantities()
+  double level = 0;  ///< level of a dwell time, m/s2
   double nominal = 0, low = 0, high = 0;
-  std::vector<Contribution> sources;  ///< that move it, largest first
+  std::vector<Contribution> sources;  ///< sources that move the figure, largest first
 
-  /// Half of what a source leaves open, over the nominal; 0 for one that does not move the figure.
+  /// Half the width by one source, over the nominal figure; 0 if the source does not move the figure.
   [[nodiscard]] double share_of(Source source) const;
 };
 
-/// One thing that is not known.
+/// A source of uncertainty that this impact has.
 struct OpenSource {
   Source source = Source::continuation;
   std::string words;    ///< "how the foam goes on beyond a strain of 0.75"
-  std::string why_not;  ///< why it gives no interval; empty where it gives one
+  std::string why_not;  ///< why it gives no interval; empty if it gives one
 };
 
 struct Intervals {
   std::vector<FigureInterval> figures;
   std::vector<OpenSource> sources;
-  int impacts = 0;  ///< that were solved for them
-  std::string
-      warning;  ///< of the model for this case, with the size of its error, behind SMALL NOSE; may be empty
+  int impacts = 0;      ///< number of impacts solved for the intervals
+  std::string warning;  ///< text of SMALL NOSE with the size of the error; may be empty
 
   [[nodiscard]] const FigureInterval* find(std::string_view key, double level = 0) const;
-  /// Of a source that gives an interval.
+  /// The source if it gives an interval, or null.
   [[nodiscard]] const OpenSource* find(Source source) const;
 };
 

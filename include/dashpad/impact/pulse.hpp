@@ -1,19 +1,19 @@
 #pragma once
-/// An acceleration over time, measured or computed: what all injury metrics take.
+/// An acceleration over time, measured or computed: the input of all injury metrics.
 
 #include <vector>
 
 namespace dashpad {
 
-/// Samples at increasing times, evenly spaced or not; between two samples the acceleration is linear, and
-/// outside the pulse there is none.
+/// Samples at increasing times, evenly spaced or not; between two samples the acceleration is linear, outside
+/// the pulse it is 0.
 struct Pulse {
   std::vector<double> time;          ///< s, strictly increasing
   std::vector<double> acceleration;  ///< m/s2, of either sign
 };
 
-/// Throws std::invalid_argument that says what is wrong: columns of different length, fewer than two samples,
-/// a number that is not finite, times that do not increase. Every metric calls it first.
+/// Throws std::invalid_argument that names the fault: arrays of different length, fewer than two samples, a
+/// number that is not finite, times that do not increase. Every metric calls it first.
 void check(const Pulse& pulse);
 
 }  // namespace dashpad

@@ -12,24 +12,24 @@ namespace dashpad {
 
 /// Solves one impact (theory.md, section 4): the motion of the impactor, M d2X/dt2 = M g - F, with the force
 /// F of the pad in equilibrium with what carries it (theory.md, Eqs. 4, 41 and 42), at successively halved
-/// resolutions (two at least) until the estimated errors are within the tolerance. Of repeated blows
-/// (ImpactCase::blows) the solution is that of the last; solve_blows() returns them all. Never throws for a
-/// valid case: what goes wrong numerically is in the status. Throws std::invalid_argument that names every
-/// broken rule for a case with violations() or for options out of range.
+/// resolutions (two at least) until the estimated errors are within the tolerance. For repeated blows
+/// (ImpactCase::blows) the solution is that of the last; solve_blows() returns all. Never throws for a valid
+/// case: numerical failures are reported by the status. Throws std::invalid_argument that names every broken
+/// rule for a case with violations() or for options out of range.
 Solution solve(const ImpactCase& impact, const Options& options = {});
 
 struct Blow {
-  ImpactCase impact;  ///< one blow on the pad as the earlier ones have left it
+  ImpactCase impact;  ///< one blow on the pad as left by the earlier ones
   Solution solution;
 };
 
 /// Repeated blows on one pad (theory.md, Eqs. 46 to 48): the same nose, mass and speed at the same place,
-/// with rests between that outlast every relaxation of the pad. Those of ImpactCase::blows in turn; without
-/// them the one that the case is. The series ends early with a blow that does not say what it leaves behind:
-/// leaves_a_known_pad() of dashpad/impact/flags.hpp. Throws as solve() does.
+/// with rests in between that outlast every relaxation of the pad. Returns the blows of ImpactCase::blows in
+/// order, or a single one without them. The series ends early after a blow that leaves the pad in an unknown
+/// state (leaves_a_known_pad() of dashpad/impact/flags.hpp). Throws as solve() does.
 std::vector<Blow> solve_blows(const ImpactCase& impact, const Options& options = {});
 
-/// The solver for many impacts: memory is taken once. Not for several threads at once: one each.
+/// A solver for many impacts, which allocates its memory once. Each thread needs its own.
 class Solver {
  public:
   Solver();
@@ -37,10 +37,11 @@ class Solver {
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
 
-  /// As solve(); the solution stays valid until the next call.
+  /// Solves one impact as solve() does; the solution stays valid until the next call.
   const Solution& solve(const ImpactCase& impact, const Options& options = {});
 
-  /// Called with each blow of a series in turn: the pad as that blow meets it, and what came of it.
+  /// Called with each blow of a series in order: its case, with the pad as that blow meets it, and its
+  /// solution.
   using BlowVisitor = std::function<void(const ImpactCase&, const Solution&)>;
   /// Solves the blows of a series, or the only one, as solve_blows().
   void solve_each_blow(const ImpactCase& impact, const Options& options, const BlowVisitor& visit);

@@ -1,6 +1,6 @@
 #pragma once
-/// What a law of a pad or the shape of a nose tells the rest of the program about its numbers: key, unit,
-/// admissible range, meaning.
+/// The numbers of a case as tables: key, unit, admissible range and meaning of each, beside the structure
+/// that holds it.
 
 #include <optional>
 #include <string>
@@ -16,9 +16,9 @@ struct Bounds {
   double highest = infinite;
   bool lowest_admitted = false;
   bool highest_admitted = false;
-  /// Beyond any impact, but within what the arithmetic bears: the rule says so.
+  /// Both limits lie beyond any real impact; the rule then names them as a range, in rule_of().
   bool is_wide = false;
-  /// The rule behind "must be ", where the numbers alone do not say it.
+  /// Wording of the rule after "must be "; "" where it follows from the numbers.
   const char* words = "";
 
   /// False for NaN and for infinities as well.
@@ -39,15 +39,16 @@ constexpr Bounds from_to(double lowest, double highest) { return {lowest, highes
 /// Above one value, and at most another.
 constexpr Bounds above_to(double lowest, double highest) { return {lowest, highest, false, true}; }
 
-/// More than zero, and between two values that nobody's impact is outside of.
+/// Positive, between two values that no real impact lies outside of; both are admitted.
 constexpr Bounds wide(double lowest, double highest) { return {lowest, highest, true, true, true, ""}; }
 
-/// The highest is admitted; the rule is "must be " and these words.
+/// Bounds with a wording of their own for the rule, which reads "must be " and `words`. The highest value is
+/// admitted.
 constexpr Bounds in_words(double lowest, double highest, const char* words, bool lowest_admitted = true) {
   return {lowest, highest, lowest_admitted, true, false, words};
 }
 
-/// Where a number of an owner is kept: one that is always there, one that may be absent, or a count.
+/// Pointer to the member of `Owner` that holds a number: a plain one, an optional one, or a count.
 template <class Owner>
 class Member {
  public:
@@ -55,7 +56,7 @@ class Member {
   constexpr Member(std::optional<double> Owner::*optional) : optional_(optional) {}
   constexpr Member(int Owner::*count) : count_(count) {}
 
-  /// NaN where it is absent.
+  /// The number in SI; NaN where it is absent.
   [[nodiscard]] double of(const Owner& owner) const {
     if (number_ != nullptr) return owner.*number_;
     if (count_ != nullptr) return owner.*count_;
@@ -81,13 +82,12 @@ class Member {
   int Owner::*count_ = nullptr;
 };
 
-/// What a number is that a case does not give.
+/// What happens to a number that a case leaves out.
 enum class LeftOut {
   refused,     ///< it must be given
-  as_default,  ///< it is what a default-made owner has
-  none,        ///< there is none of it: 0, beside its bounds, and nothing to vary
-  computed  ///< it follows from the rest of the case, or from an option: whoever writes a case always writes
-            ///< it
+  as_default,  ///< it has the value of a default-constructed owner
+  none,        ///< the feature is absent: the value is 0, outside the bounds, and cannot be varied
+  computed     ///< follows from the rest of the case or an option; written cases always state it
 };
 
 /// One entry of a parameter table: the only place that names a number of a case. The tables serve case files,
@@ -95,8 +95,8 @@ enum class LeftOut {
 template <class Owner>
 struct Parameter {
   const char* key;     ///< name in case files and in results
-  const char* symbol;  ///< symbol in theory.md; "" without
-  const char* unit;    ///< SI unit as text, as "N s/m"; "1" for a pure number
+  const char* symbol;  ///< symbol in theory.md, or ""
+  const char* unit;    ///< SI unit, such as "N s/m"; "1" for a pure number
   Member<Owner> member;
   Bounds bounds;
   const char* meaning;
@@ -107,29 +107,29 @@ struct Parameter {
   void set(Owner& owner, double value) const { member.set(owner, value); }
   [[nodiscard]] bool is_absent(const Owner& owner) const { return member.is_absent(owner); }
   [[nodiscard]] bool may_be_left_out() const { return left_out != LeftOut::refused; }
-  /// Of what may be none, none.
+  /// Whether the number is absent, or 0 where that means that the feature is absent.
   [[nodiscard]] bool is_none(const Owner& owner) const {
     return is_absent(owner) || (left_out == LeftOut::none && of(owner) == 0);
   }
-  /// Whether a case that does not name it is the same.
+  /// Whether leaving the number out gives the same case.
   [[nodiscard]] bool goes_without_saying(const Owner& owner) const {
     return may_be_left_out() && left_out != LeftOut::computed &&
            (is_absent(owner) || of(owner) == of(Owner()));
   }
 };
 
-/// A value that breaks a rule: which one, what it is (SI), and the rule in words.
+/// A value that breaks a rule: its key, the value in SI, and the rule in words.
 struct Violation {
   std::string key;
   double value = 0;
   std::string rule;
 };
 
-/// The rule that bounds are: "must be at least 0 kg/m2".
+/// The rule that bounds express: "must be at least 0 kg/m2".
 std::string rule_of(const Bounds& bounds, std::string_view unit);
 
-/// The rule that a value breaks, if any: its bounds, or a magnitude that can be measured in any unit, beyond
-/// which products overflow.
+/// The rule that a value breaks, if any: that of its bounds, or the limits 1e-15 and 1e15 of any magnitude,
+/// beyond which products might overflow.
 std::optional<std::string> broken_rule(double value, const Bounds& bounds, std::string_view unit);
 
 }  // namespace dashpad

@@ -6,9 +6,9 @@
 ///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(strain)      (theory.md, Eq. 20)
 ///
 /// s is the depth at which the nose's surface meets a column; a(s) is the area of the nose's section, a0 that
-/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is smooth in w at the contact
-/// edge and at full compression alike; it is taken as linear between stations.
-/// Stations lie closer towards the axis, and are added there as the gap L - Y closes.
+/// of its flat tip (theory.md, Eq. 3): the column is touched when Y passes s. g is smooth in w both at the
+/// contact edge and at full compression; it is taken as linear between stations. Stations are denser towards
+/// the axis, and are added there as the gap L - Y closes.
 
 #include <algorithm>
 #include <array>
@@ -31,10 +31,10 @@ namespace dashpad {
 template <HasMemory Law>
 class ColumnField {
  public:
-  /// All storage is taken here: later calls do not allocate.
+  /// Allocates all memory; later calls do not.
   ColumnField(const Law& law, double thickness, const Sections& nose, ColumnMath math = ColumnMath::vector)
       : ColumnField(law, thickness, nose, math, sweeps(math).of<Law>()) {}
-  /// With a sweep of one's own, for a law that is none of PadLaw.
+  /// The same with a given sweep, for a law that is not in PadLaw.
   ColumnField(const Law& law, double thickness, const Sections& nose, ColumnMath math,
               const SweepOf<Law>& sweep)
       : law_(law),
@@ -44,7 +44,7 @@ class ColumnField {
         sweep_(sweep),
         sweeps_(&sweeps(math)) {}
 
-  /// Another pad in the same storage.
+  /// Changes to another pad in the same memory.
   void set(const Law& law, double thickness, const Sections& nose, ColumnMath math) {
     law_ = law;
     sweeps_ = &sweeps(math);
@@ -54,13 +54,12 @@ class ColumnField {
     nose_ = nose;
   }
 
-  /// The pad follows its law back on unloading.
   [[nodiscard]] bool recovers() const { return true; }
   [[nodiscard]] double first_force() const { return 0; }
-  /// The pad locks when this gap is not enough to carry the force (design limit: 1e-9 of the thickness).
+  /// Penetration at which the pad locks, m: a gap of 1e-9 of the thickness is left (theory.md, Eq. 29).
   [[nodiscard]] double lock_penetration() const { return thickness_ * (1 - 1e-9); }
   [[nodiscard]] std::size_t stations() const { return columns_.size(); }
-  /// Columns updated in all trials since the start: the cost of the run.
+  /// Number of column updates in all trials since the start, the cost of the run.
   [[nodiscard]] std::size_t updates() const { return updates_; }
 
   struct Column {
@@ -68,20 +67,20 @@ class ColumnField {
     double strain = 0;  ///< > 0
     double stress = 0;  ///< Pa, tension negative
   };
-  /// Columns under strain in the accepted state, from the axis outwards.
+  /// Number of columns under strain in the accepted state; they are the first from the axis outwards.
   [[nodiscard]] std::size_t strained_columns() const { return live_; }
   [[nodiscard]] Column column(std::size_t j) const {
     const double depth = columns_.depth()[j];
     return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
   }
 
-  /// `resolution` is the relative spacing of stations aimed at; `expected` the largest penetration that is
-  /// expected, m, over which they are spread.
+  /// Starts a run. `resolution` is the intended relative spacing of stations, `expected` the largest
+  /// penetration, m, over which they are spread.
   void start(double resolution, double expected = infinite) {
     clear(resolution);
     lay_columns(expected, thickness_);
   }
-  /// No columns yet: they are laid when the pad is unloaded.
+  /// Starts a run without columns, which are laid when the pad is first unloaded.
   void clear(double resolution) {
     resolution_ = resolution;
     penetration_ = largest_penetration_ = 0;
@@ -92,8 +91,8 @@ class ColumnField {
     columns_.clear();
   }
 
-  /// Columns for the unloading of a pad that was only loaded so far, in the state to which `steps` have led.
-  /// Their integral, which has the error of the stations, is made to go on from the force of the loading.
+  /// Lays columns for the unloading of a pad that was only loaded so far, in the state after `steps`. Their
+  /// integral, which has the error of the stations, is scaled to continue from `force`, N.
   void begin_after(const std::vector<LoadingStep>& steps, double force) {
     penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
     last_ = {};
@@ -135,13 +134,13 @@ class ColumnField {
     return correction_ * (tip_rate_when_held(trial.end()) + 2 * std::numbers::pi * thickness_ * sum);
   }
 
-  /// A step so long that the force depends on its rate alone, not on what was before.
+  /// Whether the step is so long that the force depends only on its rate, not on the state before.
   [[nodiscard]] bool forgets(const PadTrial& trial) const {
     constexpr double relaxation_times = 20;
     return trial.step * law_.relaxation_rate(trial.from) > relaxation_times;
   }
 
-  /// Of any column, tension negative: contact is lost where it crosses zero.
+  /// Largest stress of any column, Pa, tension negative: contact is lost where it crosses zero.
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
     if (trial_live_ == 0) return not_pressed;
@@ -159,8 +158,8 @@ class ColumnField {
     if (penetration_ == largest_penetration_) grade_axis();
   }
 
-  /// What presses in the accepted state: the columns from the axis outwards, and the depth at which the
-  /// stress vanishes beyond the last of them, m.
+  /// Stressed part of the contact in the accepted state: number of pressing columns, and the depth beyond the
+  /// last of them at which the stress vanishes, m.
   struct Stressed {
     std::size_t columns = 0;
     double depth = 0;
@@ -193,8 +192,8 @@ class ColumnField {
   void set_at_rest(const Columns& columns, std::size_t j) const {
     for (double* array : columns.all()) array[j] = 0;
   }
-  /// A column that the nose is not at: its strain is nothing, but what its branches have left relaxes on, and
-  /// is met when the nose comes again.
+  /// Sets a column that the nose no longer touches to strain zero. The stresses of its branches continue to
+  /// relax, and count again when the nose comes back.
   void let_go(std::size_t j) const {
     set_at_rest(columns_.next_state, j);
     if constexpr (scalar::carries_branches<Law, double>) {
@@ -203,7 +202,7 @@ class ColumnField {
       for (std::size_t k = 0; k < left.size(); ++k) left[k] = now.part[k][j];
       if (left[1] == 0 && left[2] == 0) return;
       const Formulas formulas{law_, power_, rate_part_, time_part_};
-      // By the strain that came to nothing within the step, in a share of it.
+      // The strain vanished within a share of the step.
       const std::array<double, Formulas::parts> strained{left[0]};
       const double share = left[0] > 0 ? (penetration_ - columns_.depth()[j]) / (penetration_ - trial_) : 1;
       std::array<double, Formulas::parts> fallen{};
@@ -213,7 +212,7 @@ class ColumnField {
       for (std::size_t k = 1; k < left.size(); ++k) columns_.next_state.part[k][j] = left[k] + fallen[k];
     }
   }
-  /// Force of the flat tip, below which the strain is that of the axis.
+  /// Force on the flat tip, below which the strain is that of the axis, N.
   [[nodiscard]] double on_tip(double stress) const {
     return nose_.tip > 0 ? nose_.tip * std::max(stress, 0.0) : 0;
   }
@@ -231,7 +230,7 @@ class ColumnField {
     return nose_.tip * relaxation_rate(law_, power_, time, strain) * (still - stress);
   }
 
-  /// w at the outer end of the contact: 0, or where the nose grows no wider.
+  /// w at the outer end of the contact: 0 at its edge, or the value at d where the nose grows no wider.
   [[nodiscard]] double edge_measure(double penetration) const {
     return penetration <= nose_.depth ? 0 : power_.at(strain_at(penetration, nose_.depth)).measure;
   }
@@ -240,7 +239,7 @@ class ColumnField {
     return scalar::positive_mean(g, h) * width;
   }
 
-  /// Of the last cell, between the outermost of `live` columns and the end of the contact.
+  /// Weights of the last cell, between the outermost of `live` columns and the end of the contact.
   [[nodiscard]] Sections::Weights edge_weights(std::size_t live, double penetration) const {
     return nose_.weights(columns_.depth()[live - 1], std::min(penetration, nose_.depth));
   }
@@ -255,7 +254,7 @@ class ColumnField {
     const double width = columns.measure[live - 1] - edge_measure(penetration);
     double sum = 0;
     if (unloading) {
-      // The stress at the edge is not known: g goes on as between the last two columns, within bounds, since
+      // The stress at the edge is not known: g is continued from the last two columns, within bounds, since
       // these may lie close together.
       edge = last;
       if (live > 1) {
@@ -264,8 +263,8 @@ class ColumnField {
         const auto inner_g = [&](std::size_t i) { return columns.ratio[i] * weights.inner[i]; };
         const auto outer_g = [&](std::size_t i) { return columns.ratio[i + 1] * weights.outer[i]; };
         const double end = outer_g(j);
-        // A column in tension lets go with a stress without bound: for the cell inside it that counts no more
-        // than the line through the next two columns, so that the force does not jump when it is gone.
+        // Stress over A of a column in tension has no bound as its strain vanishes. The cell inside it is
+        // limited to the line through the next two columns, so that the force does not jump when it is gone.
         double outer = end;
         if (end < 0 && j > 0) {
           const double slope = (outer_g(j - 1) - inner_g(j - 1)) / (w[j - 1] - w[j]);
@@ -279,7 +278,7 @@ class ColumnField {
       edge = std::min(edge, 0.0);
       sum += bounded(positive_part(last, edge, width), columns, live - 1, live - 1, to_edge, penetration);
     } else {
-      // Columns that are met again in tension do not press at the edge either.
+      // If the last column is met again in tension, nothing presses at the edge.
       if (last < 0) edge = 0;
       sum = sweeps_->sum_of_cells(columns, weights, live - 1) +
             positive_part(last, edge * to_edge.outer, width);
@@ -287,30 +286,30 @@ class ColumnField {
     return on_tip(columns.stress[0]) + 2 * std::numbers::pi * thickness_ * sum;
   }
 
-  /// On unloading a column may still push as its strain vanishes: stress over A then has no bound, but the
-  /// cell's force has one, its width times its stress.
+  /// Limits the integral of a cell. On unloading a column may still press as its strain vanishes: stress over
+  /// A then has no bound, but the cell's force is bounded by its width times its stress.
   [[nodiscard]] double bounded(double cell, const Columns& columns, std::size_t a, std::size_t b,
                                const Sections::Weights& weights, double outer_depth) const {
     const double outer = std::min(outer_depth, nose_.depth);
-    // Of a nose whose area grows ever faster the outer end of the cell has the larger weight.
+    // Where the area of the nose grows ever faster, the outer end of the cell has the larger weight.
     const double inner_weight = std::max(weights.inner, weights.outer);
     const double top = std::max({columns.stress[a] * inner_weight, columns.stress[b] * weights.outer, 0.0});
     return std::min(cell, 1.5 * top * (outer - columns_.depth()[a]) / thickness_);
   }
 
-  /// Columns at rest from the axis to the depth `reach`, or as far as the nose grows wider.
+  /// Lays columns at rest from the axis to the depth `reach`, m, or as far as the nose grows wider.
   void lay_columns(double expected, double reach) {
     lay_stations(nose_, {resolution_, expected, reach, thickness_ - penetration_},
                  [this](double depth) { columns_.append(depth); });
     columns_.fill_spare();
     for (std::size_t j = 0; j + 1 < columns_.size(); ++j) weigh_cell(j);
   }
-  /// The cell from the j-th column outwards.
+  /// Sets the weights of the cell from the j-th column outwards.
   void weigh_cell(std::size_t j) {
     const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
     columns_.set_weights(j, weights.inner, weights.outer);
   }
-  /// Near the axis the stress varies over the gap: cells there are split as the gap closes.
+  /// Splits cells near the axis as the gap closes, since the stress varies over the gap there.
   void grade_axis() {
     const double gap = thickness_ - penetration_;
     const double widest = station_spacing.of_gap * resolution_;
@@ -321,8 +320,8 @@ class ColumnField {
         insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
   }
 
-  /// The new column's stress over its envelope lies on the line between its neighbours': both are smooth
-  /// there, whatever the envelope's shape.
+  /// Inserts a column while loading. Its stress over its envelope is interpolated linearly in w between its
+  /// neighbours, which is smooth whatever the shape of the envelope.
   void insert_after(std::size_t j, double depth) {
     const Columns& now = columns_.now;
     const Formulas formulas{law_, power_, rate_part_, time_part_};
@@ -335,7 +334,7 @@ class ColumnField {
     const double relative =
         outer + (relaxed(j) - outer) * (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);
     if constexpr (scalar::carries_branches<Law, double>) {
-      // So does each branch over the lasting stress.
+      // Each branch over the lasting stress is interpolated likewise.
       const double share = (measure - now.measure[j + 1]) / (now.measure[j] - now.measure[j + 1]);
       for (std::size_t k = 1; k < part.size(); ++k) {
         const auto over = [&](std::size_t i) {
@@ -366,7 +365,7 @@ class ColumnField {
            Formulas{law_, power_, rate_part_, time_part_}.envelope(part.data(), strain, strain);
   }
 
-  /// Makes a trial from the accepted state the last one.
+  /// Repeats a trial from the accepted state unless it is the last one.
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
   }
@@ -381,12 +380,12 @@ class ColumnField {
   double penetration_ = 0;
   double largest_penetration_ = 0;
   double trial_ = 0;
-  typename Law::RatePart rate_part_{};  ///< of the last trial
-  typename Law::TimePart time_part_{};  ///< likewise
-  PadTrial last_;                       ///< without step: none from the accepted state
-  double correction_ = 1;               ///< of the contact integral
-  std::size_t live_ = 0;                ///< columns under strain in the accepted state
-  std::size_t trial_live_ = 0;          ///< and in the trial
+  typename Law::RatePart rate_part_{};  ///< rate part of the last trial; time_part_ likewise
+  typename Law::TimePart time_part_{};
+  PadTrial last_;               ///< step 0: no trial from the accepted state
+  double correction_ = 1;       ///< factor of the contact integral
+  std::size_t live_ = 0;        ///< columns under strain in the accepted state
+  std::size_t trial_live_ = 0;  ///< columns under strain at the end of the trial
   std::size_t updates_ = 0;
   ColumnStorage columns_;
 };

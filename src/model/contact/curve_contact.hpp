@@ -6,8 +6,7 @@
 /// a is the area of the nose's section (theory.md, Eq. 3), a1 its integral from 0, a2 that of a1.
 ///
 /// A foam that does not recover keeps the crater of an earlier blow, of the depth Yc (theory.md, Eq. 48): Y
-/// is counted from the surface of the new pad, and first contact is at Y = Yc, where the pad still carries
-/// F(Yc).
+/// is counted from the surface of the new pad, and first contact is at Y = Yc, where the pad carries F(Yc).
 ///
 /// Penetration in m, positive; force in N, compression positive.
 
@@ -42,36 +41,36 @@ class CurveContact {
     return crater_ > 0 ? force(crater_) : curve_.initial_stress * nose_.tip;
   }
 
-  /// The times do not matter: the law has no memory.
+  /// The times have no effect, since the law has no memory.
   [[nodiscard]] PadTrial trial(double advance, double from, double step) const {
     return {advance, from, step, force(penetration_ + advance)};
   }
   [[nodiscard]] double force_rate_when_held(const PadTrial&) const { return 0; }
   void accept(const PadTrial& trial) { penetration_ += trial.advance; }
 
-  /// No more than its sign: tension is where the nose has left the pad.
+  /// A quantity with the sign of the stress: the penetration beyond the crater, m.
   [[nodiscard]] double largest_stress(const PadTrial& trial) const {
     return (penetration_ - crater_) + trial.advance;
   }
 
-  /// Contact radius, m.
+  /// Radius of the contact, m.
   [[nodiscard]] double contact_radius() const { return penetration_ >= 0 ? nose_.radius(penetration_) : 0; }
 
-  /// At a depth below the surface of the new pad.
+  /// Force at a penetration below the surface of the new pad, N.
   [[nodiscard]] double force(double y) const {
     double sum = curve_.initial_stress * nose_.area(y);
     for (const auto& kink : curve_)
       sum += kink.slope_change / thickness_ * nose_.volume(y - kink.strain * thickness_);
     return sum;
   }
-  /// The force of the new pad integrated n times from 0 to y, n >= 1: 1 is the work, J.
+  /// n-fold integral of the force of the new pad from 0 to y, n >= 1; for n = 1 the work, J.
   [[nodiscard]] double integral(double y, int n) const {
     double sum = curve_.initial_stress * nose_.integral(y, n);
     for (const auto& kink : curve_)
       sum += kink.slope_change / thickness_ * nose_.integral(y - kink.strain * thickness_, n + 1);
     return sum;
   }
-  /// Work done on the pad from first contact, J, at a penetration since then.
+  /// Work done on the pad since first contact, J, at a penetration since then, m.
   [[nodiscard]] double energy(double y) const { return integral(crater_ + y, 1) - work_before_; }
 
  private:

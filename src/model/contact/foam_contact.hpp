@@ -1,16 +1,16 @@
 #pragma once
-/// A nose on a foam whose columns share what they remember (theory.md, Eqs. 32 to 38).
+/// A nose on a foam with one slip for all columns (theory.md, Eqs. 32 to 38).
 ///
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
 ///
-/// The stress of a column follows from its strain, from the largest strain that it has seen, which lies by
-/// the same amount above the strain for all columns, and from the slip rate, which is one for all. So nothing
-/// is kept for a column, and the integral is taken anew for every trial, over the work of the base curve
-/// (model/contact/work_nodes.hpp). On unloading columns let go, those at the edge first as a rule, so the
-/// integral goes from one strain where the stress is nothing to the next.
+/// The stress of a column follows from its strain, its largest strain, which exceeds the strain by the same
+/// amount in all columns, and the slip rate, the same for all. So no state is kept for a column, and the
+/// integral is taken anew in every trial, over the work of the base curve (model/contact/work_nodes.hpp). On
+/// unloading columns lose their stress, usually from the edge inwards, so the integral is taken between
+/// strains at which the stress vanishes.
 ///
-/// Of an earlier blow the pad keeps its largest penetration Ym (theory.md, Eqs. 46 to 48): columns begin with
-/// the strain e* that it gave them, and crushed foam is met in its crater.
+/// From earlier blows the pad keeps the largest penetration Ym (theory.md, Eqs. 46 to 48): columns start with
+/// the largest strain e* of that blow, and crushed foam is met in its crater.
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ class FoamContact {
  public:
   using Law = std::variant<Foam, CrushableFoam>;
 
-  /// Every stress is multiplied by `factor`; `earlier`: largest penetration of earlier blows, m.
+  /// `factor` multiplies every stress; `earlier` is the largest penetration of earlier blows, m.
   FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1,
               ColumnMath math = ColumnMath::vector, double earlier = 0)
       : law_(law),
@@ -108,7 +108,7 @@ class FoamContact {
     recall(trial);
     return factor_ * relaxing_;
   }
-  /// dF/dY if only the base curve's stress changed: what a change of the rate adds is none of a spring's.
+  /// dF/dY of the base curve's stress alone, N/m; what a change of the rate adds does not act like a spring.
   [[nodiscard]] double lasting_stiffness(const PadTrial& trial) {
     recall(trial);
     const double Y = trial_penetration_;
@@ -123,8 +123,7 @@ class FoamContact {
     }
     return std::max(factor_ * stiffness * ratio(inner).stress, last_.force / thickness_);
   }
-  /// The highest tested rate below the slip rate now, 1/s: where the rate comes down to it, the force has a
-  /// corner. 0: none.
+  /// The highest tested rate below the present slip rate, 1/s, at which the force has a corner; 0: none.
   [[nodiscard]] double rate_corner() const {
     return stress_.overstress().corner_below(stress_.slip().slip_rate(slip_));
   }
@@ -148,13 +147,13 @@ class FoamContact {
     last_ = {};
   }
 
-  /// The nose comes again to a pad that it had left: what it met before is now as after an earlier blow.
+  /// The nose meets the pad again after leaving it: the pad is then as after an earlier blow.
   void meet_again() { left_ = largest_; }
 
   /// Outer radius of the stressed area, m.
   [[nodiscard]] double contact_radius() const { return pressing_ >= 0 ? nose_.radius(pressing_) : 0; }
 
-  /// A column in the accepted state, by the depth at which the nose's surface meets it.
+  /// A column in the accepted state, given by the depth at which the nose's surface meets it, m.
   struct Column {
     double strain = 0;
     double stress = 0;  ///< Pa, tension negative
@@ -174,15 +173,14 @@ class FoamContact {
     const double edge = (earlier_ - std::min(earlier_, nose_.depth)) / thickness_;
     crater_ = thickness_ * stress_.strain_of_crater(earlier_ / thickness_, edge);
   }
-  /// Where the pad counts as closed, m below its surface when new.
+  /// Penetration at which the pad counts as closed, m below the surface of the new pad.
   [[nodiscard]] double closed() const { return thickness_ * (1 - 1e-9); }
-  /// Whether columns may stand below the nose that it does not touch, since it has gone no deeper than
-  /// before.
+  /// Whether some columns below the nose may be untouched, as it has gone no deeper than before.
   [[nodiscard]] bool is_in_crater(double largest) const {
     const double before = std::max(earlier_, left_);
     return before > 0 && largest <= before && stress_.stays_crushed();
   }
-  /// dF/dY by the base curve's stress, of a nose of one piece.
+  /// dF/dY by the base curve's stress for a nose of one quadratic piece.
   [[nodiscard]] double stiffness_of_piece(const FoamStress::Place& inner) const {
     const double Y = trial_penetration_;
     const double outer_strain = (Y - std::min(Y, nose_.depth)) / thickness_;
@@ -192,7 +190,7 @@ class FoamContact {
     };
     return 2 * std::numbers::pi * (by_work(inner) - by_work(outer));
   }
-  /// The same of a shape, as near as steps ask for: over depths that are a quarter of one another.
+  /// The same for a shape, as accurately as step lengths need: over depths in the ratio of 1 to 4.
   [[nodiscard]] double stiffness_below_shape(const FoamStress::Place& inner) const {
     const double top = trial_penetration_ / thickness_;
     double depth = std::min(trial_penetration_, nose_.depth);
@@ -210,28 +208,29 @@ class FoamContact {
     return 2 * std::numbers::pi * sum;
   }
 
-  /// Panels times the root of the resolution: the rule is of the fourth order, twice that of the step.
+  /// Number of panels times the root of the resolution: the rule is of fourth order, twice that of the step.
   static constexpr double panels_at_one = 1.75;
-  /// The same where the ratio of stresses goes through the points of tested curves: it waves between these,
-  /// and panels as wide as some of the waves make figures that agree by chance. (With as many as elsewhere 41
-  /// of 26,700 figures of random foams were beyond 1e-4, with these 3.)
+  /// The same where the ratio of stresses follows the points of tested curves: it waves between these, and
+  /// with panels as wide as some of the waves runs agree by chance. (With the usual panels 48 of 26,700
+  /// figures of random foams were off by more than 1e-4; with these, and the slip of slip.hpp, 3: theory.md,
+  /// section 5.1.)
   static constexpr double panels_by_points = 5.25;
-  /// Share of them over a factor of e in the complement of the strain, beyond the tested strains.
+  /// Share of the panels for a factor of e in the complement of the strain, beyond the tested strains.
   static constexpr double panels_beyond = 0.35;
-  /// Of the edge, in the resolution.
+  /// Precision of the contact's edge over the resolution, as a share of the search range.
   static constexpr double precision_of_edge = 5e-3;
-  /// Of a shape: of its pieces, over the root of the resolution, since they are of the fourth order.
+  /// Grading of a shape's pieces over the root of the resolution, since they are of fourth order.
   static constexpr double grading = 1.3;
-  /// What of its tip is so thin that the stress is a line over it, of the lesser of penetration and gap, in
-  /// the resolution.
+  /// Depth of the shape's tip over which the stress is taken as linear, in the resolution times the smaller
+  /// of penetration and gap.
   static constexpr double thin = 0.1;
-  static constexpr std::size_t looks = 12;  ///< for rings, where the axis does not press
-  static constexpr int ring_bits = 12;      ///< of the place where the last ring presses longest
+  static constexpr std::size_t looks = 12;  ///< places searched for pressing rings
+  static constexpr int ring_bits = 12;      ///< precision of the place of the last pressing ring, bits
 
   static FoamStress made_of(const Law& law) {
     return std::visit([](const auto& of) { return FoamStress(of); }, law);
   }
-  /// The pieces over which the nose is integrated.
+  /// Sets the pieces over which the nose is integrated.
   void cut_nose(double resolution) {
     piece_ = {.from = 0, .to = nose_.depth, .width = nose_.width, .taper = nose_.taper};
     pieces_.clear();
@@ -242,7 +241,7 @@ class FoamContact {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
   }
 
-  /// The force at the end of the trial; on the way what else is asked for.
+  /// The force at the end of the trial before `factor`, N; also sets the trial's other results.
   double integrate() {
     relaxing_ = 0;
     most_pressed_ = -infinite;
@@ -276,8 +275,7 @@ class FoamContact {
       const double root = crossing(at, first, f_first, high, f_high);
       return force + integral(edge, root * root, top, top);
     }
-    // A ring may go on pressing where the axis has let go, or the axis and a ring with none between; or
-    // several.
+    // One or more rings may still press where the axis no longer does, or beside the axis with a gap between.
     const double width = (high - low) / looks;
     std::array<double, looks + 1> places{first};
     std::array<double, looks + 1> found{f_first};
@@ -288,7 +286,7 @@ class FoamContact {
       if (found[i] > found[most]) most = i;
     }
     if (found[most] <= 0) {
-      // The last one is narrow, and may stand between two looks: without it contact ends too early.
+      // The last ring is narrow and may lie between two places: without it contact would end too early.
       const std::size_t below = most > 0 ? most - 1 : 0;
       const std::size_t above = std::min(most + 1, looks);
       const auto [place, less] = boost::math::tools::brent_find_minima(
@@ -309,9 +307,9 @@ class FoamContact {
     return f_high > 0 ? force + integral(edge, from * from, top, top) : force;
   }
 
-  /// The same of a crushed foam that comes back. Its line of unloading is integrated in closed form, over the
-  /// only stretch of columns that still press by it: the stress s(e*) - max(E, s'(e*)) ahead has one maximum.
-  /// What the rate adds acts on each column by its own strain (theory.md, Eq. 38).
+  /// The same for crushed foam on the way back. Its line of unloading is integrated in closed form over the
+  /// columns that still press by it; they are contiguous, as s(e*) - max(E, s'(e*)) ahead has one maximum.
+  /// The stress added by the rate depends on each column's own strain (theory.md, Eq. 38).
   double integral_of_crushed(double edge, double top) {
     double force = 0;
     const auto at = [&](double root) {
@@ -335,7 +333,7 @@ class FoamContact {
     }
     stations_ = std::max(stations_, points_);
     if (in_crater_ || slip_rate_ <= 0 || (at_rate_.even && at_rate_.at_all_strains.stress == 0)) return force;
-    // As on the way in, but for the base curve's own stress.
+    // As on the way in, without the base curve's own stress.
     const auto [ahead, lead] = std::pair(std::exchange(ahead_, 0), std::exchange(lead_, 0));
     left_out_ = 1;
     press_from(edge);
@@ -343,7 +341,7 @@ class FoamContact {
     ahead_ = ahead, lead_ = lead, left_out_ = 0;
     return force;
   }
-  /// Of the line of unloading, over columns that all press by it.
+  /// Force of the line of unloading over columns that all press by it, N.
   double crushed_force(double from, double to, double top) {
     const auto of_piece = [&](double outer, double inner) {
       return crushed_force_of_piece(outer, inner, top);
@@ -366,13 +364,13 @@ class FoamContact {
            (base_force(outer, inner) -
             ahead_ * stress_.moment_of_slope_back(outer, inner, at_zero, piece_.taper * thickness_));
   }
-  /// The columns from this strain on press, if none farther out does.
+  /// Notes that columns from this strain on press, unless some farther out do.
   void press_from(double strain) {
     const double depth = trial_penetration_ - strain * thickness_;
     trial_pressing_ = std::max(trial_pressing_, depth);
   }
 
-  /// On the flat tip, Pa.
+  /// Pressure on the flat tip, Pa.
   double pressure(double top) {
     const FoamStress::Place place = stress_.at(leading(top, top));
     const FoamStress::Ratio of = ratio(place);
@@ -382,21 +380,20 @@ class FoamContact {
     relaxing_ += nose_.tip * place.base.stress * of.relaxing;
     return place.base.stress * of.stress;
   }
-  /// Of the stress between two strains of the contact, which ends at the strains `edge` and `top`.
+  /// Force between two strains of the contact, which ends at the strains `edge` and `top`, N.
   double integral(double edge, double from, double to, double top) {
     if (to <= from) return 0;
     press_from(from);
     return nose_.shape ? integral_below_shape(edge, from, to, top)
                        : integral_below_piece(edge, from, to, top);
   }
-  /// A stretch between two depths over which the stress is a line: it counts by its area and its volume
-  /// alone.
+  /// A range of depths over which the stress is linear, so that only its area and volume matter.
   struct ThinStretch {
     double inner = 0, outer = 0;            ///< depths, m
-    double inner_area = 0, outer_area = 0;  ///< by which the stresses there count, m2
+    double inner_area = 0, outer_area = 0;  ///< weights of the stresses there, m2
   };
-  /// The sum over the pieces of a shape between two strains: where a' has no bound at the tip of a thin
-  /// stretch there, then of piece by piece, from the outer strain of each to its inner one.
+  /// Sum over the pieces of a shape between two strains: first a thin range at the tip if a' has no bound
+  /// there, then each piece from its outer strain to its inner one.
   template <class OfThin, class OfPiece>
   double over_pieces(double from, double to, OfThin&& of_thin, OfPiece&& of_piece) {
     const double Y = trial_penetration_;
@@ -452,7 +449,7 @@ class FoamContact {
       return integral_below_piece(edge, from, corner, top) + integral_below_piece(edge, corner, to, top);
     const FoamStress::Place outer = stress_.at(leading(from, top));
     const FoamStress::Place inner = stress_.at(leading(to, top));
-    // What all columns have in common is known in closed form; the rest is smaller, and often nothing.
+    // The part common to all columns has a closed form; the rest is smaller and often zero.
     const FoamStress::Ratio common = ratio(inner);
     const double thickness = 2 * std::numbers::pi * thickness_;
     const double base = thickness * base_force(outer, inner);
@@ -469,7 +466,7 @@ class FoamContact {
     relaxing_ += thickness * more.relaxing;
     return force + thickness * more.stress;
   }
-  /// Of what the ratio has beside a part that all columns have in common.
+  /// Integral of the ratio less the part common to all columns.
   WorkIntegral integral_beside(const FoamStress::Ratio& common, const WorkStretch& over) {
     const double last = stress_.curve().last_strain();
     const auto put = [&](const FoamStress::Place& place, NodeValues& values, std::size_t i) {
@@ -505,23 +502,23 @@ class FoamContact {
     stations_ = std::max(stations_, points_);
     return sum;
   }
-  /// int s a' / (2 pi) de between two places.
+  /// int s a' / (2 pi) de between two places, Pa m.
   [[nodiscard]] double base_force(const FoamStress::Place& outer, const FoamStress::Place& inner) const {
     const FoamCurve& curve = stress_.curve();
     const double moment = curve.moment(inner.strain) - curve.moment(outer.strain);
     return (piece_.width - piece_.taper * depth_of(0)) * (inner.base.work - outer.base.work) +
            piece_.taper * thickness_ * moment;
   }
-  /// Where the nose meets the column that a strain leads, m behind its tip.
+  /// Depth behind the tip at which the nose meets the column with this leading strain, m.
   [[nodiscard]] double depth_of(double leading) const {
     return trial_penetration_ + (lead_ - leading) * thickness_;
   }
-  /// a' / (2 pi) where the nose meets that column, m. At the end of a nose that is cut off short the rate
-  /// jumps to nothing, which rounding must not bring forward.
+  /// a' / (2 pi) where the nose meets that column, m. At the rim of a nose it jumps to zero, which rounding
+  /// must not bring forward.
   [[nodiscard]] double rate_at(const FoamStress::Place& leading) const {
     return piece_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
   }
-  /// The strain that leads the column of a strain; that of the axis is known without cancellation.
+  /// The leading strain of a column with this strain, without cancellation at the axis.
   [[nodiscard]] Strain leading(double strain, double top) const {
     return {strain + lead_, (gap_ - lead_) + (top - strain)};
   }
@@ -530,8 +527,8 @@ class FoamContact {
     stations_ = std::max(stations_, points_);
     return stress_.ratio(leading, ahead_, at_rate_, slip_rate_, in_crater_);
   }
-  /// Whose sign is that of the stress: the ratio, which is smooth to the edge; of a crushed foam the stress,
-  /// which without its floor changes its sign at the gap.
+  /// Returns a value with the sign of the stress: the ratio, which is smooth up to the edge; for crushed foam
+  /// the stress, which without its lower limit changes sign at the gap.
   double press(const FoamStress::Place& place, FoamStress::Ratio of) {
     const double value = stress_.stays_crushed() ? of.stress * place.base.stress : of.stress;
     most_pressed_ = std::max(most_pressed_, value);
@@ -541,8 +538,8 @@ class FoamContact {
     const FoamStress::Place place = stress_.at(leading(strain, top));
     return press(place, ratio(place));
   }
-  /// A root of f between two places, of which one has a value above 0, by the rule of Illinois, from the
-  /// place of the last root on. The stress is nothing there: an error of the root counts by its square.
+  /// Root of f between two places with values of different signs, by the Illinois rule from the last root on.
+  /// As the stress vanishes there, an error of the root has an effect of second order.
   template <class F>
   double crossing(F&& f, double low, double f_low, double high, double f_high) {
     const double precision = edge_precision_ * (high - low);
@@ -576,7 +573,7 @@ class FoamContact {
       look(place);
     }
     edge_slope_ = (f_high - f_low) / (high - low);
-    // A pad that was struck before may carry so little that the values vanish.
+    // The values may vanish on a pad that was struck before and carries next to nothing.
     const double found = root();
     return edge_ = std::isfinite(found) ? found : (low + high) / 2;
   }
@@ -586,21 +583,21 @@ class FoamContact {
   double thickness_;
   Sections nose_;
   double factor_ = 1;
-  ColumnMath math_;  ///< of the nodes of the integral
+  ColumnMath math_;  ///< computation of the integral's nodes
   const FoamNodeMath* vectors_;
   NodeValues values_;
-  std::vector<SectionPiece> pieces_;  ///< of a shape
-  SectionPiece piece_;                ///< over which the integral is taken: of any other nose its only one
+  std::vector<SectionPiece> pieces_;  ///< pieces of a shape
+  SectionPiece piece_;                ///< piece being integrated; other noses have only this
   double thin_ = 0;
   double panels_ = 8;
   double earlier_ = 0;      ///< largest penetration of earlier blows, m
-  double left_ = 0;         ///< and of this one, when the nose left the pad
+  double left_ = 0;         ///< the same of this blow when the nose left the pad, m
   double crater_ = 0;       ///< depth at which the nose meets the foam, m
-  double penetration_ = 0;  ///< below the surface of the new pad, as all that follow
-  double largest_ = 0;      ///< penetration so far
-  SlipScale::State slip_;   ///< theory.md, Eq. 34
-  double rate_ = 0;         ///< of the last step, 1/s
-  double rate_step_ = 0;    ///< its length, s; 0: there was none
+  double penetration_ = 0;  ///< below the surface of the new pad, as the next ones, m
+  double largest_ = 0;      ///< largest penetration so far, m
+  SlipScale::State slip_;   ///< state of the slip (theory.md, Eq. 34)
+  double rate_ = 0;         ///< strain rate of the last step, 1/s
+  double rate_step_ = 0;    ///< length of the last step, s; 0: there was none
   double pressing_ = -1;    ///< depth up to which columns press, m; below 0: none do
   PadTrial last_;
   double trial_penetration_ = 0;
@@ -608,10 +605,10 @@ class FoamContact {
   SlipScale::State trial_slip_;
   double trial_rate_ = 0;
   double trial_pressing_ = -1;
-  double ahead_ = 0;     ///< of the largest strain, over the strain
-  double left_out_ = 0;  ///< of the ratio of stresses, where only what the rate adds is asked for
-  double lead_ = 0;      ///< of the strain that leads a column, over its own
-  double gap_ = 0;       ///< above the axis, of the thickness
+  double ahead_ = 0;     ///< largest strain less strain, the same for all columns
+  double left_out_ = 0;  ///< part of the ratio left out where only the rate's stress is wanted
+  double lead_ = 0;      ///< leading strain less strain
+  double gap_ = 0;       ///< gap on the axis over the thickness
   bool in_crater_ = false;
   double edge_ = 0;  ///< root of the strain where the last ring of columns began to press
   double edge_slope_ = 1;
@@ -619,9 +616,9 @@ class FoamContact {
   double slip_rate_ = 0;
   Overstress::AtRate at_rate_;
   double relaxing_ = 0;
-  double most_pressed_ = 0;   ///< the largest of press() in this trial
-  std::size_t points_ = 0;    ///< columns looked at in this trial
-  std::size_t stations_ = 0;  ///< the most of them since the start
+  double most_pressed_ = 0;   ///< largest value of press() in this trial
+  std::size_t points_ = 0;    ///< columns evaluated in this trial
+  std::size_t stations_ = 0;  ///< largest points_ since the start
   std::size_t updates_ = 0;
 };
 

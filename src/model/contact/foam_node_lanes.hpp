@@ -1,28 +1,28 @@
-/// Values at nodes, several at a time.
+/// Values at the nodes of a foam's contact integral, several at a time.
 ///
-/// This is text, as src/model/pad/lanes.hpp is, and is included after it and the formulas of foams.
+/// Included as text, like src/model/pad/lanes.hpp, after it and the formulas of foams.
 
 using Index = hn::Vec<hn::RebindToSigned<LanesTag>>;
 
-/// As CellPlace.
+/// CellPlace for several nodes.
 struct Places {
   Index cell;
-  Lanes number;  ///< of the cell
+  Lanes number;  ///< number of the cell
   Lanes t;
 };
-/// From a root of the strain over the width of the cells.
+/// Places of the strains whose root over the width of the cells is x.
 HWY_INLINE Places places_of(Lanes x) {
   const Lanes last(Cells::count - 1);
-  // What is no number stays none, in the last cell.
+  // NaN stays NaN, in the last cell.
   const Lanes number = hn::Floor(select(x < last, x, last).v);
   return {hn::ConvertTo(hn::RebindToSigned<LanesTag>(), number.v), number, x - number};
 }
 
-/// Four numbers a cell.
+/// Cubics of the cells, from rows of four numbers.
 HWY_INLINE Cubic<Lanes> cubics_of(const double* rows, Index cell) {
   const LanesTag tag;
 #if HWY_MAX_BYTES == 32
-  // Whole rows, turned, cost less than a gather a number.
+  // Loading and transposing whole rows costs less than four gathers.
   HWY_ALIGN std::int64_t at[4];
   hn::Store(hn::ShiftLeft<2>(cell), hn::RebindToSigned<LanesTag>(), at);
   const auto row0 = hn::LoadU(tag, rows + at[0]);
@@ -54,7 +54,7 @@ HWY_INLINE Lanes work_beyond(const FoamCurve::Rows& base, Lanes strain, Lanes co
   return work_beyond(base.beyond, strain, complement, inverse_power(base.beyond, complement));
 }
 
-/// m - 1 and its rise.
+/// m - 1 and its derivative, as Over.
 HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& of, Lanes strain, const Places& at) {
   const auto& [by_power, exponent, exponent_slope, linear, before, next] = of.overstress;
   if (by_power) return over_by_power(exponent, exponent_slope, of.rate.log_rate, strain);
@@ -63,7 +63,7 @@ HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& of, Lanes strain, const P
                       of.rate.weight);
 }
 
-/// Theory.md, Eq. 32, as FoamStress::ratio. The lanes are nodes from the j-th on.
+/// Puts the values of nodes from the j-th on, by theory.md, Eq. 32, as FoamStress::ratio().
 HWY_INLINE void put(const FoamNodes& nodes, Lanes strain, Lanes complement, const Places& at, Lanes work,
                     std::size_t j, NodeValues& values) {
   using R = Register<Lanes>;
@@ -90,7 +90,7 @@ HWY_INLINE void put(const FoamNodes& nodes, Lanes strain, Lanes complement, cons
   R::store(area * (of.relaxation * rise - nodes.common.relaxing), &values.relaxing[j]);
 }
 
-/// Numbers of the nodes from the j-th of a row on; those behind its end are its last.
+/// Numbers of the nodes from the j-th of a row on; beyond its end the last one is repeated.
 HWY_INLINE Lanes numbers_of(const NodeRow& row, std::size_t j) {
   const Lanes number = hn::Iota(LanesTag(), static_cast<double>(row.first + j));
   return min(number, Lanes(static_cast<double>(row.first + row.count - 1)));

@@ -1,6 +1,6 @@
 #pragma once
-/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp) by vectors of nodes, for
-/// the instruction set of the processor that the program runs on.
+/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp), computed by vectors of
+/// nodes for the instruction set of the processor.
 
 #include <array>
 #include <cmath>
@@ -10,25 +10,25 @@
 
 namespace dashpad {
 
-/// What is asked for at nodes one after the other: the work of the base curve, J/m3, and of the stress over
-/// that curve's and of its relaxing in 1/s what exceeds the part that all columns have in common, each times
-/// the nose's rate of the section a'(s) / (2 pi). The first is that of the node before them.
+/// Values at consecutive nodes: the work of the base curve, J/m3; the stress and its relaxing (1/s) over that
+/// curve's stress, less the part common to all columns and times a'(s) / (2 pi). Index 0 is the node before
+/// them.
 struct NodeValues {
   static constexpr std::size_t most = 64;
-  static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
+  static constexpr std::size_t spare = 64;  ///< lanes of the widest known vector
   std::array<double, 1 + most + spare> work{};
   std::array<double, 1 + most + spare> stress{};
   std::array<double, 1 + most + spare> relaxing{};
 };
 
-/// Nodes from an end of the integral on; `first` and `count` of them, 1: the first one off that end.
+/// A row of `count` nodes from an end of the integral; they are numbered from that end, which is 0.
 struct NodeRow {
-  double from = 0;  ///< the root of the strain; beyond the tested strains the logarithm of the complement
-  double step = 0;  ///< from node to node
+  double from = 0;  ///< root of the strain there; beyond tested strains ln of its complement
+  double step = 0;  ///< distance between nodes
   std::size_t first = 1;
   std::size_t count = 0;  ///< at most NodeValues::most
 
-  /// Of a number.
+  /// Root of the strain of node i.
   [[nodiscard]] double root(std::size_t i) const {
     const double even = from + step * static_cast<double>(i);
     return i % 2 == 0 ? even : std::sqrt(even * even + step * step);
@@ -38,7 +38,7 @@ struct NodeRow {
   }
 };
 
-/// What is the same for all nodes.
+/// Data common to all nodes.
 struct FoamNodes {
   FoamStress::Rows stress;
   FoamStress::Ratio common;
@@ -48,7 +48,7 @@ struct FoamNodes {
 
 struct FoamNodeMath {
   using Fill = void (*)(const FoamNodes&, const NodeRow&, NodeValues&);
-  Fill within = nullptr;  ///< the tested strains
+  Fill within = nullptr;  ///< for tested strains
   Fill beyond = nullptr;
 };
 const FoamNodeMath& foam_node_math();

@@ -1,6 +1,6 @@
 #pragma once
-/// The best of a function's versions that this processor has, by Highway's tables but without its library:
-/// that one measures a clock whenever it is loaded, for six milliseconds.
+/// Choice of the best version of a function for this processor, by Highway's tables but without its library,
+/// which measures a clock for six milliseconds whenever it is loaded.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace dashpad {
 
-/// Instruction sets that the processor and the system have, as Highway's bits; besides x86 those that the
-/// compiler was told of.
+/// Instruction sets of the processor and the system as Highway's bits; on other processors than x86 those
+/// that the compiler was told to use.
 inline std::int64_t instruction_sets() {
   std::int64_t sets = HWY_ENABLED_BASELINE;
 #if HWY_ARCH_X86
@@ -20,7 +20,7 @@ inline std::int64_t instruction_sets() {
     sets |= HWY_SSE4;
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
     sets |= HWY_AVX2;
-  // What AVX3_DL adds is of no use to doubles.
+  // AVX3_DL adds nothing for doubles.
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
     sets |= HWY_AVX3;
@@ -28,7 +28,7 @@ inline std::int64_t instruction_sets() {
   return sets;
 }
 
-/// In a table of the versions: DASHPAD_VERSIONS_OF(function).
+/// The best version in a table made by DASHPAD_VERSIONS_OF(function).
 template <class Function, std::size_t size>
 Function* for_this_processor(Function* const (&versions)[size]) {
   hwy::ChosenTarget chosen;

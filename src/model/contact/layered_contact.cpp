@@ -12,10 +12,10 @@
 namespace dashpad {
 namespace {
 
-/// Gap for which stations are laid, of the thickness, as long as none is known.
+/// Gap for which stations are laid while none is known, as a share of the thickness.
 constexpr double first_gap = 0.02;
 
-/// Mean of max(g, 0) over a cell in which g is linear, and how it changes with g at its ends.
+/// Mean of max(g, 0) over a cell in which g is linear, and its derivatives by g at both ends.
 struct PositiveMean {
   double value = 0;
   double by_inner = 0;
@@ -25,7 +25,7 @@ PositiveMean positive_mean_of(double inner, double outer) {
   if (inner >= 0 && outer >= 0) return {(inner + outer) / 2, 0.5, 0.5};
   if (inner <= 0 && outer <= 0) return {};
   const double top = std::max(inner, outer);
-  const double share = top / std::abs(inner - outer);  // of the cell that presses
+  const double share = top / std::abs(inner - outer);  // pressing share of the cell
   const double by_top = share - share * share / 2;
   const double by_other = share * share / 2;
   return {top * share / 2, inner > 0 ? by_top : by_other, inner > 0 ? by_other : by_top};
@@ -65,8 +65,9 @@ Shortening LayeredContact::shortening(std::size_t j, double penetration) const {
   return {penetration - depth, (series_.thickness() - penetration) + depth};
 }
 
-/// A column that the nose has not reached takes part in the slip of the one inside it, as far below strain
-/// zero as the nose is away: so all columns of a pad of one foam have one slip, as theirs has.
+/// States before a step. A column that the nose has not reached takes over the slip of the column inside it,
+/// and starts as far below strain zero as the nose is away: all columns of a pad of one foam then have one
+/// slip, as that foam alone has.
 LayerStates LayeredContact::states_before(std::size_t j) const {
   LayerStates states;
   const LayerColumns::Moment& now = columns_.now;
@@ -97,7 +98,7 @@ ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double 
   ColumnGuess guess;
   const LayerColumns::Moment& next = columns_.next_moment;
   if (has_trial_ && j < trial_touched_ && next.flexibility[j] > 0) {
-    // From what was found in the last trial from here.
+    // From the last trial of this state.
     const double change = y - next.y[j];
     guess.total_flexibility = next.flexibility[j];
     guess.stress = next.stress[j] + change / guess.total_flexibility;
@@ -113,7 +114,7 @@ ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double 
     speed += series_.thickness(i) * now[i].rate;
     fastest = std::max(fastest, std::abs(now[i].rate));
   }
-  // Layers that move against each other say little about the step to come.
+  // The rates of layers that move against each other predict little of the next step.
   const bool is_shared = std::abs(speed) > 0.2 * series_.thickness() * fastest;
   const double before = penetration_ - columns_.depth()[j];
   for (std::size_t i = 0; i < series_.size(); ++i) {
@@ -153,7 +154,7 @@ void LayeredContact::solve_column(std::size_t j) {
 
 PadTrial LayeredContact::trial(double advance, double from, double step) {
   const PadTrial wanted{advance, from, step, 0};
-  // What was found over a step of another length was found at another rate.
+  // Results of a step of another length belong to another rate.
   has_trial_ = wanted.shares_time_with(last_);
   last_ = wanted;
   trial_penetration_ = penetration_ + advance;
@@ -168,7 +169,7 @@ PadTrial LayeredContact::trial(double advance, double from, double step) {
   return last_;
 }
 
-/// A and w of the columns under the nose.
+/// Sets A and w of the columns under the nose.
 void LayeredContact::weigh_columns() {
   const FoamCurve& slow = series_.slow_curve();
   for (std::size_t j = 0; j < trial_live_; ++j) {
@@ -197,7 +198,7 @@ void LayeredContact::for_each_cell(Visit&& visit) const {
                j + 1,
                {columns_.inner_weight()[j], columns_.outer_weight()[j]},
                columns_.measure[j] - columns_.measure[j + 1]});
-  // On to the edge, stress over A stays as it is at the last column.
+  // From the last column to the edge, stress over A is constant.
   const std::size_t last = trial_live_ - 1;
   visit(Cell{last, last, nose_.weights(columns_.depth()[last], std::min(trial_penetration_, nose_.depth)),
              columns_.measure[last] - edge_of_contact().work});
@@ -206,7 +207,8 @@ void LayeredContact::for_each_cell(Visit&& visit) const {
 LayeredContact::Ends LayeredContact::g(const Cell& cell) const {
   const LayerColumns::Moment& next = columns_.next_moment;
   double inner = next.stress[cell.inner], outer = next.stress[cell.outer];
-  // How far a column is off the nose goes on smoothly beyond what presses, its own flexibility does not.
+  // The distance of a column from the nose continues smoothly beyond the pressing columns; its own
+  // flexibility does not.
   const auto with_flexibility_of = [&](std::size_t j, std::size_t free) {
     return next.flexibility[free] / std::max(next.flexibility[j], std::numeric_limits<double>::min());
   };
@@ -275,7 +277,7 @@ double LayeredContact::lasting_stiffness(const PadTrial& trial) {
   }
   const LayerColumns::Moment& next = columns_.next_moment;
   const double ratio = next.stress[0] / columns_.shape[0];
-  // The slow curve of layers that close at a stress with a bound goes on as if there were none.
+  // Layers that close at a finite stress limit the stiffness; the slow curve continues beyond that stress.
   const double most = nose_.area(trial_penetration_) / next.flexibility[0];
   return std::max(std::min(stiffness * ratio, most), last_.force / series_.thickness());
 }

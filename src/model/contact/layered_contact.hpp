@@ -6,9 +6,9 @@
 ///   55)
 ///
 /// A is the stress of the column pressed slowly, and w its area: stress over A is smooth at the contact edge
-/// and near full compression, and g is taken as linear in w between stations. Every column and layer keeps
-/// its own strain, largest strain and slip: layers share the shortening of a column differently as its rate
-/// changes.
+/// and near full compression, and g is taken as linear in w between stations. Each layer of each column keeps
+/// its own strain, largest strain and slip, since the layers' shares of a column's shortening change with its
+/// rate.
 ///
 /// Lengths in m, stress in Pa, compression positive.
 
@@ -25,15 +25,15 @@
 
 namespace dashpad {
 
-/// The columns of a pad of layers, one array a quantity, in memory taken once.
+/// The columns of a pad of layers: one array for each quantity, allocated once.
 class LayerColumns {
  public:
-  /// What a column is at one moment.
+  /// State of the columns at one moment.
   struct Moment {
-    double* stress = nullptr;       ///< Pa; below 0: free of stress
-    double* y = nullptr;            ///< m
+    double* stress = nullptr;       ///< Pa; below 0 where the column is free of stress
+    double* y = nullptr;            ///< shortening, m
     double* flexibility = nullptr;  ///< dy/d(stress) over the step, m/Pa
-    /// Of each layer.
+    /// Arrays for each layer.
     std::array<double*, most_layers> strain{}, largest{}, rate{}, memory{}, layer_flexibility{};
   };
 
@@ -57,8 +57,7 @@ class LayerColumns {
   [[nodiscard]] std::size_t layers() const { return layers_; }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const double* depth() const { return depth_; }
-  /// By what the cell between a column and the next counts, a'(s) / (2 pi) in m: at the column, and at the
-  /// next.
+  /// Weights a'(s) / (2 pi) of the cell between a column and the next, m: at the column and at the next.
   [[nodiscard]] const double* inner_weight() const { return inner_; }
   [[nodiscard]] const double* outer_weight() const { return outer_; }
 
@@ -71,7 +70,7 @@ class LayerColumns {
 
   Moment now;
   Moment next_moment;
-  // Of the last trial.
+  // Values of the last trial.
   double* shape = nullptr;    ///< A, Pa
   double* measure = nullptr;  ///< w, Pa
   double* chord = nullptr;    ///< d(stress)/dy over the last step, Pa/m; the guess for the next
@@ -96,15 +95,15 @@ class LayeredContact {
   [[nodiscard]] double first_force() const { return 0; }
   [[nodiscard]] double lock_penetration() const { return series_.thickness() * (1 - 1e-9); }
   [[nodiscard]] std::size_t stations() const { return columns_.size(); }
-  /// Stresses of a layer that were computed in all trials since the start.
+  /// Number of layer stresses computed in all trials since the start.
   [[nodiscard]] std::size_t updates() const { return updates_; }
-  /// Of them, those for a root within a root.
+  /// Number of these for a root within a root.
   [[nodiscard]] std::size_t nested_updates() const { return nested_updates_; }
 
   void start(double resolution, double expected);
   PadTrial trial(double advance, double from, double step);
   [[nodiscard]] double force_rate_when_held(const PadTrial& trial);
-  /// dF/dY if only the slow stress changed: what a change of the rate adds is none of a spring's.
+  /// dF/dY of the slow stress alone, N/m; what a change of the rate adds does not act like a spring.
   [[nodiscard]] double lasting_stiffness(const PadTrial& trial);
   [[nodiscard]] double largest_stress(const PadTrial& trial);
   void accept(const PadTrial& trial);
@@ -114,11 +113,11 @@ class LayeredContact {
 
   /// A column in the accepted state.
   struct Column {
-    double depth = 0;   ///< at which the nose's surface meets it, m
-    double strain = 0;  ///< of the pad, y / L
+    double depth = 0;   ///< depth at which the nose's surface meets it, m
+    double strain = 0;  ///< strain of the whole column, y / L
     double stress = 0;  ///< Pa; below 0 where it is free of stress
   };
-  /// Columns that the nose has reached so far, from the axis outwards.
+  /// Number of columns that the nose has reached so far, from the axis outwards.
   [[nodiscard]] std::size_t touched_columns() const { return touched_; }
   [[nodiscard]] Column column(std::size_t j) const;
   [[nodiscard]] std::size_t layers() const { return series_.size(); }
@@ -132,22 +131,22 @@ class LayeredContact {
   void solve_column(std::size_t j);
   void weigh_columns();
   [[nodiscard]] double integrate() const;
-  /// Between two columns, or from the last one on to the edge of the contact.
+  /// A cell between two columns, or from the last one to the edge of the contact.
   struct Cell {
     std::size_t inner = 0;
     std::size_t outer = 0;
     Sections::Weights weights;
-    double width = 0;  ///< in w, Pa
+    double width = 0;  ///< width in w, Pa
   };
   template <class Visit>
   void for_each_cell(Visit&& visit) const;
-  /// g at its ends, Pa m.
+  /// g at both ends of a cell, Pa m.
   struct Ends {
     double inner = 0;
     double outer = 0;
   };
   [[nodiscard]] Ends g(const Cell& cell) const;
-  /// A and w there.
+  /// A and w at the edge of the contact.
   [[nodiscard]] FoamCurve::Point edge_of_contact() const;
   [[nodiscard]] Strain pad_strain(const Shortening& of) const;
   void recall(const PadTrial& wanted) {
@@ -159,11 +158,11 @@ class LayeredContact {
   Sections nose_;
   LayerColumns columns_;
   double penetration_ = 0;
-  double largest_ = 0;       ///< penetration so far
+  double largest_ = 0;       ///< largest penetration so far, m
   double last_step_ = 0;     ///< length of the last step, s; 0: there was none
   std::size_t touched_ = 0;  ///< columns that the nose has reached so far
-  PadTrial last_;            ///< without step: none from the accepted state
-  bool has_trial_ = false;   ///< of the same times, from the accepted state
+  PadTrial last_;            ///< step 0: no trial from the accepted state
+  bool has_trial_ = false;   ///< whether the last trial had the same start and length
   double trial_penetration_ = 0;
   std::size_t trial_touched_ = 0;
   std::size_t trial_live_ = 0;  ///< columns under the nose at the end of the trial

@@ -4,7 +4,7 @@
 ///   K(Y) = a0 A(Y / L) + int A((Y - s) / L) a'(s) ds, over s in [0, min(Y, d)]       (theory.md, Eq. 21)
 ///   F1 = B K(Y1) + (F0 - B K(Y0)) exp(-dt / tau)                                    (theory.md, Eq. 22)
 ///
-/// All columns share the relaxation, so their integral obeys the law of one column, A replaced by K.
+/// All columns relax alike, so their integral obeys the law of one column with K in place of A.
 
 #include <numbers>
 #include <vector>
@@ -14,8 +14,8 @@
 
 namespace dashpad {
 
-/// K(Y): with a'(s) / (2 pi) = w - t s = (w - t Y) + t L e the integral is that of A and of e A over the
-/// strain e, both of the kind of Eq. 19.
+/// K(Y). With a'(s) / (2 pi) = w - t s = (w - t Y) + t L e it consists of the integrals of A and e A over the
+/// strain e, both of the form of Eq. 19.
 class ContactShape {
  public:
   ContactShape(PowerExponents exponents, double thickness, const Sections& nose) {
@@ -31,7 +31,7 @@ class ContactShape {
   }
   [[nodiscard]] const PowerShape& power() const { return power_; }
 
-  /// Pa m2 per Pa of B.
+  /// K at a penetration, m2.
   [[nodiscard]] double at(double penetration) const {
     if (penetration <= 0) return 0;
     const Strain axis{penetration / thickness_, (thickness_ - penetration) / thickness_};
@@ -44,7 +44,7 @@ class ContactShape {
   }
 
  private:
-  /// Over the strains from 0 to `strain`.
+  /// Integral over the strains from 0 to `strain`.
   [[nodiscard]] double integral_up_to(Strain strain, double penetration) const {
     const PowerShape::Value at = power_.at(strain);
     return (nose_.width - nose_.taper * penetration) * at.measure +
@@ -58,18 +58,18 @@ class ContactShape {
   PowerShape moment_{{2, 0}};
 };
 
-/// What the columns need to know of the loading when they are called for.
+/// A step of the loading, as needed to lay columns later.
 struct LoadingStep {
-  double penetration = 0;  ///< at its end, m
+  double penetration = 0;  ///< penetration at its end, m
   double modulus = 0;      ///< B, Pa
   double decay = 1;        ///< exp(-dt / tau)
 };
 
-/// A step of the loading that is tried.
+/// A trial step of the loading.
 struct LoadingTrial {
   LoadingStep step;
   double force = 0;                 ///< N
-  double shape_force = 0;           ///< K, Pa m2 per Pa
+  double shape_force = 0;           ///< K, m2
   double force_rate_when_held = 0;  ///< N/s
 };
 

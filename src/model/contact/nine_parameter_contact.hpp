@@ -13,7 +13,7 @@ namespace dashpad {
 
 class NineParameterContact {
  public:
-  /// All storage is taken here: later calls do not allocate.
+  /// Allocates all memory; later calls do not.
   NineParameterContact(const NineParameter& law, double thickness, const Sections& nose)
       : law_(law),
         shape_(law.exponents(), thickness, nose),
@@ -21,7 +21,7 @@ class NineParameterContact {
         nose_(nose),
         field_(law, thickness, nose) {}
 
-  /// Another pad in the same storage.
+  /// Changes to another pad in the same memory.
   void set(const NineParameter& law, double thickness, const Sections& nose) {
     law_ = law;
     shape_.set(law.exponents(), thickness, nose);
@@ -60,7 +60,7 @@ class NineParameterContact {
     return trial_.force_rate_when_held;
   }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
-    // Nothing is in tension on loading.
+    // On loading nothing is in tension.
     return is_closed_form(trial.advance) ? 1 : field().largest_stress(trial);
   }
   void accept(const PadTrial& trial) {
@@ -102,10 +102,10 @@ class NineParameterContact {
   Sections nose_;
   double penetration_ = 0;
   bool was_unloaded_ = false;
-  bool has_columns_ = false;  ///< laid for the accepted state
+  bool has_columns_ = false;  ///< columns are laid for the accepted state
   std::size_t updates_ = 0;
-  NineParameter::TimePart time_part_{};  ///< of the last trial
-  PadTrial last_;                        ///< without step: none from the accepted state
+  NineParameter::TimePart time_part_{};  ///< time part of the last trial
+  PadTrial last_;                        ///< step 0: no trial from the accepted state
   LoadingTrial trial_;
   LoadingForce loading_;
   ColumnField<NineParameter> field_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Where the columns of a contact stand: depths from the axis outwards, closer towards the axis, which is
-/// touched first and carries the steepest stress when the gap closes (theory.md, section 3, Stations).
+/// Depths of the columns of a contact, from the axis outwards and denser towards the axis, which is touched
+/// first and has the steepest stress when the gap closes (theory.md, section 3, Stations).
 ///
 /// Lengths in m.
 
@@ -12,28 +12,28 @@
 namespace dashpad {
 
 /// Spacing of the stations, in the resolution rho of a run (theory.md, section 4). None of these is physics:
-/// with a finer resolution the integral tends to the same value whatever they are.
+/// with finer resolution the integral converges to the same value for any of them.
 struct StationSpacing {
-  double even = 0.8;    ///< of the contact that is expected, between two stations
-  double first = 0.2;   ///< of that, from the axis to the first station off it (no rho)
-  double of_gap = 8;    ///< of the gap above a station: the stress at the axis grows over the gap
-  double of_depth = 3;  ///< of the depth of a station: those near the axis are touched first
-  double graded = 4;    ///< gaps from the axis within which stations are added as the gap closes (no rho)
+  double even = 0.8;    ///< share of the expected contact between two stations
+  double first = 0.2;   ///< share of that from the axis to the first station (no rho)
+  double of_gap = 8;    ///< share of the gap at a station: the stress at the axis varies over it
+  double of_depth = 3;  ///< share of the depth of a station: those near the axis are touched first
+  double graded = 4;    ///< depth within which stations are added as the gap closes, in gaps (no rho)
 };
 inline constexpr StationSpacing station_spacing;
 
-/// Stations for which there is memory. A run that would want more has left some out, and is none.
+/// Largest number of stations. A run that needs more is incomplete and is not used.
 inline constexpr std::size_t most_stations = 20'000;
 
-/// What the stations are to suit.
+/// Requirements on the stations, m.
 struct StationPlan {
   double resolution = 0;
-  double expected = 0;  ///< largest penetration that is expected
-  double reach = 0;     ///< depth up to which columns may be met
-  double gap = 0;       ///< between nose and support on the axis
+  double expected = 0;  ///< expected largest penetration
+  double reach = 0;     ///< depth up to which columns are laid
+  double gap = 0;       ///< gap between nose and support on the axis
 };
 
-/// Columns stand where a' jumps: at each knot of a shape in turn.
+/// The knots of a shape in order; columns are laid there since a' jumps.
 class KnotsAhead {
  public:
   explicit KnotsAhead(const Sections& nose) {
@@ -41,7 +41,7 @@ class KnotsAhead {
     next_ = nose.shape->knots().data();
     end_ = next_ + nose.shape->knots().size();
   }
-  /// The next knot, if it is not much farther than the depth to which a step leads; else that depth.
+  /// The next knot if it lies before `depth` or less than 0.3 `step` beyond; else `depth`.
   double stop(double depth, double step) {
     if (next_ == end_ || *next_ > depth + 0.3 * step) return depth;
     return *next_++;
@@ -52,12 +52,12 @@ class KnotsAhead {
   const double* end_ = nullptr;
 };
 
-/// Calls append(depth) for each station, at most `most_stations` times: evenly as far as the contact is
-/// expected to grow, geometrically beyond. Where a' ends with a jump, at the rim of a nose that is cut off,
-/// there is a station too.
+/// Calls append(depth) for each station, at most `most_stations` times: evenly over the expected contact,
+/// geometrically beyond. Where a' ends with a jump, at the rim of a nose, there is a station too.
 template <class Append>
 void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append) {
-  // Cell between the rim and the next column, of the rim's depth: strains in it differ by more than rounding.
+  // Least width of the cell inside the rim over the rim's depth, so that its strains differ by more than
+  // rounding.
   constexpr double least_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
   const double end = std::min(plan.reach, nose.depth);

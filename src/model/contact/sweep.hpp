@@ -2,8 +2,8 @@
 /// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9) and
 /// stress over A (Eq. 20).
 ///
-/// By vectors of columns, for the instruction set of the processor that the program runs on, or one by one in
-/// doubles: one text (model/contact/sweep_columns.hpp), two number types.
+/// Columns are computed in vectors for the instruction set of the processor, or one by one in doubles, from
+/// one text (model/contact/sweep_columns.hpp) for both number types.
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@
 
 namespace dashpad {
 
-// The columns of a contact, one array a quantity, so that several columns fit one vector register.
+// The columns of a contact: one array for each quantity, so that several columns fit one vector register.
 
-/// Where the state of the columns is; `part` is the law's strain part, number by number.
+/// State of the columns; `part` holds the numbers of the law's strain part.
 struct Columns {
   static constexpr std::size_t most_parts = 3;
 
@@ -27,22 +27,21 @@ struct Columns {
   std::array<double*, most_parts> part{};
   double* shape = nullptr;    ///< A
   double* measure = nullptr;  ///< w
-  double* ratio = nullptr;    ///< stress over A, Pa; of the columns under strain only
+  double* ratio = nullptr;    ///< stress over A, Pa; only for columns under strain
 
   [[nodiscard]] std::array<double*, 7> all() const {
     return {stress, part[0], part[1], part[2], shape, measure, ratio};
   }
 };
 
-/// By what the cell between a column and the next counts, a'(s) / (2 pi) in m: at the column, and at the
-/// next.
+/// Weights a'(s) / (2 pi) of the cell between a column and the next, m: at the column and at the next.
 struct CellWeights {
   const double* inner = nullptr;
   const double* outer = nullptr;
 };
 
-/// Depths, weights and two states, in memory taken once. Behind the last column there is room for a vector's
-/// worth of columns that are computed and thrown away.
+/// Depths, weights and two states, allocated once. Behind the last column there is room for one vector of
+/// columns, which are computed and ignored.
 class ColumnStorage {
  public:
   ColumnStorage() {
@@ -61,7 +60,7 @@ class ColumnStorage {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const double* depth() const { return depth_; }
-  /// The last column has no cell.
+  /// Weights of the cells; the last column has none.
   [[nodiscard]] CellWeights weights() const { return {inner_, outer_}; }
   void set_weights(std::size_t cell, double inner, double outer) {
     inner_[cell] = inner;
@@ -69,7 +68,7 @@ class ColumnStorage {
   }
   void clear() { size_ = 0; }
 
-  /// A column at rest behind the others; after the last of several fill_spare() is due.
+  /// Appends a column at rest; fill_spare() must follow after the last one.
   void append(double depth) {
     depth_[size_] = depth;
     set_weights(size_, 0, 0);
@@ -81,8 +80,8 @@ class ColumnStorage {
     for (double* array : {inner_, outer_}) std::fill_n(array + size_, spare, 0.0);
     for (double* array : now.all()) std::fill_n(array + size_, spare, 0.0);
   }
-  /// Moves the columns from `at` on outwards by one; their state `now` goes along. The new column is at rest;
-  /// the weights of its cell and of that before it are to be set.
+  /// Inserts a column at rest at the index `at`, and moves the others with their state `now` outwards. The
+  /// caller sets the weights of its cell and of the cell before it.
   void insert(std::size_t at, double depth) {
     const auto make_room = [&](double* array, double value) {
       std::copy_backward(array + at, array + size_, array + size_ + 1);
@@ -99,7 +98,7 @@ class ColumnStorage {
   Columns next_state;
 
  private:
-  static constexpr std::size_t spare = 64;  ///< lanes of the widest vector that is known
+  static constexpr std::size_t spare = 64;  ///< lanes of the widest known vector
   static constexpr std::size_t stride = most_stations + spare;
 
   std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(17 * stride);
@@ -109,38 +108,38 @@ class ColumnStorage {
   std::size_t size_ = 0;
 };
 
-/// How columns are computed: by vectors, or one by one.
+/// Computation of columns: in vectors, or one by one.
 enum class ColumnMath { vector, plain };
 
-/// What is the same for all columns of a step. Lengths in m.
+/// Data common to all columns of a step. Lengths in m.
 struct SweepStep {
   const double* depth = nullptr;
   std::size_t count = 0;  ///< columns under strain after the step, > 0
   double thickness = 0;
   double before = 0;   ///< penetration before the step
-  double after = 0;    ///< and after it
+  double after = 0;    ///< penetration after the step
   double largest = 0;  ///< largest penetration so far
 };
 
 /// The functions of one law.
 template <class Law>
 struct SweepOf {
-  /// Fills `next` from `now`.
+  /// Fills `next` with the state after the step from `now`.
   void (*step)(const Law&, const PowerShape&, const typename Law::RatePart&, const typename Law::TimePart&,
                const SweepStep&, const Columns& now, const Columns& next) = nullptr;
-  /// Integral over w, from column to column, all of the step's count, of the rate at which held columns relax
-  /// at a time: h (G - stress) / A a'/(2 pi) where they press, else 0, with G at rate zero. The last column's
-  /// value without a' is left in `edge`.
+  /// Integral over w across the step's columns of the relaxation of held columns at a time: h (G - stress) /
+  /// A a'/(2 pi) where they press, else 0, with G at rate zero. Sets `edge` to the last column's value
+  /// without a'/(2 pi).
   double (*sum_of_held)(const Law&, const PowerShape&, double time, const SweepStep&, const CellWeights&,
                         const Columns&, double& edge) = nullptr;
 };
 
 struct Sweeps {
   WithMemory<SweepOf> of_laws;
-  /// The state of the columns after a loading of the 9-parameter law that is known step by step, from rest.
+  /// Computes the state of the columns after a loading of the 9-parameter law from rest, given step by step.
   void (*replay)(const PowerShape&, const LoadingStep* first, const LoadingStep* last, const SweepStep&,
                  const Columns&) = nullptr;
-  /// Sum of the positive parts of the first cells between neighbouring columns, in which g is linear in w.
+  /// Sum over the first `cells` cells of the integral of max(g, 0), with g linear in w.
   double (*sum_of_cells)(const Columns&, const CellWeights&, std::size_t cells) = nullptr;
 
   template <class Law>

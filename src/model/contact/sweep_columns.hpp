@@ -1,6 +1,6 @@
-/// A step of all columns under strain, their replay, and the sums over them, for a number type N.
+/// A step of all columns under strain, their replay, and sums over them, for a number type N.
 ///
-/// This is text, as src/model/pad/formulas.hpp is, and is included after it. Register<N> loads and stores.
+/// Included as text, like src/model/pad/formulas.hpp and after it. Register<N> loads and stores.
 
 /// Strain, envelope, stress (theory.md, Eq. 9) and stress over A (Eq. 20) of each column.
 template <class N, class Law>
@@ -48,7 +48,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
     R::store(measure_of(formulas, e, at), next.measure + j);
-    // A column in tension that has just been met again has no bound of its own.
+    // Stress over A of a column in tension that has just been met again has no bound of its own.
     R::store(max(stress / at.shape, N(-1e100)), next.ratio + j);
   }
 }
@@ -67,7 +67,7 @@ void replay_columns(const PowerShape& power, const LoadingStep* first, const Loa
     N stress(0.0);
     N shape(0.0);
     for (const LoadingStep* now = first; now != last; ++now) {
-      // The innermost column of these is the first to be touched.
+      // The first of these columns is the innermost, which is touched first.
       if (now->penetration <= step.depth[j]) continue;
       const N modulus(now->modulus);
       const Strains<N> e = strains_at(now->penetration);
@@ -114,7 +114,7 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
     N part[parts];
     for (std::size_t k = 0; k < parts; ++k) part[k] = R::load(columns.part[k] + j);
     const N shape = R::load(columns.shape + j);
-    N change;  // over A
+    N change;  // of stress over A
     if constexpr (carries_branches<Law, N>)
       change = still.relaxing(part) / shape;
     else
@@ -139,7 +139,7 @@ constexpr SweepOf<Law> sweep_of() {
   return {step_columns<N, Law>, sum_held<N, Law>};
 }
 
-/// All of the above, for every law with memory.
+/// Fills `sweeps` with these functions for every law with memory.
 template <class N, class... Laws>
 void fill(std::tuple<SweepOf<Laws>...>& of_laws, Sweeps& sweeps) {
   of_laws = {sweep_of<N, Laws>()...};

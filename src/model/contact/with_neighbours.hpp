@@ -2,7 +2,7 @@
 /// A contact whose columns are helped by their neighbours: its force times g(Y), on the way in and, as an
 /// assumption, on the way back (theory.md, Eq. 57).
 ///
-/// What the contact keeps is that of its columns. All else of contact.hpp is handed on.
+/// The state is that of the columns. All other requirements of contact.hpp are passed on.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,12 +12,11 @@
 
 namespace dashpad {
 
-/// By what the force of independent columns is multiplied, since their neighbours help them: theory.md, Eq.
-/// 57.
+/// Factor of the force of independent columns for the help of their neighbours (theory.md, Eq. 57).
 ///
-///   g(Y) = first + slope Y + bend Y^2 up to a penetration, and from there on what it is there
+///   g(Y) = first + slope Y + bend Y^2 up to the penetration `until`, constant beyond
 ///
-/// Penetration in m from the surface of the new pad; g without a unit, positive up to the lock.
+/// Y is counted from the surface of the new pad, m; g is dimensionless, and positive up to the lock.
 struct ColumnFactor {
   double first = 1;
   double slope = 0;         ///< 1/m
@@ -29,7 +28,7 @@ struct ColumnFactor {
     const double x = std::clamp(y, 0.0, until);
     return first + x * (slope + x * bend);
   }
-  /// Work of the force g F from 0 to y, by parts: `integral(y, n)` is F integrated n times from 0.
+  /// Work of the force g F from 0 to y, J, by parts; `integral(y, n)` is the n-fold integral In of F from 0.
   ///
   ///   W = g I1 - g' I2 + g'' I3
   template <class Integral>
@@ -66,7 +65,7 @@ class WithNeighbours {
   double force_rate_when_held(const PadTrial& trial) {
     return contact_.force_rate_when_held(of_columns(trial)) * factor_at(trial);
   }
-  /// Of the columns: its sign alone is told.
+  /// Largest stress of the columns alone; only its sign is used.
   double largest_stress(const PadTrial& trial) { return contact_.largest_stress(of_columns(trial)); }
   [[nodiscard]] bool recovers() const { return contact_.recovers(); }
   [[nodiscard]] double first_force() const { return contact_.first_force() * factor_(depth_at_first()); }
@@ -75,7 +74,7 @@ class WithNeighbours {
   [[nodiscard]] std::size_t stations() const { return contact_.stations(); }
   [[nodiscard]] std::size_t updates() const { return contact_.updates(); }
 
-  /// J, at a penetration since first contact.
+  /// Work at a penetration since first contact, J.
   [[nodiscard]] double energy(double y) const requires HasEnergy<Contact> {
     if (is_one_) return contact_.energy(y);
     return work(depth_at_first() + y) - work_before_;
@@ -127,11 +126,11 @@ class WithNeighbours {
   ColumnFactor factor_;
   bool is_one_;
   double penetration_ = 0;  ///< below the surface of the new pad, m
-  double work_before_ = 0;  ///< up to the crater of an earlier blow, J
+  double work_before_ = 0;  ///< work up to the crater of an earlier blow, J
 };
 
-/// That nothing which the solver asks a contact for is lost on the way: a concept that fails does so
-/// silently.
+/// Whether WithNeighbours satisfies all concepts that the contact does; a missing member would go unnoticed
+/// otherwise.
 template <class Contact>
 inline constexpr bool hands_on_all =
     HasEnergy<Contact> == HasEnergy<WithNeighbours<Contact>>&& RemembersBlows<Contact> ==

@@ -3,10 +3,10 @@
 ///
 ///   int f s de = int f dW                                                      (theory.md, Eq. 32)
 ///
-/// in panels of three nodes, through which f is a parabola in W. The stress itself, with every corner of a
-/// tested curve, is thereby integrated exactly; what is left to be resolved is f, which is smooth. Panels are
-/// even in the root of the strain up to the last tested strain, even in the logarithm of its complement
-/// beyond; the middle of a panel lies at its mean strain, or at the mean of that logarithm.
+/// in panels of three nodes, through which f is a parabola in W. This integrates the stress itself exactly,
+/// with every corner of a tested curve, and leaves only f to be resolved, which is smooth. Panels are even in
+/// the root of the strain up to the last tested strain, and in the logarithm of its complement beyond; the
+/// middle of a panel lies at its mean strain, or at the mean of that logarithm.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace dashpad {
 
-/// Weights of three values over the stretches g and h between them.
+/// Weights of three values at distances g and h in W.
 struct PanelWeights {
   double first = 0;
   double middle = 0;
@@ -28,31 +28,31 @@ inline PanelWeights parabola(double g, double h) {
   const double last = (2 * h - g) * (g + h) / (6 * h);
   return {first, g + h - first - last, last};
 }
-/// Of the line through the last two: near the contact's edge f may change within far less than a panel, so
-/// that its value there stands for nothing.
+/// Weights of the line through the last two: near the contact's edge f may change within far less than a
+/// panel, so that its value there is not representative.
 inline PanelWeights line(double g, double h) {
   const double last = (g + h) * (h - g) / (2 * h);
   return {0, g + h - last, last};
 }
 
-/// From one place to another.
+/// Range and resolution of an integral.
 struct WorkStretch {
   FoamStress::Place first;
   FoamStress::Place end;
-  bool from_edge = false;    ///< f may jump at the first place
-  double panels_within = 2;  ///< over the tested strains
-  double panels_beyond = 1;  ///< over a factor of e in the complement of the strain
+  bool from_edge = false;    ///< the range begins at the contact's edge, where f may jump
+  double panels_within = 2;  ///< number of panels over tested strains
+  double panels_beyond = 1;  ///< number for each factor of e in the complement
 };
 
-/// An integral of the stress and its relaxing.
+/// Integrals of the stress and of its relaxing.
 class WorkIntegral {
  public:
   double stress = 0;
   double relaxing = 0;
   std::size_t nodes = 0;
 
-  /// At the end f is nothing. `values`: room. `put` puts the values of a place at an index of it.
-  /// `within` and `beyond` fill it with those of a NodeRow.
+  /// Integrates up to the end, where f is 0. `values` is scratch memory: `put` sets the values of a place at
+  /// an index, `within` and `beyond` fill in those of a NodeRow. `last`: last tested strain.
   template <class Put, class Within, class Beyond>
   void take(const WorkStretch& over, double last, NodeValues& values, Put&& put, Within&& within,
             Beyond&& beyond) {

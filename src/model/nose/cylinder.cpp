@@ -7,7 +7,7 @@
 namespace dashpad {
 namespace {
 
-/// x - sin(x), also where the two are nearly the same.
+/// x - sin(x), accurate where the two are nearly equal, too.
 double beyond_sine(double x) {
   if (x > 1) return x - std::sin(x);
   double term = x * x * x / 6;
@@ -19,7 +19,7 @@ double beyond_sine(double x) {
   return sum;
 }
 
-/// sin(x) - x cos(x) - sin(x)^3 / 3, which begins with 2/15 x^5.
+/// sin(x) - x cos(x) - sin(x)^3 / 3, accurate for small x, too; the series begins with 2/15 x^5.
 double second_integral(double x) {
   if (x > 0.5) {
     const double sine = std::sin(x);
@@ -36,7 +36,7 @@ double second_integral(double x) {
   return sum;
 }
 
-/// By the angle theta at the axis: s = R (1 - cos theta), a = 2 l R sin theta.
+/// Sections by the angle theta at the cylinder's axis: s = R (1 - cos theta), a = 2 l R sin theta.
 class CylinderSections final : public SectionShape {
  public:
   CylinderSections(double radius, double length) : radius_(radius), length_(length) {}
@@ -58,7 +58,7 @@ class CylinderSections final : public SectionShape {
   [[nodiscard]] bool is_steep_at_tip() const override { return true; }
 
   [[nodiscard]] std::vector<SectionPiece> pieces(double grading) const override {
-    // A contact that is not deeper than this has next to no force.
+    // Share of the radius below which a contact has next to no force.
     constexpr double shallowest = 1e-9;
     const int count = static_cast<int>(std::ceil(-std::log(shallowest) / grading));
     std::vector<SectionPiece> pieces;

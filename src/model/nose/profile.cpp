@@ -12,15 +12,15 @@ namespace {
 
 using std::numbers::pi;
 
-/// From one point to the next: a(s) = area + 2 pi (width u - taper u^2 / 2) with u = s - from.
+/// The part between two points: a(s) = area + 2 pi (width u - taper u^2 / 2) with u = s - from, m.
 struct Stretch {
   double from = 0;
   double to = 0;
   double area = 0;
   double width = 0;
   double taper = 0;
-  double volume = 0;           ///< from the tip to `from`, m3
-  double volume_integral = 0;  ///< likewise, m4
+  double volume = 0;           ///< volume from the tip to `from`, m3
+  double volume_integral = 0;  ///< its integral over the depth, m4
 
   [[nodiscard]] double area_at(double u) const { return area + 2 * pi * u * (width - taper * u / 2); }
   [[nodiscard]] double volume_at(double u) const {
@@ -36,7 +36,7 @@ struct Stretch {
 class ProfileSections final : public SectionShape {
  public:
   explicit ProfileSections(std::vector<Stretch> stretches) : stretches_(std::move(stretches)) {
-    /// Share of the larger of two rates by which they must differ for columns to heed it.
+    /// Jump of a' over the larger value from which on a column is placed there.
     constexpr double much = 0.2;
     for (std::size_t i = 1; i < stretches_.size(); ++i) {
       const Stretch& before = stretches_[i - 1];
@@ -81,7 +81,7 @@ class ProfileSections final : public SectionShape {
   }
 
  private:
-  /// At a knot that which ends there.
+  /// The part at a depth; at a knot the one that ends there.
   [[nodiscard]] const Stretch& stretch_of(double s) const {
     const auto ends_before = [s](const Stretch& of) { return of.to < s; };
     return *std::min(std::ranges::partition_point(stretches_, ends_before), stretches_.end() - 1);
@@ -98,7 +98,7 @@ Sections Profile::sections() const {
     const double size = scaled_size(point);
     return of == Of::radius ? pi * size * size : size;
   };
-  // Behind the widest section nothing is met that the side does not cover.
+  // Points behind the widest section meet nothing.
   auto end = points.end();
   while (end - points.begin() > 1 && (end - 2)->size >= points.back().size) --end;
   std::vector<Stretch> stretches;

@@ -1,5 +1,5 @@
 #pragma once
-/// A law with memory at one strain of one column: the envelope G of theory.md, Eq. 8, its slope, and h.
+/// The envelope G, its slope and h of a law with memory (theory.md, Eq. 8) for a single column.
 ///
 /// Stresses in Pa, compression positive; rates in 1/s; times in s since first contact.
 
@@ -15,7 +15,7 @@ namespace scalar {
 #include "model/pad/formulas.hpp"
 }  // namespace scalar
 
-/// G(e), given the largest strain e* that the column has seen.
+/// G(e), Pa, given the largest strain e* of the column so far.
 template <HasMemory Law>
 double envelope(const Law& law, const PowerShape& power, Strain strain, const typename Law::RatePart& rate,
                 double largest) {
@@ -23,7 +23,7 @@ double envelope(const Law& law, const PowerShape& power, Strain strain, const ty
   auto at_rate = rate;
   std::array<double, Formulas::parts> part{};
   if (strain.value <= 0) {
-    // At rest there is no residual strain to come back to.
+    // At strain zero there is no residual strain.
     if constexpr (requires { at_rate.unloading; }) at_rate.unloading = false;
     return Formulas{law, power, at_rate, {}}.envelope(part.data(), 0.0, 0.0);
   }
@@ -32,7 +32,7 @@ double envelope(const Law& law, const PowerShape& power, Strain strain, const ty
   return at.envelope(part.data(), strain.value, largest);
 }
 
-/// dG/de with the rate and the largest strain held. Strain > 0.
+/// dG/de with the rate and the largest strain held, Pa. Strain > 0.
 template <HasMemory Law>
 double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
                       const typename Law::RatePart& rate, double largest) {
@@ -44,7 +44,7 @@ double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
   return at.envelope(part.data(), e.value, Dual(largest)).slope;
 }
 
-/// h.
+/// h, 1/s.
 template <HasMemory Law>
 double relaxation_rate(const Law& law, const PowerShape& power, double time, double strain) {
   const scalar::Formulas<Law> at{law, power, {}, {}};

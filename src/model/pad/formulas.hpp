@@ -1,26 +1,25 @@
 /// The formulas of the laws with memory, over a number type N: double, dual numbers, lanes of a vector
 /// register.
 ///
-/// This is text: code with vectors must be compiled once for every instruction set, each time in a namespace
-/// of its own. Whoever includes it has opened a namespace in which N has + - * /, exp, log, max, min, select
-/// and choose (model/pad/scalar.hpp, model/pad/lanes.hpp). The laws' own formulas stand at the end of each
-/// law's header, where DASHPAD_FORMULAS calls for them: which powers of the strain a column keeps
-/// (strain_part), G from them (envelope), and exp(-H) over a step (decay); and where they are not the usual
-/// ones (measure_of and relaxation_of below), the measure w (measure) and by what h at strain zero is
-/// multiplied (relaxation). Stresses in Pa.
+/// Included as text, since code with vectors must be compiled once for every instruction set, each time in a
+/// namespace of its own in which N has + - * /, exp, log, max, min, select and choose (model/pad/scalar.hpp,
+/// model/pad/lanes.hpp). The formulas of each law are at the end of its header, included by means of
+/// DASHPAD_FORMULAS: the powers of the strain that a column keeps (strain_part), G from them (envelope), and
+/// exp(-H) over a step (decay); and if they are not the usual ones (measure_of and relaxation_of below), the
+/// measure w (measure) and the factor of h at strain zero (relaxation). Stresses in Pa.
 ///
-/// A strain must be more than 0, if by as little as least_strain.
+/// Strains must be at least least_strain.
 
 #define DASHPAD_FORMULA [[nodiscard, gnu::always_inline]] inline
 
-/// A strain with 1 - strain, as dashpad::Strain.
+/// A strain with 1 - strain, like dashpad::Strain.
 template <class N>
 struct Strains {
   N value;
   N complement;
 };
 
-/// A(e) (theory.md, Eq. 14) and what it is made of.
+/// A(e) (theory.md, Eq. 14) and the logarithms of strain and complement.
 template <class N>
 struct Shape {
   N shape;
@@ -28,7 +27,7 @@ struct Shape {
   N log_complement;
 };
 
-/// A column that the nose does not reach still has a logarithm.
+/// Least strain, so that a column that the nose does not reach has a logarithm.
 inline constexpr double least_strain = 1e-300;
 
 template <class N>
@@ -39,7 +38,7 @@ DASHPAD_FORMULA Shape<N> shape_at(const PowerShape& power, Strains<N> e) {
   return {exp(x.m * log_strain - x.n * log_complement), log_strain, log_complement};
 }
 
-/// In four sums that do not wait for each other.
+/// A polynomial in y = 4x - 1, as four independent sums.
 template <class N, std::size_t terms>
 DASHPAD_FORMULA N polynomial(const std::array<double, terms>& c, N x) {
   static_assert(terms % 4 == 0);
@@ -67,7 +66,7 @@ DASHPAD_FORMULA N measure_at(const PowerShape& power, Strains<N> e, const Shape<
   return choose(e.value <= 0.5, below, above);
 }
 
-/// The stress of a loading, on unloading times E (theory.md, Eq. 16).
+/// The stress on loading, or on unloading that times E (theory.md, Eq. 16).
 template <class N, class RatePart>
 DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest) {
   if (!rate.unloading) return loading;
@@ -75,7 +74,7 @@ DASHPAD_FORMULA N unloaded(N loading, const RatePart& rate, N strain, N largest)
   return loading * (1 / (1 - ratio) * ((strain - ratio * largest) / strain));
 }
 
-/// Mean of the positive part of what is linear between g and h.
+/// Mean of max(x, 0) for x linear between g and h.
 template <class N>
 DASHPAD_FORMULA N positive_mean(N g, N h) {
   const N zero(0.0);
@@ -90,7 +89,7 @@ DASHPAD_FORMULA N positive_mean(N g, N h) {
 template <class Law>
 struct Formulas;
 
-/// w of a law: that of its power shape, unless it has a simpler one.
+/// w of a law: its own formula if it has one, else that of its power shape.
 template <class Law, class N>
 DASHPAD_FORMULA N measure_of(const Formulas<Law>& formulas, Strains<N> e, const Shape<N>& at) {
   if constexpr (requires { formulas.measure(e, at); })
@@ -99,7 +98,7 @@ DASHPAD_FORMULA N measure_of(const Formulas<Law>& formulas, Strains<N> e, const 
     return measure_at(formulas.power, e, at);
 }
 
-/// By what h at strain zero is multiplied: 1, unless a law says otherwise.
+/// Factor of h at strain zero: the law's own formula if it has one, else 1.
 template <class Law, class N>
 DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
   if constexpr (requires { formulas.relaxation(strain); })
@@ -108,13 +107,13 @@ DASHPAD_FORMULA N relaxation_of(const Formulas<Law>& formulas, N strain) {
     return N(1.0);
 }
 
-/// A law whose step is not that of Eq. 9 with its envelope as one number (step).
+/// Whether a law has a step of its own in place of Eq. 9 (step).
 template <class Law, class N>
 inline constexpr bool steps_itself = requires(const Formulas<Law>& formulas, N* part, N share) {
   formulas.step(share, part, part, share);
 };
 
-/// A law that keeps the stresses of its branches for each column, and steps them itself (carry, relaxing).
+/// Whether a law keeps and steps the stresses of branches for each column (carry, relaxing).
 template <class Law, class N>
 inline constexpr bool carries_branches = requires(const Formulas<Law>& formulas, N* part, N share) {
   formulas.carry(part, part, share);

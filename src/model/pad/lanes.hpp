@@ -1,6 +1,6 @@
 /// Lanes of a vector register as a number type (src/model/pad/formulas.hpp).
 ///
-/// This is text: it is included in a namespace of each instruction set, between HWY_BEFORE_NAMESPACE and
+/// Included as text in a namespace of each instruction set, between HWY_BEFORE_NAMESPACE and
 /// HWY_AFTER_NAMESPACE, after hwy/highway.h and hwy/contrib/math/math-inl.h.
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -34,7 +34,7 @@ HWY_INLINE bool all(Lanes::Mask where) { return hn::AllTrue(LanesTag(), where); 
 HWY_INLINE bool none(Lanes::Mask where) { return hn::AllFalse(LanesTag(), where); }
 HWY_INLINE Lanes::Mask both(Lanes::Mask a, Lanes::Mask b) { return hn::And(a, b); }
 
-/// Computes only what some lane needs.
+/// Evaluates only the alternatives that some lane needs.
 template <class Yes, class No>
 HWY_INLINE Lanes choose(Lanes::Mask where, Yes&& yes, No&& no) {
   if (all(where)) return yes();
@@ -49,7 +49,7 @@ struct Register<Lanes> {
   static HWY_INLINE std::size_t size() { return hn::Lanes(LanesTag()); }
   static HWY_INLINE Lanes load(const double* from) { return hn::LoadU(LanesTag(), from); }
   static HWY_INLINE void store(Lanes x, double* to) { hn::StoreU(x.v, LanesTag(), to); }
-  /// The lanes below `count` of x, 0 in the others.
+  /// x in the first `count` lanes, 0 in the others.
   static HWY_INLINE Lanes first(std::size_t count, Lanes x) {
     return hn::IfThenElseZero(hn::FirstN(LanesTag(), count), x.v);
   }

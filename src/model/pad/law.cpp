@@ -10,8 +10,7 @@
 namespace dashpad {
 namespace {
 
-// The rules between parameters. All are written so that a value that is not a number, which breaks its bounds
-// already, breaks none of them.
+// The rules between parameters. They are written so that NaN, which breaks its bounds, breaks none of them.
 
 void check_rules(const Elastic&, std::vector<Violation>&) {}
 

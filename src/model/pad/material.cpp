@@ -57,7 +57,7 @@ void check_range(const char* key, const std::optional<ValueRange>& range, std::o
     broken.push_back({full, *nominal, fmt::format("must hold the card's own {}", key)});
 }
 
-/// Its own value and bounds where the law has a parameter of that name; a fault where it has none.
+/// Checks a range against value and bounds of the law's parameter of that name, which must exist.
 void check_parameter_range(const Material& material, const char* key, const std::optional<ValueRange>& range,
                            std::vector<Violation>& broken) {
   if (!range) return;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int series_terms = 80;  // 2^-80: below rounding on [0, 1/2]
 
-/// What interpolation at Chebyshev points shares, whatever the function: it takes longer than all else here.
+/// Tables of interpolation at Chebyshev points, the same for all functions and the costliest part.
 template <std::size_t N>
 struct ChebyshevTable {
   std::array<double, N> point{};                      ///< from -1 to 1
@@ -53,7 +53,7 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
   const double n = exponents.n;
   near_contact_ = interpolate<terms>([m, n](double e) {
     double sum = 0;
-    double c = 1;  // of (1 - e)^-n
+    double c = 1;  // coefficient of (1 - e)^-n
     for (int k = 0; k < series_terms; ++k) {
       sum += c / (m + 1 + k);
       c *= (n + k) / (k + 1) * e;
@@ -63,7 +63,7 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
   // The power q^(k+1-n) integrates to a logarithm where n = k + 1.
   near_bottom_ = interpolate<terms>([this, m, n](double q) {
     double sum = 0;
-    double c = 1;   // of (1 - q)^m, times q^k
+    double c = 1;   // coefficient of (1 - q)^m, times q^k
     double c0 = 1;  // the same without q^k
     for (int k = 0; k < series_terms; ++k) {
       if (std::abs(k + 1 - n) < 1e-8)

@@ -10,7 +10,7 @@ using std::exp;
 using std::log;
 using std::pow;
 
-/// Computes only what is chosen.
+/// Evaluates only the chosen alternative.
 template <class Yes, class No>
 auto choose(bool where, Yes&& yes, No&& no) {
   return where ? yes() : no();
@@ -22,7 +22,7 @@ inline bool both(bool a, bool b) { return a && b; }
 inline bool all(bool of) { return of; }
 inline double select(bool where, double yes, double no) { return where ? yes : no; }
 
-/// How numbers of a type come from and go to memory, one or several at a time.
+/// Loads and stores numbers of a type, one or several at a time.
 template <class N>
 struct Register;
 template <>

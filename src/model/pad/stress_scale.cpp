@@ -11,7 +11,7 @@ namespace {
 
 constexpr double freezing_K = 273.15;
 
-/// Straight between the entries, and level beyond them.
+/// The factor at a temperature, K: linear between the entries, constant beyond them.
 double factor_at(const TemperatureTable& table, double temperature) {
   const auto next = std::ranges::upper_bound(table.temperature, temperature);
   if (next == table.temperature.begin()) return table.factor.front();

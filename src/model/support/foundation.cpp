@@ -7,9 +7,9 @@
 namespace dashpad {
 namespace {
 
-/// Corners beside those of the curve: the stop, where the force is used up, and where crushing goes on.
+/// Number of corners beside those of the curve: at the stop, at force 0, and where crushing continues.
 constexpr std::size_t other_corners = 3;
-/// Corners that are closer, relative, are one.
+/// Relative distance below which two corners count as one.
 constexpr double same_corner = 1e-6;
 
 Foundation::Kind kind_of(const Support& support, const Backing& backing) {
@@ -38,8 +38,7 @@ Foundation::Foundation(const Support& support, const Backing& backing, double im
     const double back = backing.earlier_force / backing.unloading_stiffness;
     yielded_before_ = support.deflection(backing.earlier_force) - offset_;
     set_before_ = std::max(yielded_before_ - back, 0.0);
-    // A preload that is not used up holds the panel on its stop still; else it stands where the set has
-    // left it.
+    // A remaining preload still holds the panel on its stop; else the panel stands where the set has left it.
     if (set_before_ > 0) yielded_before_ = back;
     offset_ += set_before_;
   }
@@ -73,7 +72,7 @@ void Foundation::find_corners() {
     if (!(holding() > 0)) corners_.push_back(free_way());
   }
   if (is_crushed) corners_.push_back(front);
-  // The curve behind is passed on the way back along the line of unloading.
+  // Corners of the curve that lie behind are passed along the line of unloading.
   for (const double corner : of_curve_)
     if (!is_crushed || corner > (1 + same_corner) * front) corners_.push_back(corner);
 }
@@ -164,8 +163,8 @@ BackState Foundation::after(const BackState& now, const StepForce& force, const 
   return end;
 }
 
-/// Backwards, of second order after a step that went on smoothly: the creep that a step does not resolve dies
-/// out in it.
+/// Backward difference, of second order after a smooth step: creep that a step does not resolve dies out in
+/// it.
 Foundation::Backward Foundation::backward(const BackState& now, double step) const {
   if (last_step_ == 0 || follows_closely_) return {1 / step, now.deflection / step};
   const double w = step / last_step_;
@@ -203,12 +202,13 @@ double Foundation::force_when_stuck(const BackState& now, double force, double i
   return (weight * backing_.mass + impactor_mass * now.transmitted) / (impactor_mass + backing_.mass);
 }
 
-/// Average acceleration by what the support does, the moments of the force by what the pad does.
+/// Moves panel and body: by average acceleration for the support's force, by the moments of the pad's force
+/// (theory.md, section 5.2).
 BackState Foundation::after_swing(const BackState& now, const StepForce& force, double mass) const {
   const double dt = force.step;
   const double inverse_mass = 1 / mass;
   if (rests_on_stop(now)) {
-    // Body and panel are one until the stop is left.
+    // Body and panel move as one until the panel leaves the stop.
     const double leaving = holding() * (1 + mass * inverse_body_);
     if (force.end <= leaving) {
       const double share = inverse_body_ / (1 + mass * inverse_body_);
@@ -228,7 +228,7 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   const double free_way =
       now.deflection + dt * (now.rate + dt * (force.moment * inverse_mass -
                                               inverse / 4 * (now.transmitted + damping_ * free_rate)));
-  const double give = dt * dt * inverse / 4 * slowed;  // of the way, by the force of the spring
+  const double give = dt * dt * inverse / 4 * slowed;  // derivative of the deflection by the spring's force
   BackState end;
   end.deflection = balanced(1 / give, free_way / give);
   const double pushed = spring(end.deflection);
@@ -240,7 +240,7 @@ BackState Foundation::after_swing(const BackState& now, const StepForce& force, 
   return end.deflection <= stop_ ? landed(end) : end;
 }
 
-/// The panel goes on with the body.
+/// The state after the panel has struck its stop: it moves on with the body.
 BackState Foundation::landed(BackState panel) const {
   panel.deflection = stop_;
   panel.struck = std::min(panel.rate, 0.0);
@@ -257,7 +257,7 @@ BackState Foundation::land(const BackState& now) {
   return end;
 }
 
-/// A step in which the force passes that at which the panel leaves its stop.
+/// A step within which the panel leaves its stop, as the force passes `leaving`.
 BackState Foundation::left_stop(const BackState& now, const StepForce& force, double leaving,
                                 double mass) const {
   const double before = force.step * (leaving - force.now) / (force.end - force.now);
@@ -301,7 +301,7 @@ double Foundation::square_frequency(const BackState& now, double force, double p
     return free / (1 / pad_stiffness + compliance);
   }
   const double spring = stiffness(now.deflection);
-  // A stiff pad leaves a damper that slows the impactor down.
+  // Below a stiff pad it is the damper that slows the impactor down.
   if (kind_ == Kind::damper)
     return (held ? spring : std::min(pad_stiffness, std::max(spring, damping_ * damping_ * free))) * free;
   if (held) return spring * (1 / (impactor_mass + backing_.mass) + inverse_body_);
@@ -380,7 +380,7 @@ double Foundation::fastest_return(const BackState& now) const {
   const double inverse = 1 / backing_.mass + inverse_body_;
   const double fastest = std::sqrt(2 * energy(now, 0).stored * inverse + now.rate * now.rate);
   if (inverse_body_ == 0) return fastest;
-  // About the common centre of gravity.
+  // The swing is about the common centre of gravity.
   const double share = 1 / (1 + backing_.mass * inverse_body_);
   return share * fastest - (now.body_velocity + (1 - share) * now.rate);
 }

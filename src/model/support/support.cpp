@@ -8,7 +8,7 @@
 namespace dashpad {
 namespace {
 
-/// Smaller relative changes of slope come from rounding of the points.
+/// Relative change of slope below which it comes from rounding of the points.
 constexpr double slope_rounding = 1e-12;
 
 bool increases(const Support::Point& from, const Support::Point& to) {
@@ -46,7 +46,7 @@ Support Support::through(std::vector<Point> points) {
   return support;
 }
 
-/// Index of the segment with a force: the one above at a point, the last one beyond the points.
+/// Index of the segment that contains a force: the upper one at a point, the last one beyond the points.
 std::size_t Support::segment_of_force(double force) const {
   const auto last = points_.end() - 1;
   return static_cast<std::size_t>(std::ranges::upper_bound(points_.begin(), last, force, {}, &Point::force) -

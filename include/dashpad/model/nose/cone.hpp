@@ -1,5 +1,5 @@
 #pragma once
-/// A circular cone, pointed or cut off square; beyond its base its side goes on as a cylinder.
+/// A circular cone, pointed or cut off square; beyond its base its side continues as a cylinder.
 ///
 ///   a(s) = pi (r0 + s tan(alpha))^2 up to s = (R - r0) / tan(alpha)                   (theory.md, Eq. 3)
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A cylinder on its side, as a pole, a rim or a knee: its axis parallel to the pad, its ends flat.
-/// Penetrated deeper than its radius, its side goes on as a box of its width.
+/// A cylinder on its side, such as a pole, a rim or a knee: its axis is parallel to the pad, its ends are
+/// flat. Deeper than its radius it continues as a box of the same width.
 ///
 ///   a(s) = 2 l sqrt(2 R s - s^2) up to s = R                                          (theory.md, Eq. 3)
 
@@ -13,7 +13,7 @@ namespace dashpad {
 
 struct Cylinder {
   double radius = 0;  ///< R, m, > 0
-  double length = 0;  ///< l, along its axis, m, > 0
+  double length = 0;  ///< l, length along its axis, m, > 0
 
   static constexpr const char* name = "cylinder";
   static const std::array<Parameter<Cylinder>, 2> parameters;

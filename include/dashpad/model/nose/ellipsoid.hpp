@@ -1,5 +1,5 @@
 #pragma once
-/// An ellipsoid, one of its axes along the motion; beyond its widest section its side goes on as an elliptic
+/// An ellipsoid with one axis along the motion; beyond its widest section it continues as an elliptic
 /// cylinder. With three equal semi-axes it is a sphere.
 ///
 ///   a(s) = pi (R1 R2 / b) (2 s - s^2 / b) up to s = b                                 (theory.md, Eq. 3)

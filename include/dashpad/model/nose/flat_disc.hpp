@@ -1,6 +1,6 @@
 #pragma once
-/// The flat end of a round body, square to the pad: the pad is met by the whole area at once, and its strain
-/// is the same everywhere below it.
+/// The flat end of a round body, square to the pad: its whole area meets the pad at once, and the strain is
+/// the same everywhere below it.
 ///
 ///   a(s) = pi R^2 for s > 0                                                           (theory.md, Eq. 3)
 

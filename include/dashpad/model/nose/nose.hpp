@@ -1,8 +1,8 @@
 #pragma once
-/// The closed set of noses. A nose is rigid; what the pad meets of it are its sections.
+/// The closed set of noses. A nose is rigid and acts on the pad by its sections only.
 ///
-/// A shape is a struct with its numbers, a table of them, its name in case files, and sections(); a row here
-/// is all that it needs beside its own file.
+/// A shape is a struct with its numbers, a parameter table, its name in case files, and sections(). A new
+/// shape needs its own file and one entry in `Nose`.
 
 #include <algorithm>
 #include <string>
@@ -31,14 +31,14 @@ inline std::string name_of(const Nose& nose) {
   return std::visit([](const auto& shape) { return std::string(shape.name); }, nose);
 }
 
-/// For sentences: "flat disc".
+/// The shape's name in a sentence: "flat disc".
 inline std::string words_of(const Nose& nose) {
   std::string words = name_of(nose);
   std::ranges::replace(words, '-', ' ');
   return words;
 }
 
-/// For standards, whose headforms are spheres: R, m; NaN for any other shape.
+/// Radius R of a sphere, m; NaN for any other shape. Standards need it: their headforms are spheres.
 inline double sphere_radius(const Nose& nose) {
   const auto* sphere = std::get_if<Sphere>(&nose);
   return sphere == nullptr ? no_value : sphere->radius;

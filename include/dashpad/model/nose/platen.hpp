@@ -1,6 +1,6 @@
 #pragma once
-/// A flat rectangular plate, or the flat side of a box, square to the pad: the pad is met by the whole area
-/// at once, and its strain is the same everywhere below it.
+/// A flat rectangular plate, or the flat side of a box, square to the pad: its whole area meets the pad at
+/// once, and the strain is the same everywhere below it.
 ///
 ///   a(s) = l b for s > 0                                                              (theory.md, Eq. 3)
 

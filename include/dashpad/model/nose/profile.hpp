@@ -1,8 +1,8 @@
 #pragma once
-/// A nose by points: radius or area of its section over the depth behind its tip, as those of a headform.
-/// Beyond the last point its side goes on along the motion.
+/// A nose given by points, such as a headform: radius or area of its section over the depth behind its tip.
+/// Beyond the last point its side continues along the motion.
 ///
-///   between two points the radius, or else the area, is a straight line of the depth   (theory.md, Eq. 3)
+///   between two points the radius or the area is linear in the depth            (theory.md, Eq. 3)
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Profile {
     friend bool operator==(const Point&, const Point&) = default;
   };
 
-  double scale = 1;  ///< by what depths and radii are multiplied, areas by its square; 0.001 to 1000
+  double scale = 1;  ///< factor of depths and radii, squared for areas; 0.001 to 1000
   Of of = Of::radius;
   std::vector<Point> points = {};  ///< 2 to most_points
 
@@ -32,17 +32,17 @@ struct Profile {
 
   [[nodiscard]] Sections sections() const;
 
-  /// Of a point as it stands after scaling, m or m2.
+  /// Radius or area of a point after scaling, m or m2.
   [[nodiscard]] double scaled_size(const Point& point) const {
     return point.size * (of == Of::radius ? scale : scale * scale);
   }
 
-  /// A rule that a point breaks, by its place in the list.
+  /// A rule that a point breaks.
   struct Fault {
     std::size_t point = 0;
     std::string rule;
   };
-  /// Of the points among themselves, one a point at most.
+  /// Rules that the points break among themselves, at most one for each point.
   [[nodiscard]] std::vector<Fault> faults() const;
 };
 

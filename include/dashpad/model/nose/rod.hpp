@@ -3,7 +3,7 @@
 ///
 ///   a'(s) = 2 pi (R - s) up to s = R - sqrt(R^2 - r^2)                                (theory.md, Eq. 3)
 ///
-/// R is the radius of the dome, r that of the rod. Equal radii are the nose `sphere`.
+/// R is the radius of the dome, r that of the rod. With equal radii it is the nose `sphere`.
 
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Rod {
   static const std::array<Parameter<Rod>, 2> parameters;
 
   [[nodiscard]] Sections sections() const {
-    // R - root, without the difference of nearly equal numbers below a flat dome.
+    // R - root, written so that a flat dome causes no cancellation.
     const double root = std::sqrt((tip_radius - radius) * (tip_radius + radius));
     return {.tip = 0, .width = tip_radius, .taper = 1, .depth = radius * (radius / (tip_radius + root))};
   }

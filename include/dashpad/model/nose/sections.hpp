@@ -3,9 +3,9 @@
 ///
 ///   a(s) = a0 + 2 pi (w s - t s^2 / 2) for 0 < s <= d,   a(d) beyond          (theory.md, Eq. 3)
 ///
-/// or, up to d, another function: that of a SectionShape. Columns of the pad do not act on each other, so
-/// that a nose enters the contact force by nothing else: the columns that it meets between the depths s and s
-/// + ds have the area a'(s) ds. Areas in m2, lengths in m.
+/// A SectionShape may replace this function up to d. Since columns of the pad do not act on each other,
+/// nothing else of a nose enters the contact force: the columns that it meets between the depths s and s + ds
+/// have the area a'(s) ds. Areas in m2, lengths in m.
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,11 @@
 
 namespace dashpad {
 
-// The sections of a nose whose area over the depth is not one quadratic function: a cylinder on its side, a
-// profile by points.
+// Noses whose area is not one quadratic function of the depth: a cylinder on its side, a profile by points.
 //
-// Depths in m behind the tip, from 0 to the depth up to which the shape grows wider; areas in m2.
+// Depths are counted from the tip, m, up to the widest section; areas in m2.
 
-/// A stretch of depth over which the area of the section is a quadratic function of it.
+/// A range of depths, m, over which the area of the section is a quadratic function of the depth.
 struct SectionPiece {
   double from = 0;
   double to = 0;
@@ -37,36 +36,37 @@ class SectionShape {
  public:
   virtual ~SectionShape() = default;
 
-  /// a(s), with that of a flat tip.
+  /// a(s), m2, including the area of a flat tip.
   [[nodiscard]] virtual double area(double s) const = 0;
   /// Integral of a from 0 to s, m3.
   [[nodiscard]] virtual double volume(double s) const = 0;
   /// Integral of volume() from 0 to s, m4.
   [[nodiscard]] virtual double volume_integral(double s) const = 0;
-  /// a'(s) / (2 pi), m, for s > 0; where it jumps, that before the jump.
+  /// a'(s) / (2 pi), m, for s > 0; at a jump the value before it.
   [[nodiscard]] virtual double rate(double s) const = 0;
-  /// The least depth at which an area between that of the tip and the widest is reached, m.
+  /// The smallest depth at which the section has `area`, m; `area` lies between that of the tip and the
+  /// largest.
   [[nodiscard]] virtual double depth_at(double area) const = 0;
 
   /// Whether a' grows without bound towards the tip.
   [[nodiscard]] virtual bool is_steep_at_tip() const { return false; }
-  /// Depths, increasing, at which a' jumps by much.
+  /// Depths at which a' jumps considerably, m, increasing.
   [[nodiscard]] virtual const std::vector<double>& knots() const {
     static const std::vector<double> none;
     return none;
   }
-  /// Quadratic pieces one behind the other from the tip to the widest section. Where the area is no such
-  /// function itself they have its values at their ends and its volume, and a piece ends at exp(grading)
-  /// times the depth at which it begins.
+  /// Consecutive quadratic pieces from the tip to the widest section. Where the area is no quadratic function
+  /// itself, they match its values at their ends and its volume, and each piece ends at exp(grading) times
+  /// the depth at which it begins.
   [[nodiscard]] virtual std::vector<SectionPiece> pieces(double grading) const = 0;
 };
 
 struct Sections {
-  double tip = 0;    ///< a0, m2: of the flat part that meets the pad first, >= 0
-  double width = 0;  ///< w, m: the rate a'(0+) / (2 pi), >= 0
-  double taper = 0;  ///< t: how fast that rate falls with the depth, < 0 for a cone; w - t d >= 0
-  double depth = 0;  ///< d, m: from here on the section stays as it is, >= 0
-  /// In place of w and t, of a shape that is at least as deep as d.
+  double tip = 0;    ///< a0, area of the flat tip that meets the pad first, m2, >= 0
+  double width = 0;  ///< w = a'(0+) / (2 pi), m, >= 0
+  double taper = 0;  ///< t, fall of a' / (2 pi) with the depth, < 0 for a cone; w - t d >= 0
+  double depth = 0;  ///< d, depth from which on the section is constant, m, >= 0
+  /// Replaces w and t if set; at least as deep as d.
   std::shared_ptr<const SectionShape> shape = {};
 
   /// a'(s) / (2 pi), m; 0 beyond the depth d, where it may jump.
@@ -75,10 +75,10 @@ struct Sections {
       return rate_of_shape(s);
     return s <= depth ? std::max(width - taper * s, 0.0) : 0;
   }
-  /// By what the columns between two depths up to d count, at either end of that stretch: a' / (2 pi) there,
-  /// or, of a shape, its mean, whatever a' does in between.
+  /// Weights of the columns between two depths up to d, at both ends of that range, m: a' / (2 pi) there or,
+  /// of a shape, its mean over the range.
   struct Weights {
-    double inner = 0;  ///< at the end nearer to the tip
+    double inner = 0;  ///< at the end closer to the tip
     double outer = 0;
   };
   [[nodiscard]] Weights weights(double from, double to) const {
@@ -87,7 +87,7 @@ struct Sections {
     return {rate(from), rate(to)};
   }
 
-  /// Projected area of the contact at the penetration y, a(y); at y = 0 that of the tip, which is all there.
+  /// Projected area a(y) of the contact at the penetration y, m2; at y = 0 that of the tip.
   [[nodiscard]] double area(double y) const {
     if (shape) [[unlikely]]
       return area_of_shape(y);
@@ -102,14 +102,14 @@ struct Sections {
     const double beyond = std::max(y - depth, 0.0);
     return tip * c + 2 * std::numbers::pi * c * c * (width / 2 - taper * c / 6) + area_beyond() * beyond;
   }
-  /// a integrated n times from 0 to y, n >= 1, as twice for m4; of a shape no more than twice.
+  /// n-fold integral of a from 0 to y, m^(2+n), n >= 1; of a shape n <= 2.
   [[nodiscard]] double integral(double y, int n) const {
     if (shape) [[unlikely]]
       return n == 1 ? volume_of_shape(y) : volume_integral_of_shape(y);
     if (!(y > 0)) return 0;
     const double beyond = std::max(y - depth, 0.0);
     double sum = integral_within(std::min(y, depth), n);
-    // A polynomial beyond d: Taylor's, whose highest derivative is the area there.
+    // Beyond d the integral is a polynomial: its Taylor series about d, with the area as highest derivative.
     double power = 1;
     for (int k = 1; beyond > 0 && k <= n; ++k)
       sum += (power *= beyond / k) * (k == n ? area_beyond() : integral_within(depth, n - k));
@@ -123,7 +123,7 @@ struct Sections {
     const double c = std::clamp(s, 0.0, depth);
     return std::sqrt(tip * std::numbers::inv_pi + c * (2 * width - taper * c));
   }
-  /// The least depth at which that radius is reached; d for a radius that is not.
+  /// The smallest depth at which radius() has that value, m; d if it never does.
   [[nodiscard]] double depth_at(double radius) const {
     const double ring = radius * radius - tip * std::numbers::inv_pi;
     if (ring <= 0) return 0;
@@ -133,7 +133,7 @@ struct Sections {
     return root > 0 ? std::min(ring / root, depth) : depth;
   }
 
-  /// The nose on a pad whose face has that area, m2: what is wider meets no pad.
+  /// The nose on a pad with a face of that area, m2: wider parts of it meet no pad.
   [[nodiscard]] Sections limited_to(double face) const {
     if (face >= area_beyond()) return *this;
     if (face <= tip) return {.tip = face, .width = 0, .taper = 0, .depth = 0};
@@ -158,7 +158,7 @@ struct Sections {
     const double rise = y / (n + 1), bend = rise * y / (n + 2);
     return power * (tip + 2 * std::numbers::pi * (width * rise - taper * bend));
   }
-  // The same of a shape, out of the way of all other noses.
+  // The same for a shape, out of line so that other noses do not pay for it.
   [[nodiscard]] double rate_of_shape(double s) const;
   [[nodiscard]] Weights weights_of_shape(double from, double to) const;
   [[nodiscard]] double area_of_shape(double y) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// A sphere; penetrated deeper than its radius, its side goes on as a cylinder of that radius.
+/// A sphere; deeper than its radius its side continues as a cylinder.
 ///
 ///   a'(s) = 2 pi (R - s) up to s = R                                (theory.md, Eq. 3; report, section 2.1)
 

@@ -7,7 +7,7 @@
 /// s is the crush curve of the slowest test, e* the largest strain so far. Unloaded, the foam keeps the
 /// strain e* - s(e*) / E and leaves a gap. m and u are those of foam (dashpad/model/pad/foam.hpp).
 ///
-/// Engineering values, compression positive; E at least the steepest slope of s.
+/// Engineering values, compression positive; E is at least the steepest slope of s.
 
 #include <array>
 
@@ -19,8 +19,8 @@ struct CrushableFoam {
   double unloading_modulus = 0;      ///< E, Pa, > 0
   double lag_strain = 0.005;         ///< l, [1e-4, 0.05]
   double continuation_exponent = 2;  ///< n, [1, 6]
-  double gentlest_continuation = 1;  ///< range of n within which results are also given, [1, n]
-  double steepest_continuation = 4;  ///< [n, 6]
+  double gentlest_continuation = 1;  ///< lower end of the range of n for intervals, [1, n]
+  double steepest_continuation = 4;  ///< upper end of the range of n for intervals, [n, 6]
   FoamCurves curves;
 
   static constexpr const char* name = "crushable-foam";

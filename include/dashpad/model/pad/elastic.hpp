@@ -3,7 +3,7 @@
 ///
 ///   G = E e,  h -> infinity (the stress is the envelope)            (theory.md, Eq. 10; report, KEYP = 1)
 ///
-/// Stress and strain are engineering values, compression positive. It loses no energy.
+/// Stress and strain are engineering values, compression positive. The law loses no energy.
 
 #include <array>
 

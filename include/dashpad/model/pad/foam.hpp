@@ -1,17 +1,17 @@
 #pragma once
-/// Foam that comes back: a base curve, its rise with the rate, and an unloading that grows weaker with the
-/// work done.
+/// Foam that recovers: a base curve, its rise with the rate, and an unloading that weakens with the work
+/// done.
 ///
 ///   stress = (1 - f) s(e) D(W(e) / W(e*)) + s(e) q(e, u)                   (theory.md, Eq. 32)
-///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or what an unloading curve says
+///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or by an unloading curve
 ///   q      = f u / (|u| + 2 u0) + m(e, u) - 1  for u >= 0,  - k (m(e, |u|) - 1) for u < 0   (Eq. 33)
 ///
 /// s is the base curve, the loading curve of the slowest test; W its area; e* the largest strain so far; m
-/// the rate effect. u is the slip rate, which follows the strain rate within a small strain (theory.md, Eq.
-/// 34), so that the stress does not jump. No closed path of strain gives energy back (theory.md, Eqs. 35 and
-/// 36).
+/// the rate effect. u is the slip rate, which follows the strain rate with a lag of a small strain
+/// (theory.md, Eq. 34), so that the stress does not jump. No closed path of strain gives energy back
+/// (theory.md, Eqs. 35 and 36).
 ///
-/// Stress and strain are engineering values, compression positive. Whether the numbers go together is said by
+/// Stress and strain are engineering values, compression positive. Consistency of the numbers is checked by
 /// violations(PadLaw).
 
 #include <array>
@@ -28,13 +28,13 @@
 
 namespace dashpad {
 
-/// The forms that the base curve of a foam can have: the stress of its slowest test over the strain.
+/// Base curve of a foam, the stress over the strain in its slowest test, in one of five forms.
 using BaseCurve = std::variant<TableCurve, AvalleCurve, PowerCurve, GibsonAshbyCurve, HyperfoamCurve>;
 
-/// What foams are made of: the curves of their tests.
+/// The curves of the tests of a foam.
 struct FoamCurves {
   BaseCurve base;
-  double slowest_rate = 0;  ///< of the test that the base curve is, 1/s, > 0
+  double slowest_rate = 0;  ///< strain rate of the base curve's test, 1/s, > 0
   RateEffect rate_effect;
 
   friend bool operator==(const FoamCurves&, const FoamCurves&) = default;
@@ -47,10 +47,10 @@ struct Foam {
   double recoil = 1;                 ///< k, [0, 1]
   double lag_strain = 0.005;         ///< l, [1e-4, 0.05]
   double continuation_exponent = 2;  ///< n, [1, 6]
-  double gentlest_continuation = 1;  ///< range of n within which results are also given, [1, n]
-  double steepest_continuation = 4;  ///< [n, 6]
+  double gentlest_continuation = 1;  ///< lower end of the range of n for intervals, [1, n]
+  double steepest_continuation = 4;  ///< upper end of the range of n for intervals, [n, 6]
   FoamCurves curves;
-  /// Stress on the way back from the last strain of the base curve; then HU and SHAPE say nothing.
+  /// Stress on the way back from the last strain of the base curve; it replaces HU and SHAPE.
   std::optional<TableCurve> unloading_curve;
 
   static constexpr const char* name = "foam";
@@ -60,8 +60,7 @@ struct Foam {
   friend bool operator==(const Foam&, const Foam&) = default;
 };
 
-/// Whether the foam gives all energy back, because nothing that loses any was stated: neither friction nor an
-/// unloading nor a rate effect.
+/// Whether the foam loses no energy, as neither friction nor an unloading nor a rate effect was stated.
 inline bool is_without_loss(const Foam& foam) {
   return foam.friction == 0 && foam.unloading_factor == 1 && !foam.unloading_curve &&
          std::holds_alternative<NoRateEffect>(foam.curves.rate_effect);

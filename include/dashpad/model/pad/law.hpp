@@ -9,9 +9,9 @@
 ///
 ///   stress_1 = G(e_1) + (stress_0 - G(e_0)) exp(-H),   H = integral of h over the step.
 ///
-/// A law is a value: it remembers nothing, so a step can be tried, accepted or dropped. Its parameters, and
-/// what is the same for all columns of a step, stand in its struct; its formulas, which vectors of columns
-/// share with single numbers, below it (src/model/pad/formulas.hpp).
+/// A law is a value without state, so a step can be tried, accepted or dropped. The struct holds its
+/// parameters and what is the same for all columns of a step; its formulas, written once for vectors of
+/// columns and for single numbers, follow below it (src/model/pad/formulas.hpp).
 
 #include <concepts>
 #include <string>
@@ -34,7 +34,7 @@ namespace dashpad {
 using PadLaw = std::variant<Elastic, LinearViscoelastic, RigidFoam, NineParameter, TwentyOneParameter, Foam,
                             CrushableFoam, ViscoelasticFoam>;
 
-/// What every law offers.
+/// The requirements on every law.
 template <class L>
 concept IsPadLaw = requires {
   { L::name } -> std::convertible_to<const char*>;
@@ -42,7 +42,7 @@ concept IsPadLaw = requires {
   L::parameters;
 };
 
-/// A law whose stress is its envelope at once: it needs no columns, its contact force is a closed form.
+/// A law whose stress equals its envelope at all times: its contact force is a closed form, without columns.
 template <class L>
 concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
   { law.curve() } -> std::same_as<StressCurve>;
@@ -56,28 +56,28 @@ concept HasMemory =
     IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {
   { law.exponents() } -> std::same_as<PowerExponents>;
   { law.rate_part(x) } -> std::same_as<typename L::RatePart>;
-  /// From one time to another.
+  /// The time part of the step from one time to another.
   { law.time_part(x, x) } -> std::same_as<typename L::TimePart>;
-  /// h of a column at strain zero, at a time.
+  /// h of a column at strain zero at a time, 1/s.
   { law.relaxation_rate(x) } -> std::same_as<double>;
   /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   { law.edge_ratio(rate) } -> std::same_as<double>;
 };
 
-/// A law by the curves of tests, whose columns share what they remember (src/model/pad/foam/foam_stress.hpp).
+/// A law given by curves of tests; all columns share one slip (src/model/pad/foam/foam_stress.hpp).
 template <class L>
 concept SharesSlip = IsPadLaw<L> && requires(const L law) {
   { law.curves } -> std::same_as<const FoamCurves&>;
 };
 
-/// What a blow leaves in a pad for the next one (theory.md, Eqs. 46 to 48).
+/// Memory that a blow leaves in a pad for the next one (theory.md, Eqs. 46 to 48).
 enum class BlowMemory {
   none,            ///< the pad recovers by its law, as if it had not been struck
-  largest_strain,  ///< columns remember it, and load more softly up to it
+  largest_strain,  ///< columns keep it, and load more softly up to it
   crater,          ///< the pad stays crushed
 };
 
-/// Of<Law> for each law with memory of its own.
+/// Tuple of Of<Law> over all laws that satisfy HasMemory.
 template <template <class> class Of, class... Laws>
 auto tuple_with_memory(const std::variant<Laws...>*) {
   return std::tuple_cat([]<class Law>(const Law*) {
@@ -98,7 +98,7 @@ bool has_curves(const PadLaw& law);
 
 BlowMemory blow_memory(const PadLaw& law);
 
-/// The tested rates, 1/s, whose curves fall somewhere; none for a law without curves.
+/// Tested rates with a curve that falls by more than 0.1 % somewhere, 1/s; none for a law without curves.
 std::vector<double> softening_rates(const PadLaw& law);
 
 /// The law's name in case files.

@@ -5,7 +5,7 @@
 ///   G = E_inf e + (E_0 - E_inf) tau de/dt,  h = 1/tau              (theory.md, Eq. 11; report, KEYP = 2)
 ///
 /// Stress and strain are engineering values, compression positive. The law is the same on loading and
-/// unloading. A sudden strain is met with the modulus E_0, a lasting one with E_inf.
+/// unloading. E_0 is the modulus under a sudden strain, E_inf that under a lasting one.
 
 #include <array>
 
@@ -27,7 +27,7 @@ struct LinearViscoelastic {
     double viscous_stress = 0;  ///< (E_0 - E_inf) tau de/dt
   };
   struct TimePart {
-    double duration = 0;  ///< in relaxation times
+    double duration = 0;  ///< length of the step over tau
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {1, 0}; }
@@ -35,7 +35,7 @@ struct LinearViscoelastic {
     return {(initial_modulus - asymptotic_modulus) * relaxation_time * rate};
   }
   [[nodiscard]] TimePart time_part(double from, double to) const { return {(to - from) / relaxation_time}; }
-  /// h at strain zero.
+  /// h at strain zero, 1/s.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   /// Limit of stress / A at the contact edge, where the strain has just begun to grow.
   [[nodiscard]] double edge_ratio(RatePart) const { return initial_modulus; }
@@ -80,14 +80,14 @@ struct Formulas<LinearViscoelastic> {
   DASHPAD_FORMULA N envelope(const N* part, N, N) const {
     return part[0] + rate.viscous_stress;
   }
-  /// A column that is touched within the step relaxes for its share of it: G is not 0 there.
+  /// A column that is touched within the step relaxes for its share of the step, since G is not 0 there.
   template <class N>
   DASHPAD_FORMULA N decay(N, N, N share) const {
     return exp(-time.duration * share);
   }
-  /// The stress at the end of a step (theory.md, Eq. 9). G outgrows all stresses with the relaxation time,
-  /// and does not stand alone: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt / tau is
-  /// formed.
+  /// Stress at the end of a step (theory.md, Eq. 9). As the relaxation time grows, G exceeds all stresses by
+  /// far and is therefore not formed: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt /
+  /// tau is.
   template <class N>
   DASHPAD_FORMULA N step(N stress, const N* before, const N* after, N share) const {
     const N x = time.duration * share;

@@ -56,7 +56,7 @@ struct NineParameter {
   [[nodiscard]] TimePart time_part(double from, double to) const {
     return {std::exp((from - to) / relaxation_time)};
   }
-  /// h at strain zero.
+  /// h at strain zero, 1/s.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }
   [[nodiscard]] double edge_ratio(RatePart rate) const { return rate.modulus; }
 };

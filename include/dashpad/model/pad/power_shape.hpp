@@ -22,7 +22,7 @@ struct PowerExponents {
 
 class PowerShape {
  public:
-  /// All that a column needs of the shape at one strain. At strain 0 both logarithms are set to 0.
+  /// The shape and its logarithms at one strain. At strain 0 both logarithms are set to 0.
   struct Value {
     double shape = 0;           ///< A(e)
     double measure = 0;         ///< w(e)
@@ -34,13 +34,13 @@ class PowerShape {
   explicit PowerShape(PowerExponents exponents);
 
   [[nodiscard]] Value at(Strain strain) const;
-  /// w alone, from a value of which all else is known; strain > 0.
+  /// w alone, from a value that is complete but for w; strain > 0.
   [[nodiscard]] double measure(Strain strain, const Value& value) const;
   [[nodiscard]] PowerExponents exponents() const { return exponents_; }
 
   static constexpr int terms = 16;
-  /// The expansions by which w is computed, for whoever computes it at many strains at once: as polynomials
-  /// in 4x - 1, w = e A p(e) up to a half, w = offset - (1-e) A p(1-e) - log_weight ln(1-e) above.
+  /// Expansions of w, for computing it at many strains at once: with polynomials p in 4x - 1, w = e A p(e) up
+  /// to a half, w = offset - (1-e) A p(1-e) - log_weight ln(1-e) above.
   [[nodiscard]] const std::array<double, terms>& near_contact() const { return near_contact_; }
   [[nodiscard]] const std::array<double, terms>& near_bottom() const { return near_bottom_; }
   [[nodiscard]] double offset() const { return offset_; }
@@ -48,8 +48,8 @@ class PowerShape {
 
  private:
   PowerExponents exponents_;
-  double offset_ = 0;      ///< of the expansion about full compression
-  double log_weight_ = 0;  ///< of the logarithmic term, present where n is a whole number
+  double offset_ = 0;      ///< constant of the expansion about full compression
+  double log_weight_ = 0;  ///< weight of the logarithmic term, not 0 where n is a whole number
   std::array<double, terms> near_contact_{};
   std::array<double, terms> near_bottom_{};
 };

@@ -16,7 +16,7 @@ namespace dashpad {
 
 struct RigidFoam {
   double crush_stress = 0;   ///< S1, Pa, > 0
-  double crush_strain = 0;   ///< e1, where bottoming begins, in (0, 1), below second_strain
+  double crush_strain = 0;   ///< e1, strain at the end of the plateau, in (0, 1), below second_strain
   double second_stress = 0;  ///< S2, Pa, >= S1
   double second_strain = 0;  ///< e2, in (0, 1)
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A piecewise linear stress-strain curve, with a jump at strain zero: what a law without memory is.
+/// A piecewise linear stress-strain curve with a jump at strain zero, as of laws without memory.
 ///
 ///   S(e) = S0 [e > 0] + sum over k of dE_k max(e - e_k, 0)                      (theory.md, Eq. 13)
 ///
@@ -14,7 +14,7 @@ namespace dashpad {
 class StressCurve {
  public:
   struct Kink {
-    double strain = 0;        ///< where the slope changes, >= 0
+    double strain = 0;        ///< strain at which the slope changes, >= 0
     double slope_change = 0;  ///< Pa
   };
   static constexpr int most_kinks = 4;

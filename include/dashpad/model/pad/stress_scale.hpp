@@ -1,10 +1,9 @@
 #pragma once
-/// By what the stresses of a card are multiplied in a case: a plain scale, another density, another
-/// temperature.
+/// The factor of a card's stresses in a case, from a plain scale, a density and a temperature.
 ///
 ///   factor = scale (density / density of the card)^exponent t(temperature)          (theory.md, Eq. 39)
 ///
-/// Every stress of a law is multiplied, loading and unloading alike; strains, rates and times stay.
+/// Every stress of a law is multiplied, loading and unloading alike; strains, rates and times are unchanged.
 
 #include <array>
 #include <optional>
@@ -15,7 +14,7 @@
 
 namespace dashpad {
 
-/// What a case says of its pad beside the card.
+/// Condition of a pad beside its card.
 struct PadCondition {
   double scale = 1;                   ///< [1e-3, 1e3]
   std::optional<double> density;      ///< kg/m3, > 0; needs a card with a density law
@@ -26,7 +25,7 @@ struct PadCondition {
   friend bool operator==(const PadCondition&, const PadCondition&) = default;
 };
 
-/// What a density and a temperature may be depends on the card.
+/// The admissible densities and temperatures depend on the card, too (violations()).
 inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters{{
     {"scale", "", "1", &PadCondition::scale, from_to(1e-3, 1e3), "scale of the foam's stress",
      LeftOut::as_default},
@@ -35,16 +34,17 @@ inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters
      LeftOut::as_default},
 }};
 
-/// Every rule that a condition breaks on this material; keys are those of cases, without `pad.`: `density`.
+/// Every rule that a condition breaks on this material; keys are those of cases without the table, such as
+/// `density`.
 std::vector<Violation> violations(const PadCondition& condition, const Material& material);
 
-/// The condition must be sound.
+/// Factor of all stresses of the card (theory.md, Eq. 39). The condition must be sound.
 double stress_factor(const PadCondition& condition, const Material& material);
 
 /// The law with all its stresses times a factor.
 PadLaw scaled(const PadLaw& law, double factor);
 
-/// Why a result under this condition is extrapolated, a reason each.
+/// Reasons why a result under this condition is extrapolated.
 std::vector<Extrapolation> extrapolations(const PadCondition& condition, const Material& material);
 
 }  // namespace dashpad

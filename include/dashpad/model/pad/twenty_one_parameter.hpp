@@ -27,14 +27,14 @@ struct TwentyOneParameter {
   double compaction_exponent = 0;       ///< n, in [0, 4]
   double relaxation_exponent = 0;       ///< a, in (0, 1]
   double relaxation_scale = 0;          ///< b, s^a, > 0
-  double relaxation_strain_base = 0;    ///< c, > 0
+  double relaxation_strain_base = 0;    ///< c, [0.001, 1000]
   double rate_stress = 0;               ///< S_r, Pa at 1/s, >= 0
   double rate_exponent = 0;             ///< R, in (0, 1]
   double rate_strain_exponent = 0;      ///< U, in (0, 10]
   double rate_strain_scale = 0;         ///< V, > 0
   double growth_strain_exponent = 0;    ///< W, in (m, 10]: no steeper than A at first contact
   double growth_strain_scale = 0;       ///< X, >= 0.01
-  double onset_strain_exponent = 0;     ///< Y, in (m, 10]: likewise
+  double onset_strain_exponent = 0;     ///< Y, in (m, 10], as W
   double onset_strain_scale = 0;        ///< Z, > 0
   double residual_strain_time = 0;      ///< tau*, s, > 0
   double residual_strain_exponent = 0;  ///< p, in (0, 1]
@@ -51,7 +51,7 @@ struct TwentyOneParameter {
   };
   struct TimePart {
     double scale = 0;   ///< (t1^a - t0^a) / b
-    double centre = 0;  ///< where in the step h has its centre of gravity, 0 to 1
+    double centre = 0;  ///< centroid of h within the step, 0 to 1
   };
 
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
@@ -68,13 +68,13 @@ struct TwentyOneParameter {
     const double early = std::pow(from, a);
     const double late = std::pow(to, a);
     const double step = to - from;
-    // First moment of t^(a-1) about the start of the step; a small step is as good as its middle.
+    // First moment of t^(a-1) about the start of the step; for a short step the middle is accurate enough.
     double centre = 0.5;
     if (step > 1e-4 * to)
       centre = ((late * to - early * from) * a / ((a + 1) * (late - early)) - from) / step;
     return {(late - early) / relaxation_scale, centre};
   }
-  /// h at strain zero: a t^(a-1) / b.
+  /// h at strain zero, a t^(a-1) / b, 1/s.
   [[nodiscard]] double relaxation_rate(double time) const {
     return relaxation_exponent * std::pow(time, relaxation_exponent - 1) / relaxation_scale;
   }

@@ -5,9 +5,9 @@
 ///   stress = p(e) + q1 + q2,   dq_i/dt = g_i dp/dt - q_i / tau_i                 (theory.md, Eq. 40)
 ///   p(e)   = sum over j of 2 mu_j / (a_j (1 - e)) (1 - (1 - e)^a_j)
 ///
-/// Over a step in which p goes evenly: q_i1 = q_i0 exp(-H_i) + g_i (p1 - p0) (1 - exp(-H_i)) / H_i, with
-/// H_i = step / tau_i. A sudden strain is met with (1 + g1 + g2) p, a lasting one with p. The same on loading
-/// and unloading. Engineering values, compression positive; times in s.
+/// Over a step in which p changes evenly: q_i1 = q_i0 exp(-H_i) + g_i (p1 - p0) (1 - exp(-H_i)) / H_i, with
+/// H_i = step / tau_i. The stress is (1 + g1 + g2) p under a sudden strain and p under a lasting one, on
+/// loading and unloading alike. Engineering values, compression positive; times in s.
 
 #include <algorithm>
 #include <array>
@@ -22,10 +22,10 @@ struct ViscoelasticFoam {
   double first_modulus = 0;    ///< mu_1, Pa, > 0
   double first_exponent = 0;   ///< a_1, [-3, 50], not 0
   double second_modulus = 0;   ///< mu_2, Pa, >= 0
-  double second_exponent = 1;  ///< a_2, likewise
-  double first_share = 0;      ///< g_1, > 0
+  double second_exponent = 1;  ///< a_2, [-3, 50], not 0
+  double first_share = 0;      ///< g_1, [0, 1000]
   double first_time = 0;       ///< tau_1, s, > 0
-  double second_share = 0;     ///< g_2, >= 0
+  double second_share = 0;     ///< g_2, [0, 1000]
   double second_time = 1;      ///< tau_2, s, > 0
 
   static constexpr const char* name = "viscoelastic-foam";
@@ -34,7 +34,7 @@ struct ViscoelasticFoam {
   friend bool operator==(const ViscoelasticFoam&, const ViscoelasticFoam&) = default;
 
   struct RatePart {};
-  /// Lengths of a step in relaxation times, and what is left of a stress after it.
+  /// Length of a step over both relaxation times, and the share of a stress that is left after it.
   struct TimePart {
     double first = 0;
     double second = 0;
@@ -42,7 +42,7 @@ struct ViscoelasticFoam {
     double second_left = 1;
   };
 
-  /// p is steep like e at first contact, and like 1 / (1 - e) or more at full compression.
+  /// p grows like e at first contact, and like 1 / (1 - e) or faster at full compression.
   [[nodiscard]] PowerExponents exponents() const {
     const double steepest = second_modulus > 0 ? std::min(first_exponent, second_exponent) : first_exponent;
     return {1, std::max(1.0, 1 - steepest)};
@@ -53,7 +53,7 @@ struct ViscoelasticFoam {
     const double second = (to - from) / second_time;
     return {first, second, std::exp(-first), std::exp(-second)};
   }
-  /// Of the faster branch.
+  /// Relaxation rate of the faster branch, 1/s.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / std::min(first_time, second_time); }
   [[nodiscard]] double edge_ratio(RatePart) const {
     return 2 * (first_modulus + second_modulus) * (1 + first_share + second_share);
@@ -107,13 +107,13 @@ struct Formulas<ViscoelasticFoam> {
     part[2] = N(0.0);
     return at;
   }
-  /// The lasting stress.
+  /// The lasting stress p.
   template <class N>
   DASHPAD_FORMULA N envelope(const N* part, N, N) const {
     return part[0];
   }
-  /// The branches after a step of which a column is in contact for a share; the stress. What a column had
-  /// before it was touched relaxed before, too.
+  /// Updates both branches over a step in which the column is in contact for `share`, and returns the stress.
+  /// Stress left from an earlier contact relaxes over the whole step.
   template <class N>
   DASHPAD_FORMULA N carry(const N* before, N* part, N share) const {
     const N rise = part[0] - before[0];
@@ -121,13 +121,13 @@ struct Formulas<ViscoelasticFoam> {
     part[2] = before[2] * time.second_left + risen(law.second_share, time.second * share, rise);
     return part[0] + part[1] + part[2];
   }
-  /// What is left of them where no strain is, after a share of a step.
+  /// Lets the branches of a column without strain relax for `share` of a step.
   template <class N>
   [[gnu::always_inline]] inline void relax(N* part, N share) const {
     part[1] = part[1] * exp(-time.first * share);
     part[2] = part[2] * exp(-time.second * share);
   }
-  /// Change of the stress with time while the strain is held.
+  /// Rate of the stress while the strain is held, Pa/s.
   template <class N>
   DASHPAD_FORMULA N relaxing(const N* part) const {
     return (-1 / law.first_time) * part[1] - (1 / law.second_time) * part[2];
@@ -137,7 +137,7 @@ struct Formulas<ViscoelasticFoam> {
   template <class N>
   DASHPAD_FORMULA N risen(double stiffness, N steps, N rise) const {
     const N least(1e-8);
-    // (1 - exp(-H)) / H, by its series where H is nothing.
+    // (1 - exp(-H)) / H, by its series where H is tiny.
     const N mean = select(steps < least, 1.0 - 0.5 * steps, (1.0 - exp(N(0.0) - steps)) / max(steps, least));
     return stiffness * (rise * mean);
   }

@@ -1,11 +1,11 @@
 #pragma once
-/// The support of the pad: its force over its deflection, as long as that grows.
+/// The support of the pad: its curve of force over deflection, and its parts beside that curve.
 ///
 ///   F = Fs(Xs), piecewise linear through the origin and any number of points, increasing; beyond the last
-///   point the last slope goes on; below the origin the force is 0          (theory.md, Eq. 4; report, Eq. 6)
+///   point the last slope continues; below the origin the force is 0        (theory.md, Eq. 4; report, Eq. 6)
 ///
-/// F and Xs are positive in compression. A rigid support deflects by nothing under any force. What it may
-/// have beside this curve, mass and losses among it, is its Backing.
+/// F and Xs are positive in compression. A rigid support deflects by nothing under any force. Masses, losses,
+/// gap and preload are in Backing.
 
 #include <array>
 #include <vector>
@@ -22,7 +22,7 @@ class Support {
     friend bool operator==(const Point&, const Point&) = default;
   };
 
-  /// Rigid.
+  /// A rigid support.
   Support() = default;
   static Support rigid() { return {}; }
   /// `stiffness` in N/m, finite and > 0; std::invalid_argument otherwise.
@@ -37,43 +37,43 @@ class Support {
 
   /// Fs(Xs), N. Not defined for a rigid support.
   [[nodiscard]] double force(double deflection) const;
-  /// The inverse, m; 0 for a rigid support and for forces <= 0.
+  /// Xs at a force, m; 0 for a rigid support and for forces <= 0.
   [[nodiscard]] double deflection(double force) const;
-  /// dXs/dF at a force, m/N; 0 for a rigid support. At a corner: that of the segment above.
+  /// dXs/dF at a force, m/N; 0 for a rigid support. At a corner that of the segment above.
   [[nodiscard]] double compliance(double force) const;
   /// Elastic energy at a force, J.
   [[nodiscard]] double energy(double force) const;
   /// The deflection at which Fs(Xs) + slope Xs = force, m; `slope` > 0, N/m. Not for a rigid support.
   [[nodiscard]] double balanced(double slope, double force) const;
-  /// Forces at which the slope changes, increasing.
+  /// Forces at which the slope changes, N, increasing.
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
 
  private:
   [[nodiscard]] std::size_t segment_of_force(double force) const;
 
   std::vector<Point> points_;
-  std::vector<double> stiffness_;  ///< of each segment
-  std::vector<double> energy_;     ///< at the lower end of each segment
+  std::vector<double> stiffness_;  ///< slope of each segment, N/m
+  std::vector<double> energy_;     ///< energy at the lower end of each segment, J
   std::vector<double> corners_;
 };
 
-/// What a support has beside its curve Fs: what it loses, what of it moves, and how it is fitted.
+/// Parts of a support beside its curve Fs: losses, moving masses, gap and preload.
 ///
 ///   T = Fs(x) + c dx/dt     on the body behind or the ground                    (theory.md, Eq. 41)
 ///   m d2xp/dt2 = F - T,     Mb d2xb/dt2 = T,     x = xp - xb                     (theory.md, Eq. 42)
 ///
-/// xp is the motion of the panel that carries the pad, xb that of a body which was free and at rest; F is
-/// the force of the pad. All positive in compression, from rest at first contact; SI units. A number that is
-/// 0 is not there: the support as the report has it.
+/// xp is the motion of the panel that carries the pad, xb that of a free body behind, Mb; F is the force of
+/// the pad. All are positive in compression and start from rest at first contact; SI units. A part whose
+/// number is 0 is absent; without any, the support is that of the report.
 struct Backing {
-  double unloading_stiffness = 0;  ///< N/m, by which a support that was crushed comes back; 0: it is elastic
+  double unloading_stiffness = 0;  ///< k_u, slope of unloading of a support that crushes, N/m; 0: elastic
   double damping = 0;              ///< c, N s/m
-  double loss_factor = 0;          ///< eta of the same damper: c = eta sqrt(k (M + m)), k the first slope
-  double mass = 0;                 ///< m, kg, of the panel
-  double body_mass = 0;            ///< Mb, kg; 0: the ground
-  double gap = 0;                  ///< m, which the panel goes before it meets the support
-  double preload = 0;              ///< N, with which the support holds the panel against a stop
-  double earlier_force = 0;        ///< N, the largest that a support which crushes has carried before
+  double loss_factor = 0;          ///< eta, alternative to c = eta sqrt(k (M + m)); k is the first slope
+  double mass = 0;                 ///< m, mass of the panel, kg
+  double body_mass = 0;            ///< Mb, mass of a free body behind, kg; 0: the ground
+  double gap = 0;                  ///< gap between panel and support, m
+  double preload = 0;              ///< force of the support on the panel against a stop, N
+  double earlier_force = 0;        ///< largest earlier force of a support that crushes, N
 
   static const std::array<Parameter<Backing>, 8> parameters;
 

@@ -1,8 +1,8 @@
 #pragma once
-/// A function of the strain as cubics over cells that are even in the square root of the strain.
+/// A function of the strain as cubics over cells of equal width in the square root of the strain.
 ///
-/// Foams' curves begin steeply at strain zero, where such cells are fine. The cubics have the values and the
-/// slopes of the function at the ends of their cells; slopes are central differences of fourth order.
+/// Such cells are narrow at strain zero, where curves of foams are steep. The cubics match values and slopes
+/// of the function at the ends of their cells; slopes are central differences of fourth order.
 
 #include <algorithm>
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace dashpad {
 
-/// Where a root of a strain lies in the cells.
+/// Place of a root of a strain in the cells.
 struct CellPlace {
   std::size_t cell = 0;
-  double t = 0;  ///< 0 to 1 within it
+  double t = 0;  ///< place within the cell, 0 to 1
 };
 
 /// Cells from strain 0 to `last_strain`.
 struct Cells {
   static constexpr std::size_t count = 256;
-  double width = 1;      ///< of a cell, in the root of the strain
+  double width = 1;      ///< width of a cell in the root of the strain
   double per_width = 1;  ///< 1 / width
 
   Cells() = default;
@@ -31,7 +31,7 @@ struct Cells {
 
   [[nodiscard]] CellPlace place(double root) const {
     const double x = root * per_width;
-    // What is no number stays none, in the last cell.
+    // NaN stays NaN, in the last cell.
     const auto cell = x < count ? static_cast<std::int32_t>(x) : static_cast<std::int32_t>(count - 1);
     return {static_cast<std::size_t>(cell), x - cell};
   }
@@ -39,7 +39,7 @@ struct Cells {
 
 class CellTable {
  public:
-  /// f(root of the strain), which is asked a little beyond both ends of the cells as well.
+  /// Fills the table with f(root of the strain), evaluated slightly beyond both ends of the cells, too.
   template <class F>
   void fill(const Cells& cells, F&& f) {
     cubics_.resize(Cells::count);
@@ -63,7 +63,7 @@ class CellTable {
 
   using Cubic = std::array<double, 4>;
   [[nodiscard]] const Cubic& cubic(std::size_t cell) const { return cubics_[cell]; }
-  /// Four numbers a cell.
+  /// The coefficients as rows of four numbers for each cell.
   [[nodiscard]] const double* rows() const { return cubics_.empty() ? nullptr : cubics_.front().data(); }
   [[nodiscard]] double at(CellPlace place) const {
     const Cubic& c = cubics_[place.cell];

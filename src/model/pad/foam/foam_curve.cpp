@@ -36,7 +36,7 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
           take([&form](double e) { return form.stress(e); });
       },
       base);
-  // A curve that ends level would never stiffen.
+  // A curve with a level end would never stiffen.
   constexpr double least_rise = 0.1;
   last_slope = std::max(last_slope, least_rise * last_.stress / last_.strain);
 

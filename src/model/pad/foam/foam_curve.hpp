@@ -1,5 +1,6 @@
 #pragma once
-/// A base curve made ready: stress and work at any strain, with its continuation beyond the last tested one.
+/// A base curve prepared for evaluation: stress and work at any strain, with its continuation beyond the last
+/// tested one.
 ///
 ///   s(e) = s_h + c ((1 - e)^-n - (1 - e_h)^-n),  c = s'_h (1 - e_h)^(n+1) / n,  e > e_h  (theory.md, Eq. 37)
 ///   W(e) = integral of s from 0 to e                                                        (theory.md, Eq.
@@ -16,10 +17,10 @@
 
 namespace dashpad {
 
-/// What the continuation begins with, and Eq. 37's numbers.
+/// State at the start of the continuation, and the numbers of Eq. 37.
 struct Continuation {
   double exponent = 2;
-  double strain = 1;  ///< the last tested one
+  double strain = 1;  ///< last tested strain
   double complement = 0;
   double stress = 0;
   double work = 0;
@@ -31,7 +32,7 @@ namespace scalar {
 #include "model/pad/foam/foam_formulas.hpp"
 }  // namespace scalar
 
-/// Strain up to which a base curve was tested.
+/// Last tested strain of a base curve.
 double last_strain_of(const BaseCurve& base);
 
 class FoamCurve {
@@ -41,7 +42,7 @@ class FoamCurve {
   FoamCurve(const BaseCurve& base, double continuation_exponent);
 
   [[nodiscard]] double last_strain() const { return last_.strain; }
-  /// n beyond it.
+  /// Exponent n beyond the last tested strain.
   [[nodiscard]] double continuation_exponent() const { return last_.exponent; }
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
@@ -49,7 +50,7 @@ class FoamCurve {
     double stress = 0;
     double work = 0;
   };
-  /// Up to the last tested strain.
+  /// Stress and work up to the last tested strain.
   [[nodiscard]] Point within(CellPlace place) const {
     const auto& [a, b, c, d] = stress_.cubic(place.cell);
     const scalar::Cubic<double> cubic{a, b, c, d};
@@ -88,8 +89,8 @@ class FoamCurve {
     return last_.growth * last_.exponent * inverse_power(e.complement) / e.complement;
   }
 
-  /// Beyond the last tested strain, where the slope is `slope` or its change over `ahead` is as large as
-  /// itself, whichever comes last: the complement is the smaller of the two.
+  /// The strain beyond the last tested one at which the stress has the slope `slope`, or at which the slope
+  /// changes over `ahead` by as much as itself, whichever is larger.
   [[nodiscard]] double strain_where_steep(double slope, double ahead) const {
     const double steep = std::pow(last_.growth * last_.exponent / slope, 1 / (last_.exponent + 1));
     return std::max(1 - std::min(steep, (last_.exponent + 1) * ahead), last_.strain);
@@ -98,9 +99,9 @@ class FoamCurve {
   /// q^-n.
   [[nodiscard]] double inverse_power(double q) const { return scalar::inverse_power(last_, q); }
 
-  /// The same for batches of places.
+  /// The tables for batches of places.
   struct Rows {
-    const double* stress = nullptr;  ///< four numbers a cell
+    const double* stress = nullptr;  ///< rows of four numbers for each cell
     const double* work = nullptr;    ///< at the start of each cell
     Cells cells;
     Continuation beyond;
@@ -123,7 +124,7 @@ class FoamCurve {
   CellTable stress_;
   double last_moment_ = 0;
   std::vector<double> work_;    ///< at the start of each cell
-  std::vector<double> moment_;  ///< the same of e s
+  std::vector<double> moment_;  ///< moment at the start of each cell
 };
 
 }  // namespace dashpad

@@ -1,11 +1,11 @@
-/// Formulas of a foam by curves that single places and batches of nodes have in common, over a number type N.
+/// Formulas of foams by curves for single places and batches of nodes, over a number type N.
 ///
-/// This is text, as src/model/pad/formulas.hpp is: whoever includes it has opened a namespace in which N has
-/// + - * /, exp, log, max and pow. Stress in Pa, work in J per m3 of foam.
+/// Included as text, like src/model/pad/formulas.hpp, within a namespace in which N has + - * /, exp, log,
+/// max and pow. Stress in Pa, work in J per m3 of foam.
 
 #define DASHPAD_FOAM_FORMULA [[nodiscard, gnu::always_inline]] inline
 
-/// A polynomial over a cell, from 0 to 1.
+/// A cubic over a cell, whose variable goes from 0 to 1.
 template <class N>
 struct Cubic {
   N a, b, c, d;
@@ -14,7 +14,7 @@ template <class N>
 DASHPAD_FOAM_FORMULA N value_of(const Cubic<N>& of, N t) {
   return of.a + t * (of.b + t * (of.c + t * of.d));
 }
-/// Work of a stress from the start of a cell on. `x`: root of the strain there, `h`: width of the cell.
+/// Work of a stress from the start of a cell to t. `x`: root of the strain there; `h`: width of the cell.
 template <class N>
 DASHPAD_FOAM_FORMULA N work_of(const Cubic<N>& stress, N x, double h, N t) {
   const auto& [a, b, c, d] = stress;
@@ -24,7 +24,7 @@ DASHPAD_FOAM_FORMULA N work_of(const Cubic<N>& stress, N x, double h, N t) {
   return 2 * h * t * area;
 }
 
-/// q^-n; a whole exponent, as most cards have it, needs no logarithm.
+/// q^-n; the usual exponent 2 needs no logarithm.
 template <class N>
 DASHPAD_FOAM_FORMULA N inverse_power(const Continuation& beyond, N q) {
   if (beyond.exponent == 2) return 1.0 / (q * q);
@@ -36,14 +36,14 @@ DASHPAD_FOAM_FORMULA N area_of_power(const Continuation& beyond, double k, N q, 
   if (k > 1 - 1e-9 && k < 1 + 1e-9) return log(beyond.complement / q);
   return (power * q - last_power * beyond.complement) / (k - 1);
 }
-/// `power`: q^-n.
+/// Work beyond the last tested strain; `power`: q^-n.
 template <class N>
 DASHPAD_FOAM_FORMULA N work_beyond(const Continuation& beyond, N strain, N q, N power) {
   return beyond.work + (beyond.stress - beyond.growth * beyond.power) * (strain - beyond.strain) +
          beyond.growth * area_of_power(beyond, beyond.exponent, q, power, beyond.power);
 }
 
-/// m - 1, and its change with ln u where the rate lies between the tested ones.
+/// m - 1, and its derivative by ln u (a power) or by the weight of the next tested rate.
 template <class N>
 struct Over {
   N over;
@@ -56,10 +56,10 @@ DASHPAD_FOAM_FORMULA Over<N> over_by_power(double exponent, double exponent_slop
   const N m = exp(power * log_rate);
   return {m - 1.0, power * m};
 }
-/// Of m or ln m at the tested rates on both sides.
+/// m - 1 from m (linear) or ln m at the tested rates on both sides.
 template <class N>
 DASHPAD_FOAM_FORMULA Over<N> over_between(bool linear, N before, N next, double weight) {
-  // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 wants a stress that does not fall.
+  // Cubics of curves that touch may cross by rounding; the proof of Eq. 36 needs a stress that does not fall.
   const N low = max(before, N(linear ? 1.0 : 0.0));
   const N step = max(next - low, N(0.0));
   const N between = low + weight * step;

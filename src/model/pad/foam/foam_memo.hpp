@@ -1,6 +1,6 @@
 #pragma once
-/// Tables of foams that were made ready before. To make them takes most of the time of a short test, and
-/// whoever varies one number of a law after the other needs most of them again.
+/// Cache of the tables of foams. Making them takes most of the time of a short test, and varying the numbers
+/// of a law one after the other needs most of them again.
 
 #include <deque>
 
@@ -10,10 +10,10 @@
 
 namespace dashpad {
 
-/// For one thread. Holds the latest few; what it gives is what would be made.
+/// Holds the latest tables, for one thread; results are the same as without it.
 class FoamMemo {
  public:
-  /// Valid until the next call.
+  /// The prepared curve, valid until the next call.
   const FoamCurve& curve(const BaseCurve& base, double continuation_exponent) {
     for (const KnownCurve& known : curves_)
       if (known.exponent == continuation_exponent && known.base == base) return known.curve;
@@ -22,7 +22,7 @@ class FoamMemo {
     return curves_.front().curve;
   }
 
-  /// The table of the way back with these two numbers, which `make` makes. Valid until the next call.
+  /// The table of the way back with these two numbers, made by `make` if new. Valid until the next call.
   template <class Make>
   const CellTable& way_back(double factor, double shape, Make&& make) {
     for (const KnownWayBack& known : ways_back_)
@@ -33,7 +33,7 @@ class FoamMemo {
   }
 
  private:
-  /// Central differences by fifteen numbers, and the place between.
+  /// Room for central differences by fifteen numbers, and the values between.
   static constexpr std::size_t most = 32;
   struct KnownCurve {
     BaseCurve base;

@@ -17,13 +17,13 @@ namespace {
 
 using Violations = std::vector<Violation>;
 
-/// Where a curve is looked at, evenly up to its last strain.
+/// Number of strains at which a curve is checked, evenly up to its last one.
 constexpr int places = 400;
 constexpr double highest_rate = 1e9;  // 1/s
 
 std::string entry(const std::string& key, std::size_t i) { return fmt::format("{}[{}]", key, i + 1); }
 
-/// Largest fall behind a larger stress, as a share of that.
+/// Largest fall of the stress below an earlier maximum, as a share of that.
 double softening_of(const std::vector<double>& stress) {
   double top = 0;
   double most = 0;
@@ -34,7 +34,7 @@ double softening_of(const std::vector<double>& stress) {
   return most;
 }
 
-/// Points that a curve can be drawn through; true if they are sound.
+/// Checks the points of a table; true if they are sound.
 bool check_points(const TableCurve& table, const std::string& key, Violations& broken) {
   const std::size_t before = broken.size();
   const std::string strains = key + ".strain";
@@ -107,7 +107,7 @@ bool check_rate(double rate, double before, const std::string& key, Violations& 
   return rate > before && rate <= highest_rate;
 }
 
-/// A rate that is reached before the slower one, or the strain where a curve goes below a slower one.
+/// Checks that a curve does not fall below that of the slower rate.
 void check_crossing(const MonotoneCurve& fast, double fast_rate, const auto& slow, double slow_rate,
                     double last, const std::string& key, Violations& broken) {
   for (int i = 1; i <= places; ++i) {
@@ -184,7 +184,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
   }
 }
 
-/// The base curve, if it is sound.
+/// Checks all curves and returns the base curve, if it is sound.
 std::optional<FoamCurve> check_curves(const FoamCurves& curves, double continuation_exponent,
                                       Violations& broken) {
   if (!(curves.slowest_rate > 0 && curves.slowest_rate <= highest_rate))

@@ -1,5 +1,5 @@
 #pragma once
-/// What the curves of a foam must keep to beyond the bounds of single numbers.
+/// Rules of a foam's curves beyond the bounds of single numbers.
 ///
 /// Keys are those of cards: `curve.stress[3]`, `rate.curves[1].strain[2]`, `unloading.stress[4]`.
 
@@ -13,12 +13,12 @@ namespace dashpad {
 void check_rules(const Foam& law, std::vector<Violation>& broken);
 void check_rules(const CrushableFoam& law, std::vector<Violation>& broken);
 
-/// A curve of a higher rate may fall by this share of the largest stress before; then the result is flagged.
+/// Share of the largest earlier stress by which a curve of a higher rate may fall; results are then flagged.
 inline constexpr double most_softening = 0.1;
-/// Curves that cross by less are taken to touch: what a plotter or a digitiser leaves.
+/// Share by which curves may cross, as an error of plotting or digitising; they are then taken to touch.
 inline constexpr double most_crossing = 0.02;
 
-/// The rates, 1/s, whose curves fall somewhere by more than a thousandth.
+/// Rates with a curve that falls somewhere by more than a thousandth, 1/s.
 std::vector<double> softening_rates(const FoamCurves& curves);
 
 }  // namespace dashpad

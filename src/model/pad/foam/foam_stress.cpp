@@ -66,7 +66,7 @@ double FoamStress::strain_of_crater(double largest, double least) const {
     const Strain at_strain = dashpad::strain_of(strain);
     return curve_.at(at_strain).stress / slope_back(at_strain);
   };
-  // It grows with the strain until the curve is steeper than the unloading, and falls from there on.
+  // The recovery grows with the strain until the curve is steeper than the unloading, and falls beyond.
   const double steep = curve_.strain_where_steep(modulus_, infinite);
   const double most = std::max(sprung_back(largest), sprung_back(std::clamp(steep, least, largest)));
   return std::max(largest - most, 0.0);
@@ -77,7 +77,7 @@ double FoamStress::moment_of_slope_back(const Place& from, const Place& to, doub
   const auto constant = [&](double begin, double end) {
     return modulus_ * (end - begin) * (at_zero + rise * (begin + end) / 2);
   };
-  // Of the crush curve's own slope, by parts.
+  // The crush curve's own slope, integrated by parts.
   const auto curved = [&](const Place& begin, const Place& end) {
     const auto at = [&](const Place& place) {
       return place.base.stress * (at_zero + rise * place.strain.value);

@@ -1,5 +1,5 @@
 #pragma once
-/// The stress of a foam's column, by its strain, the largest strain it has seen, and the slip rate.
+/// The stress of a column of foam, as a function of its strain, its largest strain and the slip rate.
 ///
 ///   foam:           (1 - f) s(e) D(W(e) / W(e*)) + s(e) q(e, u)                (theory.md, Eq. 32)
 ///   crushable foam: max(s(e*) - E (e* - e), 0) + s(e) q(e, u)                  (theory.md, Eq. 38)
@@ -25,17 +25,17 @@ class FoamStress {
  public:
   /// The laws must be sound (violations(PadLaw)).
   explicit FoamStress(const Foam& law);
-  /// The same, with tables that were made before.
+  /// The same with cached tables.
   FoamStress(const Foam& law, FoamMemo& memo);
   explicit FoamStress(const CrushableFoam& law);
 
-  /// A column, as far as its strain goes.
+  /// A strain, with its place in the tables and the base curve there.
   struct Place {
     Strain strain;
     CellPlace cell;
     FoamCurve::Point base;
   };
-  /// Where e = root^2 lies within the tested strains.
+  /// The place of e = root^2 within the tested strains.
   [[nodiscard]] Place within(double root) const {
     const CellPlace cell = curve_.cells().place(root);
     return {strain_of(root * root), cell, curve_.within(cell)};
@@ -50,17 +50,18 @@ class FoamStress {
     return within(std::sqrt(std::max(strain.value, 0.0)));
   }
 
-  /// The strain that leads a column whose largest strain lies `ahead` of its strain: of a crushed foam that
-  /// largest strain, since it comes back along a line from there; of any other its own.
+  /// Leading strain less strain of a column with its largest strain `ahead` of its strain. The leading strain
+  /// is the largest one for crushed foam, which unloads along a line from there, and the column's own
+  /// otherwise.
   [[nodiscard]] double lead(double ahead) const { return stays_crushed() ? std::max(ahead, 0.0) : 0; }
 
-  /// The stress of a column over that of the base curve at the strain that leads it.
+  /// The stress of a column over that of the base curve at its leading strain.
   struct Ratio {
     double stress = 0;
-    double relaxing = 0;  ///< its change with time while the strain is held, 1/s
+    double relaxing = 0;  ///< its rate while the strain is held, 1/s
   };
-  /// A crushed foam that has come back leaves a gap. `in_crater`: the rate multiplies the stress that is
-  /// left, nothing across the gap (theory.md, Eq. 49).
+  /// The ratio of a column. Crushed foam leaves a gap on the way back; `in_crater`: the rate multiplies the
+  /// remaining stress, and nothing acts across the gap (theory.md, Eq. 49).
   [[nodiscard]] Ratio ratio(const Place& leading, double ahead, const Overstress::AtRate& at,
                             double slip_rate, bool in_crater = false) const {
     const double relaxation = this->relaxation(slip_rate);
@@ -76,12 +77,12 @@ class FoamStress {
     const double share = in_crater ? line : own.base.stress / leading.base.stress;
     return {lasting + share * q.stress, relaxation * share * q.rise};
   }
-  /// Whether the ratio asks for the base curve at no strain but that of the column and its largest.
+  /// Whether the ratio needs the base curve only at the column's strain and its largest strain.
   [[nodiscard]] bool is_of_one_place(double ahead) const { return !stays_crushed() || ahead <= 0; }
-  /// The same for batches of places, where is_of_one_place().
+  /// The same for batches of places, if is_of_one_place().
   struct Rows {
     FoamCurve::Rows base;
-    const double* remaining = nullptr;  ///< D, four numbers a cell; none: 1
+    const double* remaining = nullptr;  ///< D, four numbers for each cell; null: 1
     double ahead = 0;
     double lasting = 1;  ///< 1 - f
     Overstress::AtRate rate;
@@ -98,48 +99,45 @@ class FoamStress {
             overstress_.rows(at),
             relaxation(slip_rate)};
   }
-  /// The stress of one column, Pa, with the elastic strain g (theory.md, Eq. 34).
+  /// The stress of one column at an elastic strain g of the slip, Pa (theory.md, Eq. 34).
   [[nodiscard]] double stress(Strain strain, double ahead, double g, bool in_crater = false) const {
     return response(strain, ahead, slip_.slip_rate(g), in_crater).stress;
   }
-  /// The stress of one column at a slip rate, Pa, and its change with time while the strain is held, Pa/s.
+  /// The stress of one column at a slip rate, Pa, and its rate while the strain is held, Pa/s.
   [[nodiscard]] Ratio response(Strain strain, double ahead, double slip_rate, bool in_crater = false) const {
     const double beyond = lead(ahead);
     const Place leading = at({strain.value + beyond, strain.complement - beyond});
     const Ratio of = ratio(leading, ahead, overstress_.at(slip_rate), slip_rate, in_crater);
     return {leading.base.stress * of.stress, leading.base.stress * of.relaxing};
   }
-  /// The strain of the axis at which a nose meets again the foam that it strained to `largest` there, and to
-  /// no less than `least` beside it: what a column springs back is s(e*) / max(E, s'(e*)) (theory.md, Eq.
-  /// 48).
+  /// The strain of the axis at which a nose meets the foam again that it had strained to `largest` there and
+  /// to at least `least` beside it: a column springs back by s(e*) / max(E, s'(e*)) (theory.md, Eq. 48).
   [[nodiscard]] double strain_of_crater(double largest, double least) const;
   /// Whether the ratio is the same at all strains.
   [[nodiscard]] bool is_even(double ahead, const Overstress::AtRate& at) const {
     return (ahead <= 0 || unloading_ == Unloading::none) && at.even;
   }
-  /// Whether the ratio grows with the strain, so that the columns that let go are those with the least
-  /// strain.
+  /// Whether the ratio grows with the strain, so that columns lose their stress from the edge inwards.
   [[nodiscard]] bool lets_go_from_one_side(const Overstress::AtRate& at) const {
     return at.even && !has_tested_way_back_;
   }
 
-  /// Whether the ratio goes through the points of tested curves.
+  /// Whether the ratio follows the points of tested curves.
   [[nodiscard]] bool has_points() const { return has_tested_way_back_ || overstress_.has_points(); }
 
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
   [[nodiscard]] const SlipScale& slip() const { return slip_; }
-  /// With which a crushed foam comes back from a largest strain, Pa: where the crush curve is steeper than
-  /// the unloading, as steeply as it went.
+  /// Slope of unloading of crushed foam from a largest strain, Pa: the modulus, or the slope of the crush
+  /// curve where that is steeper.
   [[nodiscard]] double slope_back(Strain largest) const {
     return std::max(modulus_, curve_.slope_beyond(largest));
   }
-  /// Integral of that slope times a line `at_zero` + `rise` e over the largest strains from one place to
-  /// another.
+  /// Integral of slope_back() times the line `at_zero` + `rise` e over largest strains between two places.
   [[nodiscard]] double moment_of_slope_back(const Place& from, const Place& to, double at_zero,
                                             double rise) const;
-  /// The largest strain of the column of a crushed foam whose stress is largest where all strains have come
-  /// back by `ahead`: s(e*) - max(E, s'(e*)) ahead has its maximum there.
+  /// The largest strain e* of the most stressed column of crushed foam after all strains have come back by
+  /// `ahead`: s(e*) - max(E, s'(e*)) ahead has its maximum there.
   [[nodiscard]] double longest_pressed(double ahead) const {
     return curve_.strain_where_steep(modulus_, ahead);
   }
@@ -147,12 +145,12 @@ class FoamStress {
 
  private:
   enum class Unloading { none, damage, elastic };
-  inline static const Cells whole{1};  ///< of x, the share of the work
+  inline static const Cells whole{1};  ///< cells of x, the share of the work
   static constexpr CellPlace last_cell{Cells::count - 1, 1};
 
   FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo);
 
-  /// Change of ln |u| with time while the strain is held, with the sign of the stress's change, 1/s.
+  /// Rate of ln |u| while the strain is held, with the sign of the stress's change, 1/s.
   [[nodiscard]] double relaxation(double slip_rate) const {
     return (slip_rate < 0 ? 1 : -1) * (std::abs(slip_rate) + slip_.rate) / slip_.strain;
   }
@@ -162,17 +160,17 @@ class FoamStress {
     const double most = curve_.at({place.strain.value + ahead, place.strain.complement - ahead}).work;
     return remaining_.at(whole.place(std::sqrt(place.base.work / most)));
   }
-  /// D where the foam comes back along a curve, x in [0, 1].
+  /// D by a curve of unloading, for x in [0, 1].
   [[nodiscard]] double share_of(const MonotoneCurve& back, double x) const;
 
   Unloading unloading_ = Unloading::none;
-  bool has_tested_way_back_ = false;  ///< D need not grow with the strain
+  bool has_tested_way_back_ = false;  ///< whether D follows a curve; it may then fall with the strain
   double friction_ = 0;
   double modulus_ = 0;  ///< E
   FoamCurve curve_;
   SlipScale slip_;
   Overstress overstress_;
-  CellTable remaining_;  ///< D over the root of x
+  CellTable remaining_;  ///< D as a function of the root of x
 };
 
 }  // namespace dashpad

@@ -1,7 +1,7 @@
 #pragma once
-/// The points of a table as a curve through the origin, with what follows beyond the last point.
+/// The points of a table as a curve through the origin.
 
-// Boost 1.74 calls isnan without a namespace.
+// Boost 1.74 uses isnan without a namespace.
 #include <math.h>  // NOLINT(modernize-deprecated-headers)
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace dashpad {
 
-/// Monotone cubic between the points, and straight on beyond the last. The table must be sound.
+/// A monotone cubic between the points, continued as a line beyond the last. The table must be sound.
 class MonotoneCurve {
  public:
   explicit MonotoneCurve(const TableCurve& table)

@@ -31,7 +31,7 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
             const MonotoneCurve curve(table);
             const double last = std::min(curve.last_strain(), base.last_strain());
             const auto ratio = [&](double root) {
-              // Both curves begin at nothing; their ratio is that of the first cell's end.
+              // Both curves start at 0; within the first cell their ratio is that at its end.
               const double e = std::clamp(root * root, base.cells().width * base.cells().width, last);
               const double m = curve.stress(e) / base.at(strain_of(e)).stress;
               return linear_ ? m : std::log(m);

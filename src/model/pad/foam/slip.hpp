@@ -1,11 +1,11 @@
 #pragma once
-/// The slip rate u of a foam, which follows the strain rate within a small strain.
+/// The slip rate u of a foam, which follows the strain rate with a lag of a small strain.
 ///
 ///   dg/dt = rate - u,   u = u0 (exp(|g| / c) - 1) sgn g                          (theory.md, Eq. 34)
 ///
 /// g is the elastic strain of the rate's stress, the same for all columns below a nose. c is a twentieth of
 /// the lag strain, u0 a thousandth of the slowest tested rate. The equation is linear in z = exp(-|g| / c),
-/// and its solution exact while the rate goes evenly from one value to another. Rates in 1/s.
+/// and its solution exact while the rate changes evenly. Rates in 1/s.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ struct SlipScale {
   }
   [[nodiscard]] double strain_of(State state) const { return -state.side * strain * std::log(state.z); }
 
-  /// u.
+  /// u, 1/s.
   [[nodiscard]] double slip_rate(double g) const {
     return std::copysign(rate * std::expm1(std::abs(g) / strain), g);
   }
@@ -39,12 +39,12 @@ struct SlipScale {
   [[nodiscard]] double after(double g, double strain_rate, double time) const {
     return after(g, strain_rate, strain_rate, time);
   }
-  /// The same while the rate goes evenly from one value to another.
+  /// The same while the rate changes evenly from one value to another.
   [[nodiscard]] double after(double g, double from_rate, double to_rate, double time) const {
     return strain_of(after(state_of(g), from_rate, to_rate, time));
   }
-  /// The same over a step of a mean rate, after one of another: the rate within the step goes on as from the
-  /// last step to this one, but keeps its sign. `last_time` 0: there was no step before.
+  /// The same over a step with a mean rate that follows another step: the rate within the step continues its
+  /// change from the last step to this one, but keeps its sign. `last_time` 0: there was no step before.
   [[nodiscard]] State after_step(State state, double mean_rate, double time, double last_rate,
                                  double last_time) const {
     const double trend = last_time > 0 ? (mean_rate - last_rate) * time / (time + last_time) : 0;
@@ -63,20 +63,20 @@ struct SlipScale {
     if (state.z == 1) state.side = direction < 0 ? -1 : 1;
     const double z = followed(state, from_rate, to_rate, time);
     if (z <= 1 || state.side * direction >= 0) return {std::min(z, 1.0), state.side};
-    // g comes to 0 on the way, and goes on to the other side.
+    // g passes 0 within the step.
     const double zero = time_of_turn(state, from_rate, to_rate, time);
     state = {1, -state.side};
     return {std::min(followed(state, rate_at(zero), to_rate, time - zero), 1.0), state.side};
   }
 
  private:
-  static constexpr double most_growth = 600;  // of log z: a double holds it
+  static constexpr double most_growth = 600;  // of log z, within the range of a double
 
-  /// When g comes to 0 within a step at whose end z would be above 1: Newton's method for log z, from where
-  /// it would be at an even rate, within what is known to be before and after.
+  /// Time at which g reaches 0 within a step at the end of which z would exceed 1: Newton's method for log z
+  /// inside a bracket, starting from the time at an even rate.
   [[nodiscard]] double time_of_turn(State state, double from_rate, double to_rate, double time) const {
     constexpr int most = 60;
-    constexpr double precision = 1e-9;  // of the step
+    constexpr double precision = 1e-9;  // share of the step
     const double growth = state.side * (to_rate - from_rate) / time;
     const double from = state.side * from_rate;
     const auto with_even_rate = [&](double mean_rate) {
@@ -94,7 +94,7 @@ struct SlipScale {
       const double step = strain * std::log(z) / (rate_there + rate * (1 - 1 / z));
       const double next = t + step;
       const double missed = (rate + std::abs(growth / rate_there)) / strain * step * step;
-      // Beyond what a double holds the slope says nothing.
+      // Near overflow the slope is meaningless.
       if (next >= before && next <= after && z < std::exp(most_growth / 2)) {
         if (missed <= precision * time) return next;
         t = next;
@@ -104,7 +104,7 @@ struct SlipScale {
     }
     return after;
   }
-  /// z where dz/dt = (u0 - pull z) / c with pull = side rate + u0; above 1 once g has come to 0.
+  /// z by dz/dt = (u0 - pull z) / c with pull = side rate + u0; above 1 once g has passed 0.
   [[nodiscard]] double followed(State state, double from_rate, double to_rate, double time) const {
     const double from = state.side * from_rate + rate;
     const double to = state.side * to_rate + rate;
@@ -123,8 +123,8 @@ struct SlipScale {
     const double sign = lags < 0 ? -1 : 1;
     return steady(to, growth, sign) + (z - steady(from, growth, sign)) * left;
   }
-  /// A solution z of that equation for a pull that grows by growth / c in a time: the one that follows the
-  /// pull where that changes little over a lag. `sign`: of all pulls of a step.
+  /// The solution z of that equation that follows the pull where it changes little within the lag; the pull
+  /// changes at the rate growth / c. `sign`: sign of all pulls of a step.
   [[nodiscard]] double steady(double pull, double growth, double sign) const {
     constexpr double little = 0.01;
     if (std::abs(growth) <= little * pull * pull) {

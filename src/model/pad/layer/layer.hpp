@@ -16,42 +16,42 @@
 
 namespace dashpad {
 
-/// What one layer of a pad remembers at one column, and the step that it is told to take.
+/// State of one layer of a column.
 ///
 /// Strains are engineering strains of the layer, compression positive; times in s.
 struct LayerState {
-  double strain = 0;   ///< now; below 0 where the nose does not reach the column
-  double largest = 0;  ///< so far, >= 0
-  double rate = 0;     ///< mean over the last step, 1/s
-  double memory = 0;   ///< of the law: foams: exp(-|g| / c) with the sign of g (theory.md, Eq. 34); law 2: Pa
+  double strain = 0;   ///< present strain; below 0 where the nose does not reach the column
+  double largest = 0;  ///< largest strain so far, >= 0
+  double rate = 0;     ///< mean strain rate over the last step, 1/s
+  double memory = 0;   ///< foams: exp(-|g| / c) with the sign of g (theory.md, Eq. 34); law 2: q, Pa
 };
 
 struct LayerStep {
-  double time = 0;       ///< its length, > 0
-  double last_time = 0;  ///< of the step before; 0: there was none
+  double time = 0;       ///< length of the step, > 0
+  double last_time = 0;  ///< length of the step before; 0: there was none
 };
 
-/// A layer whose strain is held, or hardly changes (theory.md, Eq. 54).
+/// Response of a layer to a strain that is held or changes suddenly (theory.md, Eq. 54).
 struct LayerTangent {
-  double relaxing = 0;   ///< change of the stress with time while the strain is held, Pa/s
-  double loading = 0;    ///< change of the stress with a sudden strain, Pa, > 0
-  double unloading = 0;  ///< the same backwards
+  double relaxing = 0;   ///< rate of the stress while the strain is held, Pa/s
+  double loading = 0;    ///< slope of the stress for a sudden strain, Pa, > 0
+  double unloading = 0;  ///< the same for a falling strain
 };
 
-/// A layer of foam or crushable foam (theory.md, Eqs. 32 to 38): its stress at the end of a step, by the
-/// strain there. The formulas are those of a pad of one foam; here each column has a slip of its own.
+/// A layer of foam or crushable foam (theory.md, Eqs. 32 to 38): its stress at the end of a step as a
+/// function of the strain there. The formulas are those of a pad of one foam, with a slip for each column.
 ///
 /// Stress in Pa, compression positive.
 class FoamLayer {
  public:
   static constexpr double memory_at_rest = 1;
 
-  /// Every stress is multiplied by `factor`.
+  /// `factor` multiplies every stress.
   template <SharesSlip Law>
   FoamLayer(const Law& law, double factor) : stress_(law), factor_(factor) {}
 
-  /// Of a crushed foam that has come back free of stress, below zero: its line goes on, so that no stress has
-  /// two strains.
+  /// The stress at the end of a step. That of crushed foam continues below zero along its line of unloading,
+  /// so that each stress belongs to one strain.
   [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
     const double ahead = std::max(now.largest - end.value, 0.0);
     const double stress = stress_.response(end, ahead, slip_rate(end, now, step)).stress;
@@ -74,15 +74,15 @@ class FoamLayer {
       return stress_.response(strain, std::max(state.largest - strain.value, 0.0),
                               slip.slip_rate(g + further));
     };
-    // Small against the strain over which the slip follows, large against rounding.
+    // Small against the lag of the slip, large against rounding.
     const double change = 1e-5 * slip.strain;
     const FoamStress::Ratio here = response(0);
     return {factor_ * here.relaxing, factor_ * (response(change).stress - here.stress) / change,
             factor_ * (here.stress - response(-change).stress) / change};
   }
-  /// Of the slowest test, Pa.
+  /// The stress in the slowest test, Pa.
   [[nodiscard]] double slow_stress(Strain at) const { return factor_ * stress_.curve().at(at).stress; }
-  /// With which power of the gap that is left the stress grows at last.
+  /// Exponent n with which the stress grows as gap^-n near full compression.
   [[nodiscard]] double closing_exponent() const { return stress_.curve().continuation_exponent(); }
   /// A foam keeps its slip.
   [[nodiscard]] static double memory_off_contact(double memory) { return memory; }
@@ -136,13 +136,13 @@ class LinearLayer {
     return {-state.memory / time_, lasting_ + relaxing_, lasting_ + relaxing_};
   }
   [[nodiscard]] double slow_stress(Strain at) const { return lasting_ * at.value; }
-  /// It closes under a finite stress.
+  /// A linear layer closes at a finite stress.
   [[nodiscard]] static double closing_exponent() { return 0; }
-  /// A column that the nose has left starts afresh.
+  /// A column that the nose has left starts anew.
   [[nodiscard]] static double memory_off_contact(double) { return memory_at_rest; }
 
  private:
-  /// q at the end of a step. The column may be met within it: its strain begins below 0 then.
+  /// q at the end of a step, Pa. If the column is touched within the step, its strain begins below 0.
   [[nodiscard]] double branch_after(Strain end, const LayerState& now, const LayerStep& step) const {
     if (relaxing_ == 0) return 0;
     const double from = std::max(now.strain, 0.0);
@@ -160,7 +160,7 @@ class LinearLayer {
 
 using Layer = std::variant<FoamLayer, LinearLayer>;
 
-/// Every stress is multiplied by `factor`.
+/// `factor` multiplies every stress.
 inline Layer made_layer(const LayerLaw& law, double factor) {
   return std::visit(
       [&]<class Law>(const Law& of) -> Layer {
@@ -178,11 +178,12 @@ struct StrainOfStress {
   double flexibility = 0;  ///< d(strain)/d(stress), 1/Pa
 };
 
-/// Roots are sought over x = -ln(1 - e): the complement keeps its digits where a layer is nearly closed.
+/// The variable x = -ln(1 - e) of root searches, in which the complement keeps its digits where a layer is
+/// nearly closed.
 struct LogStrain {
   static constexpr double precision = 1e-13;
-  /// A layer of which this share is left counts as closed, and carries any stress. Less than what the lock
-  /// of a pad leaves (theory.md, Eq. 29).
+  /// Share of a layer's thickness at which it counts as closed and carries any stress; less than the gap at
+  /// which a pad locks (theory.md, Eq. 29).
   static constexpr double least_complement = 1e-10;
 
   static double most() { return -std::log(least_complement); }
@@ -196,8 +197,8 @@ struct LogStrain {
   }
 };
 
-/// The strain at which `stress_at(strain)` is a stress, Pa, found from the guess `x` with the slope
-/// d(stress)/dx there (0: not known) and a first stride.
+/// The strain at which `stress_at(strain)` equals `stress`, Pa. The search starts at `x` with the slope
+/// d(stress)/dx (0: not known) and a first stride.
 template <class StressAt>
 StrainOfStress strain_at(double stress, double x, double slope, double stride, StressAt&& stress_at) {
   const IncreasingRoot root =

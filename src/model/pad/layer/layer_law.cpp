@@ -16,8 +16,8 @@ namespace {
 
 const std::string must = "a layer needs a law whose stress rises with the strain: ";
 
-/// Largest strain of a column from which it comes back with a stress that rises on the way, by more than
-/// what a digitiser leaves; nothing for a foam without such a strain.
+/// A largest strain from which the stress rises on the way back by more than an error of digitising; nothing
+/// if there is none.
 std::optional<double> strain_of_falling_return(const Foam& law) {
   if (!law.unloading_curve) return std::nullopt;
   constexpr int places = 40;
@@ -36,13 +36,13 @@ std::optional<double> strain_of_falling_return(const Foam& law) {
   return std::nullopt;
 }
 
-/// A rate, 1/s, at which the loading curve falls behind a larger stress, by more than what a digitiser
-/// leaves; nothing where all curves rise.
+/// A rate at which the loading curve falls by more than an error of digitising, 1/s; nothing if all curves
+/// rise.
 std::optional<double> falling_rate(const FoamCurves& curves) {
   if (const std::vector<double> rates = softening_rates(curves); !rates.empty()) return rates.front();
   const auto* power = std::get_if<PowerRateEffect>(&curves.rate_effect);
   if (power == nullptr || power->exponent_slope >= 0) return std::nullopt;
-  // The curve of the highest rate is the first to fall where the rate counts less at larger strains.
+  // If the rate effect falls with the strain, the curve of the highest rate is the first to fall.
   constexpr int places = 400;
   constexpr double noticed = 1e-3;
   const FoamStress stress(Foam{.curves = curves, .unloading_curve = {}});

@@ -1,6 +1,6 @@
 #pragma once
-/// The laws that a layer of a pad may have: those whose stress rises with the strain at every rate, so that a
-/// stress tells the strain of each layer (theory.md, Eq. 52).
+/// The laws that a layer of a pad may have: their stress rises with the strain at every rate, so that it
+/// determines the strain of each layer (theory.md, Eq. 52).
 
 #include <cstddef>
 #include <optional>
@@ -15,10 +15,10 @@ inline constexpr std::size_t most_layers = 8;
 
 using LayerLaw = std::variant<Elastic, LinearViscoelastic, Foam, CrushableFoam>;
 
-/// Nothing for a law that layers do not admit.
+/// The law as one of a layer; nothing if layers do not admit it.
 std::optional<LayerLaw> layer_law(const PadLaw& law);
 
-/// The rule that a sound law breaks as a layer, at most one: its key is `law`, or that of a curve that falls.
+/// The rule that a sound law breaks as a layer, at most one; its key is `law`, `rate` or `unloading`.
 std::vector<Violation> violations_as_layer(const PadLaw& law);
 
 }  // namespace dashpad

@@ -35,14 +35,14 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
     found.strain.fill({wanted.y / thickness_, wanted.gap / thickness_});
     return found;
   }
-  // A step may be tried that goes beyond full compression.
+  // A trial may go beyond full compression.
   const double least_gap = 2 * LogStrain::least_complement * thickness_;
   const Shortening end = wanted.gap > least_gap ? wanted : Shortening{thickness_ - least_gap, least_gap};
   StepSolver at(layers_, thicknesses_, now, step);
   at.begin(guess);
   const double first = std::max(guess.stress, least_stress_);
   const double scale = std::max(first, slow_.at({end.y / thickness_, end.gap / thickness_}).stress);
-  // A column that was free of stress is likely to be so still.
+  // A column without stress is likely to remain so.
   double stress = least_stress_;
   bool is_free = guess.stress <= least_stress_ && at.excess(stress, end) > 0;
   if (!is_free) {
@@ -69,11 +69,11 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
     const StrainOfStress& layer = at.layer(i);
     found.layer_flexibility[i] = layer.flexibility;
     if (is_free) {
-      // The nose has left the column behind, or would pull it: its layers share what is left in proportion.
+      // The column is free of stress: its layers share the remaining shortening in proportion (Eq. 53).
       const double share = end.y / (end.y + excess);
       found.strain[i] = {layer.strain.value * share, 1 - layer.strain.value * share};
     } else {
-      // What the last look left over.
+      // The layers share the excess of the last evaluation by their flexibility.
       const double change =
           excess * (found.flexibility > 0 ? layer.flexibility / found.flexibility : 1 / thickness_);
       found.strain[i] = {layer.strain.value - change, layer.strain.complement + change};
@@ -87,8 +87,9 @@ double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const 
   for (std::size_t i = 0; i < size(); ++i)
     tangent[i] =
         std::visit([&](const auto& layer) { return layer.tangent(strain[i], state[i]); }, layers_[i]);
-  // Of the rate r of the stress, sum L_i (r - relaxing_i) / slope_i = 0, with the slope of the side to which
-  // the layer moves: rising and convex, so Newton's rule comes from above and stops at a side it has seen.
+  // The rate r of the stress solves sum L_i (r - relaxing_i) / slope_i = 0 with the slope of the side to
+  // which each layer moves. It is piecewise linear, rising and convex in r, so Newton's method descends to
+  // the root and ends once no layer changes its side.
   double rate = 0;
   for (std::size_t k = 0; k <= size() + 1; ++k) {
     double relaxing = 0;
@@ -109,7 +110,7 @@ double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const 
 FoamCurve LayerSeries::made_slow_curve() const {
   constexpr int points = 96;
   constexpr double last = 0.9;
-  // The layer with the largest exponent is the last to close: of a gap, the others have a vanishing share.
+  // The layer with the largest exponent is the last to close; the others have a vanishing share of the gap.
   double exponent = 0;
   for (const Layer& layer : layers_)
     exponent = std::max(exponent, std::visit([](const auto& of) { return of.closing_exponent(); }, layer));

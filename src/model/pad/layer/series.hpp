@@ -1,12 +1,11 @@
 #pragma once
-/// A column of layers in series: one stress in all of them, and strains that sum up to its shortening.
+/// A column of layers in series: one stress in all of them, and strains that add up to its shortening.
 ///
 ///   y = sum of L_i e_i,   stress_i(e_i) = stress for every layer                      (theory.md, Eq. 51)
 ///
-/// The unknown of a step is the stress at its end. A layer's stress at the end of a step rises with its
-/// strain there, if as steeply as a jump where the layer turns, so e_i and y are single-valued, continuous
-/// functions of the stress that do not fall (theory.md, Eq. 52): y has one root, whatever branch each layer
-/// is on.
+/// The unknown of a step is the stress at its end. A layer's stress there rises with its strain, as steeply
+/// as a jump where the layer turns, so e_i and y are single-valued, continuous, non-decreasing functions of
+/// the stress (theory.md, Eq. 52): y has one root, on whatever branch each layer is.
 ///
 /// Lengths in m, stress in Pa, compression positive.
 
@@ -23,11 +22,11 @@ namespace dashpad {
 
 class LayerSeries {
  public:
-  /// A layer as it is made; its law must keep its rules (layer_law.hpp).
+  /// Data of a layer; its law must keep the rules of layer_law.hpp.
   struct Part {
     double thickness = 0;
     LayerLaw law;
-    double factor = 1;  ///< by which every stress is multiplied
+    double factor = 1;  ///< factor of every stress
 
     friend bool operator==(const Part&, const Part&) = default;
   };
@@ -39,27 +38,27 @@ class LayerSeries {
   [[nodiscard]] double memory_at_rest(std::size_t layer) const;
   [[nodiscard]] double memory_off_contact(std::size_t layer, double memory) const;
 
-  /// The whole column pressed slowly, as one foam: stress over y / L. It is what contact integrals are
-  /// weighted with, and no result depends on it.
+  /// Stress of the whole column pressed slowly, over y / L: the weight of contact integrals, on which no
+  /// result depends.
   [[nodiscard]] const FoamCurve& slow_curve() const { return slow_; }
 
   struct Solution {
-    /// Below 0 where the column is free of stress: then what a spring of its stiffness would pull.
+    /// Pa; below 0 where the column is free of stress: the tension of a spring of its stiffness.
     double stress = 0;
     double flexibility = 0;  ///< dy/d(stress), m/Pa, >= 0
     std::array<Strain, most_layers> strain;
     PerLayer layer_flexibility{};
-    std::size_t looks = 0;         ///< stresses of a layer that were computed
-    std::size_t nested_looks = 0;  ///< of them, for a root within a root
+    std::size_t looks = 0;         ///< number of layer stresses computed
+    std::size_t nested_looks = 0;  ///< those for a root within a root
   };
   [[nodiscard]] Solution solve(const Shortening& end, const LayerStates& now, const LayerStep& step,
                                const ColumnGuess& guess) const;
 
-  /// The states at the end of a solved step.
+  /// The state of a layer at the end of a solved step.
   [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,
                                  const LayerStep& step) const;
-  /// d(stress)/dt if the shortening is held from a state on: layers that relax more give way to the others
-  /// (theory.md, Eq. 54). Pa/s.
+  /// d(stress)/dt if the shortening is held from a state on, Pa/s: layers that relax more yield to the others
+  /// (theory.md, Eq. 54).
   [[nodiscard]] double stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const;
 
  private:
@@ -71,7 +70,7 @@ class LayerSeries {
   std::vector<double> thicknesses_;
   double thickness_ = 0;
   FoamCurve slow_;
-  double least_stress_ = 0;  ///< what counts as none
+  double least_stress_ = 0;  ///< stress that counts as zero, Pa
 };
 
 }  // namespace dashpad

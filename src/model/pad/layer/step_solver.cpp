@@ -7,7 +7,7 @@ namespace {
 
 double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::least_complement); }
 
-/// Sum of L_i e_i less y, one layer after the other; near full compression by the gaps, which keep their
+/// Sum of L_i e_i less y, added layer by layer; near full compression summed by the gaps, which keep their
 /// digits there.
 class Excess {
  public:
@@ -77,7 +77,7 @@ bool StepSolver::settle(const Shortening& end, double least_stress, double& stre
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       const Strain strain = LogStrain::strain(x[i]);
       const double now = stress_of(i, strain);
-      // Of a step shorter than the precision the slope is rounding: the guess, which was good, stays.
+      // If the step is shorter than the precision, its slope is rounding: the guessed slope is kept.
       if (k > 0) {
         chord[i] = std::abs(x[i] - before[i]);
         if (chord[i] > precision) slope[i] = (now - value[i]) / (x[i] - before[i]);

@@ -1,6 +1,6 @@
 #pragma once
 /// The strains of all layers of a column at the end of one step, by the stress there (theory.md, Eq. 52).
-/// What was found last is the guess for the next.
+/// Each result is the guess for the next.
 
 #include <algorithm>
 #include <array>
@@ -15,17 +15,17 @@ namespace dashpad {
 using PerLayer = std::array<double, most_layers>;
 using LayerStates = std::array<LayerState, most_layers>;
 
-/// How far a column is pressed, m.
+/// Shortening of a column, m.
 struct Shortening {
   double y = 0;    ///< below 0 where the nose does not reach the column
   double gap = 0;  ///< L - y, without cancellation
 };
 
-/// Where the solution of a step is likely to be.
+/// Guess of the solution of a step.
 struct ColumnGuess {
   double stress = 0;
   PerLayer strain{};
-  PerLayer flexibility{};        ///< of each layer, d(strain)/d(stress), 1/Pa; 0: not known
+  PerLayer flexibility{};        ///< d(strain)/d(stress) of each layer, 1/Pa; 0: not known
   double total_flexibility = 0;  ///< dy/d(stress), m/Pa; 0: not known
 };
 
@@ -37,18 +37,18 @@ class StepSolver {
       : layers_(layers), thicknesses_(thicknesses), now_(now), step_(step) {}
 
   void begin(const ColumnGuess& guess);
-  /// All layers at once, by secants from the guess on; false where they do not settle soon, or not above
-  /// `least_stress`. Each look tells every layer's stress and slope, from which follow the stress of the
-  /// column and the strains of the next: half as many looks as for a root within a root, which is what is
-  /// left where this fails.
+  /// Solves for all layers at once, by secants from the guess on; false if they do not settle soon, or not
+  /// above `least_stress`. Each evaluation gives stress and slope of every layer, from which the stress of
+  /// the column and the next strains follow. This takes half as many evaluations as a root within a root, the
+  /// fallback.
   bool settle(const Shortening& end, double least_stress, double& stress);
-  /// y at a stress, less that of `end`, m.
+  /// y at a stress less that of `end`, m.
   double excess(double stress, const Shortening& end);
 
   [[nodiscard]] double last_excess() const { return excess_; }
   [[nodiscard]] double flexibility() const { return flexibility_; }  ///< dy/d(stress), m/Pa
   [[nodiscard]] const StrainOfStress& layer(std::size_t i) const { return last_[i]; }
-  /// Stresses of a layer that were computed, and how many of them for a root within a root.
+  /// Number of layer stresses computed, and of those for a root within a root.
   [[nodiscard]] std::size_t looks() const { return looks_; }
   [[nodiscard]] std::size_t nested_looks() const { return nested_looks_; }
 

@@ -19,7 +19,7 @@ struct AvalleCurve {
   double plateau_exponent = 0;        ///< m, [0, 20]
   double densification_stress = 0;    ///< B, Pa, >= 0
   double densification_exponent = 0;  ///< n, [0.5, 20]
-  double highest_strain = 0;          ///< (0, 1): up to here it was fitted
+  double highest_strain = 0;          ///< highest fitted strain, (0, 1)
 
   static constexpr const char* name = "avalle";
   static const std::array<Parameter<AvalleCurve>, 6> parameters;

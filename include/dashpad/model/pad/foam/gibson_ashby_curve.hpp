@@ -3,7 +3,7 @@
 ///
 ///   s(e) = S (1 - exp(-E e / S)) + p0 e / (1 - e - R)
 ///
-/// The first part rises with the modulus E to the plateau S (their elastic line and plateau, made smooth: an
+/// The first term rises with the modulus E to the plateau S (their elastic line and plateau, smoothed: an
 /// assumption of ours); the second is the gas, compressed at constant temperature without lateral expansion.
 /// L. J. Gibson, M. F. Ashby: Cellular Solids, 2nd ed., Cambridge 1997, section 5.3. Stress in Pa.
 
@@ -19,7 +19,7 @@ struct GibsonAshbyCurve {
   double plateau_stress = 0;    ///< S, Pa, > 0
   double gas_pressure = 0;      ///< p0, Pa, >= 0: 0.1013 MPa for closed cells, 0 for open ones
   double relative_density = 0;  ///< R, density of the foam over that of its solid, [0, 0.9]
-  double highest_strain = 0;    ///< (0, 1 - R): up to here it was fitted
+  double highest_strain = 0;    ///< highest fitted strain, (0, 1 - R)
 
   static constexpr const char* name = "gibson-ashby";
   static const std::array<Parameter<GibsonAshbyCurve>, 5> parameters;

@@ -16,8 +16,8 @@ struct HyperfoamCurve {
   double first_modulus = 0;    ///< mu_1, Pa, > 0
   double first_exponent = 0;   ///< a_1, [-50, 50]
   double second_modulus = 0;   ///< mu_2, Pa, >= 0
-  double second_exponent = 0;  ///< a_2, likewise
-  double highest_strain = 0;   ///< (0, 1): up to here it was fitted
+  double second_exponent = 0;  ///< a_2, [-50, 50]
+  double highest_strain = 0;   ///< highest fitted strain, (0, 1)
 
   static constexpr const char* name = "hyperfoam";
   static const std::array<Parameter<HyperfoamCurve>, 5> parameters;
@@ -25,7 +25,7 @@ struct HyperfoamCurve {
   [[nodiscard]] double stress(double e) const {
     const double log_stretch = std::log1p(-e);
     const auto term = [&](double mu, double a) {
-      // Of a: the limit at 0 is the logarithm, which expm1 keeps.
+      // For a = 0 the term is its limit, the logarithm.
       return a == 0 ? -2 * mu * log_stretch / (1 - e) : -2 * mu / (a * (1 - e)) * std::expm1(a * log_stretch);
     };
     return term(first_modulus, first_exponent) + term(second_modulus, second_exponent);

@@ -1,5 +1,5 @@
 #pragma once
-/// A base curve of the shape of law 4 (theory.md, Eq. 14).
+/// A base curve with the shape A of law 4 (theory.md, Eq. 14).
 ///
 ///   s(e) = E e^m / (1 - e)^n
 ///
@@ -16,7 +16,7 @@ struct PowerCurve {
   double modulus = 0;              ///< E, Pa, > 0
   double contact_exponent = 0;     ///< m, (0, 1.5]
   double compaction_exponent = 0;  ///< n, [0, 4]
-  double highest_strain = 0;       ///< (0, 1): up to here it was fitted
+  double highest_strain = 0;       ///< highest fitted strain, (0, 1)
 
   static constexpr const char* name = "power";
   static const std::array<Parameter<PowerCurve>, 4> parameters;

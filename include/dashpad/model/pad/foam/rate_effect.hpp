@@ -1,11 +1,11 @@
 #pragma once
-/// How the stress of a foam grows with the strain rate, over its base curve: m(e, r), by which the stress of
-/// the slowest test is multiplied in a test at the constant rate r.
+/// The rate effect m(e, r) of a foam: ratio of the stress in a test at the constant rate r to that of the
+/// base curve.
 ///
 ///   m(e, r) = s(e, r) / s(e),   m = 1 at and below the slowest tested rate
 ///
-/// Between two tested rates ln m is linear in ln r; above the highest m stays what it is there. m must not
-/// fall as the rate rises. Rates in 1/s.
+/// Between two tested rates ln m is linear in ln r; above the highest m is constant. m must not fall as the
+/// rate rises. Rates in 1/s.
 
 #include <array>
 #include <variant>
@@ -16,7 +16,7 @@
 
 namespace dashpad {
 
-/// No rate but one was tested, or the rate does not matter.
+/// Only one rate was tested, or the rate has no effect.
 struct NoRateEffect {
   static constexpr const char* name = "none";
   friend bool operator==(const NoRateEffect&, const NoRateEffect&) = default;
@@ -42,7 +42,7 @@ struct FactorRateEffect {
   friend bool operator==(const FactorRateEffect&, const FactorRateEffect&) = default;
 };
 
-/// Whole curves at higher rates. Beyond the last strain of one of them its ratio to the base curve stays.
+/// Whole curves at higher rates. Beyond the last strain of a curve its ratio to the base curve is constant.
 struct CurvesRateEffect {
   struct AtRate {
     double rate = 0;  ///< 1/s
@@ -50,7 +50,7 @@ struct CurvesRateEffect {
     friend bool operator==(const AtRate&, const AtRate&) = default;
   };
   std::vector<AtRate> curves;  ///< rates increasing, above the slowest tested rate
-  /// Between two rates the stress is linear in the rate, as the decks of solvers have it.
+  /// Whether the stress is linear in the rate between two tested rates, as in decks of other solvers.
   bool linear = false;
 
   static constexpr const char* name = "curves";

@@ -1,9 +1,9 @@
 #pragma once
-/// A base curve by points of a test: through the origin, monotone cubic between the points.
+/// A base curve given by points of a test: through the origin, monotone cubic between the points.
 ///
-/// Interpolation of Fritsch and Carlson: the curve rises wherever its points rise, and has a continuous
-/// slope. Strain and nominal stress in Pa, compression positive; at least three points, strains increasing
-/// and below 1. A base curve rises from point to point; the curve of a higher rate may fall a little.
+/// Slopes by Fritsch and Butland: the curve rises wherever its points rise, and has a continuous slope.
+/// Strain and nominal stress in Pa, compression positive; at least three points, strains increasing and below
+/// 1. A base curve rises from point to point; the curve of a higher rate may fall a little.
 
 #include <cstddef>
 #include <vector>
