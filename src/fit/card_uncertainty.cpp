@@ -7,7 +7,6 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/design.hpp"
-#include "fit/met.hpp"
 #include "fit/problem.hpp"
 #include "fit/uncertainty.hpp"
 #include "quantities/text.hpp"

@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "study/sampling.hpp"
-#include "uncertainty/student.hpp"
+#include "uncertainty/line.hpp"
 
 namespace dashpad::fit {
 

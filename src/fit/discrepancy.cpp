@@ -1,4 +1,4 @@
-#include "fit/met.hpp"
+#include "fit/card.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "fit/determine.hpp"
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"
-#include "uncertainty/student.hpp"
+#include "uncertainty/line.hpp"
 
 namespace dashpad::fit {
 

@@ -9,7 +9,7 @@
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/design.hpp"
-#include "fit/met.hpp"
+#include "fit/card.hpp"
 #include "fit/problem.hpp"
 
 namespace dashpad::fit {

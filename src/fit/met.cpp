@@ -1,4 +1,4 @@
-#include "fit/met.hpp"
+#include "fit/card.hpp"
 
 #include <algorithm>
 #include <array>

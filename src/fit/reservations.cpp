@@ -10,7 +10,6 @@
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/design.hpp"
 #include "fit/card.hpp"
-#include "fit/met.hpp"
 #include "fit/problem.hpp"
 #include "quantities/text.hpp"
 

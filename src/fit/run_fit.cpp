@@ -12,7 +12,6 @@
 #include "dashpad/fit/report.hpp"
 #include "fit/card.hpp"
 #include "fit/determine.hpp"
-#include "fit/met.hpp"
 #include "fit/problem.hpp"
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"

@@ -1,4 +1,4 @@
-#include "input/law_table.hpp"
+#include "input/case_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <variant>
 
+#include "laboratory/column.hpp"
 #include "laboratory/curve_column.hpp"
 #include "laboratory/foam_column.hpp"
 #include "laboratory/maxwell_column.hpp"
-#include "laboratory/record.hpp"
 #include "laboratory/rules.hpp"
-#include "laboratory/viscous_column.hpp"
+#include "laboratory/viscous_stress.hpp"
 
 namespace dashpad::laboratory {
 namespace {

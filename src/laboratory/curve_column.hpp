@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "dashpad/model/pad/law.hpp"
-#include "laboratory/arc.hpp"
-#include "laboratory/quadrature.hpp"
+#include "laboratory/column.hpp"
 
 namespace dashpad::laboratory {
 

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "laboratory/arc.hpp"
-#include "laboratory/quadrature.hpp"
+#include "laboratory/column.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad::laboratory {

@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "laboratory/arc.hpp"
-#include "laboratory/quadrature.hpp"
+#include "laboratory/column.hpp"
 #include "model/pad/column_law.hpp"
 
 namespace dashpad::laboratory {

@@ -11,7 +11,7 @@
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
-#include "study/factor_table.hpp"
+#include "study/factor_spread.hpp"
 
 namespace dashpad::study {
 

@@ -66,4 +66,8 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
 /// "SMALL NOSE: ...", with the size of the error; empty where the nose is not small against the pad.
 std::string warning_of_model(const ImpactCase& impact);
 
+/// Of Student's t, the quantile for both sides: P(|t| < it) = 0.95. Infinite without a degree of freedom;
+/// their number may be broken.
+[[nodiscard]] double student_95(double degrees_of_freedom);
+
 }  // namespace dashpad::uncertainty

@@ -9,7 +9,6 @@
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "uncertainty/line.hpp"
-#include "uncertainty/student.hpp"
 
 namespace dashpad::uncertainty {
 

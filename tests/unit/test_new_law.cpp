@@ -11,7 +11,6 @@
 namespace dashpad::scalar {
 
 #define DASHPAD_FORMULAS
-#include "power_maxwell.hpp"
 #undef DASHPAD_FORMULAS
 
 namespace {

@@ -9,7 +9,7 @@
 
 #include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/laboratory/strain_history.hpp"
-#include "laboratory/arc.hpp"
+#include "laboratory/column.hpp"
 
 namespace dashpad::test {
 namespace {

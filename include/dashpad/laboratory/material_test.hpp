@@ -111,4 +111,19 @@ using StressUpdate = std::vector<double> (*)(const Material& material, const std
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
                                      StressUpdate update_of_1984 = nullptr);
 
+// The stress of a material in a first loading at constant rate.
+
+/// Rates that the material was tested at, 1/s, increasing; at least one. Of a law without curves the ends of
+/// its fitted range; without that, 1.
+std::vector<double> tested_rates(const Material& material);
+
+struct LoadingCurve {
+  std::vector<double> strain;
+  std::vector<double> stress;  ///< Pa
+};
+
+/// Up to a strain in (0, 1), in `steps` (2 or more) even steps from strain zero. The material
+/// breaks no rule (violations(Material)).
+LoadingCurve loading_curve(const Material& material, double rate, double strain, int steps);
+
 }  // namespace dashpad::laboratory

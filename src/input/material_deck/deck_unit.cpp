@@ -1,4 +1,4 @@
-#include "input/material_deck/deck_unit.hpp"
+#include "input/material_deck/deck_cards.hpp"
 
 #include <algorithm>
 #include <array>

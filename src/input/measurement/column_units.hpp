@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dashpad/injury/measured_pulse.hpp"
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 
 namespace dashpad::input {
 

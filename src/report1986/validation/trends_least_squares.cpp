@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dashpad/quantities/constants.hpp"
-#include "uncertainty/student.hpp"
+#include "uncertainty/line.hpp"
 
 namespace dashpad::report1986 {
 

@@ -1,16 +1,30 @@
 #pragma once
 /// Tables of numbers as measuring programs write them, CSV: in them a pulse, a strain history or a
-/// compression test. docs/pulses.md has the rules.
+/// compression test; and a pulse that was read, where it came from. docs/pulses.md has the rules.
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {
+
+struct Sensitivity {
+  std::string text = {};              ///< as written: "10 mV/g"
+  double volts_per_acceleration = 0;  ///< V per m/s2, more than 0
+};
+
+/// "10 mV/g", "1.02 mV/(m/s2)": a voltage, and behind the slash the unit of acceleration that it stands for;
+/// g is standard gravity. Throws UnitError.
+Sensitivity sensitivity_of(const std::string& text);
+
+struct PulseFile {
+  injury::MeasuredPulse measured;
+  std::vector<InputFile> files;  ///< that it was read from: of a test, each of its parts
+};
 
 /// What the file itself may not say. A column is named by its header, with or without its unit, or by its
 /// number from 1.

@@ -2,9 +2,16 @@
 /// The parts of a strain history in which the strain only grows, only falls, or stands still; when in one of
 /// them a column carries stress; and places within a history where a value is wanted.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+
+#include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/laboratory/strain_history.hpp"
 
 namespace dashpad::laboratory {
@@ -100,5 +107,85 @@ double strain_at(const StrainHistory& history, double time);
 /// The same history in more pieces: one ends at each of `times` (increasing, s), so that it becomes a place
 /// of output.
 StrainHistory split_at(const StrainHistory& history, const std::vector<double>& times);
+
+// Integrals with their estimated errors, by the two rules of Boost.Math that the laboratory needs.
+
+/// A number and how far it may be off.
+struct WithError {
+  double value = 0;
+  double error = 0;  ///< estimated, >= 0
+};
+
+/// One application of the rule of 15 points; the error is the distance from the one of 7, far too large.
+template <class F>
+WithError bisected(F&& f, double from, double to, double relative, double absolute, int depth) {
+  // Boost forgets the length of the interval in the error, so it gets one of length 2.
+  const double middle = from + (to - from) / 2;
+  const double half = (to - from) / 2;
+  const auto scaled = [&](double z) { return half * f(middle + half * z); };
+  WithError result;
+  double magnitude = 0;
+  result.value = boost::math::quadrature::gauss_kronrod<double, 15>::integrate(scaled, -1.0, 1.0, 0, 0,
+                                                                               &result.error, &magnitude);
+  if (absolute < 0) absolute = relative * magnitude;
+  if (depth == 0 || !(result.error > absolute)) return result;
+  const WithError first = bisected(f, from, middle, relative, absolute / 2, depth - 1);
+  const WithError second = bisected(f, middle, to, relative, absolute / 2, depth - 1);
+  return {first.value + second.value, first.error + second.error};
+}
+
+/// Of a smooth function, to a fraction of the integral of its magnitude. (The adaptive rule of Boost compares
+/// with the integral itself, and does not end where that is nearly zero.)
+template <class F>
+WithError integral(F&& f, double from, double to, double tolerance = 1e-11, int depth = 15) {
+  return to > from ? bisected(f, from, to, tolerance, -1, depth) : WithError{};
+}
+
+/// Of a function that may have an infinite slope or an integrable infinity where it begins. From 0 on is
+/// best: there the distance from the beginning has no rounding.
+template <class F>
+WithError integral_from_singularity(F&& f, double from, double to, double tolerance = 1e-12) {
+  thread_local boost::math::quadrature::tanh_sinh<double> rule(12);
+  if (!(to > from)) return {};
+  WithError result;
+  result.value = rule.integrate(f, from, to, tolerance, &result.error);
+  return result;
+}
+
+// The record of a material test while it is written.
+
+class Record {
+ public:
+  void add(double time, Motion motion, WithError stress) {
+    test_.time.push_back(time);
+    test_.strain.push_back(motion.strain);
+    test_.rate.push_back(motion.rate);
+    test_.stress.push_back(std::max(stress.value, 0.0));
+    test_.work.push_back(work_.value);
+    largest_error_ = std::max(largest_error_, stress.error);
+  }
+  /// Done since the last place.
+  void work(WithError done) {
+    work_.value += done.value;
+    work_.error += done.error;
+  }
+  void note(ColumnEvent::Kind kind, double time, double strain, double before, double after) {
+    test_.events.push_back({kind, time, strain, before, after});
+  }
+  [[nodiscard]] double stress() const { return test_.stress.back(); }
+
+  ColumnTest finished() {
+    test_.largest_strain = *std::max_element(test_.strain.begin(), test_.strain.end());
+    const double peak = *std::max_element(test_.stress.begin(), test_.stress.end());
+    test_.stress_error = peak > 0 ? largest_error_ / peak : 0;
+    test_.work_error = work_.error;
+    return std::move(test_);
+  }
+
+ private:
+  ColumnTest test_;
+  WithError work_;
+  double largest_error_ = 0;
+};
 
 }  // namespace dashpad::laboratory

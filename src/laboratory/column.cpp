@@ -1,4 +1,4 @@
-#include "laboratory/arc.hpp"
+#include "laboratory/column.hpp"
 
 #include <algorithm>
 #include <cmath>
