@@ -8,7 +8,6 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
-#include "fit/problem.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::fit {

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <string_view>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/design.hpp"
-#include "fit/problem.hpp"
 #include "fit/uncertainty.hpp"
 #include "quantities/text.hpp"
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "fit/determine.hpp"
 #include "fit/solve.hpp"
 #include "fit/uncertainty.hpp"
 #include "uncertainty/line.hpp"

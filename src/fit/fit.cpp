@@ -1,7 +1,6 @@
 #include "dashpad/fit/fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 #include "fit/problem.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 

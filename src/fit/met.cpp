@@ -1,14 +1,11 @@
 #include "fit/card.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
-#include "fit/problem.hpp"
 
 namespace dashpad::fit {
 

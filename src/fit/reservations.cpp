@@ -1,7 +1,6 @@
 // What a user of a fitted foam has to keep in mind, and the recoil that nobody stated.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 

@@ -1,15 +1,12 @@
 #include "fit/determine.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "fit/problem.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "quantities/text.hpp"
 

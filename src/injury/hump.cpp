@@ -5,7 +5,6 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/hic_search.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {

@@ -6,12 +6,8 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/standard.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +12,6 @@
 #include "dashpad/case/case_quantity.hpp"
 #include "input/disk.hpp"
 #include "input/spelling.hpp"
-#include "input/table_reader.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {

@@ -4,7 +4,6 @@
 
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "input/table_reader.hpp"
 
 namespace dashpad::input {
 

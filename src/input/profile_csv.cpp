@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "dashpad/quantities/quantity.hpp"
 #include "input/disk.hpp"

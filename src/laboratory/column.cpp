@@ -1,6 +1,5 @@
 #include "laboratory/column.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dashpad::laboratory {

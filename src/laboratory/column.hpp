@@ -3,8 +3,6 @@
 /// them a column carries stress; and places within a history where a value is wanted.
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/laboratory/column_test.hpp"
 #include "laboratory/column.hpp"
 #include "quantities/text.hpp"
 

@@ -1,6 +1,5 @@
 #include "study/distribution.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>

@@ -1,8 +1,5 @@
 #include "study/distribution.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "dashpad/quantities/constants.hpp"

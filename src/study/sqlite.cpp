@@ -1,6 +1,5 @@
 #include "study/sqlite.hpp"
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>

@@ -1,12 +1,9 @@
 #include "dashpad/study/store.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

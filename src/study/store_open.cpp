@@ -1,6 +1,5 @@
 // Opening a store: new, to go on, to read.
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>

@@ -2,7 +2,6 @@
 /// A way in which a case may be otherwise: one number that goes from 0, the case as it is, to its ends.
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"

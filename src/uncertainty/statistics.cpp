@@ -1,7 +1,6 @@
 // What is known by its scatter: samples of the foam, the unknowns of a fit, and what a fitted law misses.
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>

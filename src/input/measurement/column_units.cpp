@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "quantities/unit.hpp"
