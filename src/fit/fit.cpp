@@ -7,7 +7,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "fit/card.hpp"
 #include "fit/problem.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/laboratory/column_test.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 
 namespace dashpad::fit {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/result/result_quantity.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "fit/card.hpp"
 #include "fit/problem.hpp"
 #include "quantities/text.hpp"

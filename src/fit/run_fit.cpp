@@ -13,8 +13,6 @@
 #include "fit/card.hpp"
 #include "fit/determine.hpp"
 #include "fit/problem.hpp"
-#include "fit/solve.hpp"
-#include "fit/uncertainty.hpp"
 
 namespace dashpad::fit {
 

@@ -1,4 +1,4 @@
-#include "fit/uncertainty.hpp"
+#include "fit/determine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 

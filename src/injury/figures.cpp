@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
+#include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
-
 namespace {
 
 InjuryFigures::Errors all_unknown() {
@@ -120,6 +120,22 @@ double chord_error(const Pulse& pulse, const Clip& clip) {
     if (t[i] >= clip.end) break;
   }
   return error / clip.level;
+}
+
+Peak peak(const Pulse& pulse) {
+  check(pulse);
+  const std::size_t top = peak_sample(pulse);
+  return {std::abs(pulse.acceleration[top]), pulse.time[top]};
+}
+
+double velocity_change(const Pulse& pulse) {
+  check(pulse);
+  AccurateSum sum;
+  for (std::size_t i = 1; i < pulse.time.size(); ++i) {
+    const double mean = pulse.acceleration[i - 1] / 2 + pulse.acceleration[i] / 2;
+    sum.add(mean * (pulse.time[i] - pulse.time[i - 1]));
+  }
+  return std::abs(sum.value());
 }
 
 }  // namespace dashpad::injury

@@ -10,7 +10,6 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "injury/coarser_run.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {

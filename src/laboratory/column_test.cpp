@@ -7,10 +7,7 @@
 #include <variant>
 
 #include "laboratory/column.hpp"
-#include "laboratory/curve_column.hpp"
-#include "laboratory/foam_column.hpp"
-#include "laboratory/maxwell_column.hpp"
-#include "laboratory/rules.hpp"
+#include "laboratory/columns.hpp"
 #include "laboratory/viscous_stress.hpp"
 
 namespace dashpad::laboratory {

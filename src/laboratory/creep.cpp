@@ -7,8 +7,7 @@
 #include <boost/numeric/odeint.hpp>
 
 #include "laboratory/column.hpp"
-#include "laboratory/maxwell_column.hpp"
-#include "laboratory/rules.hpp"
+#include "laboratory/columns.hpp"
 #include "laboratory/viscous_stress.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 #include "model/root.hpp"

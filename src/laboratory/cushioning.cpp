@@ -1,4 +1,4 @@
-#include "dashpad/laboratory/cushioning.hpp"
+#include "dashpad/laboratory/material_test.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -11,7 +11,7 @@
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/answers.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 
 namespace dashpad::study {

@@ -9,9 +9,9 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
 #include "injury/hic_search.hpp"
 #include "injury/hump.hpp"
+#include "injury/pulse_line.hpp"
 #include "result/summary_values.hpp"
 
 namespace dashpad::study {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "dashpad/version.hpp"
 #include "json/json_values.hpp"

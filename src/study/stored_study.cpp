@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
 

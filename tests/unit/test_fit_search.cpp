@@ -9,7 +9,6 @@
 
 #include "fit/card.hpp"
 #include "fit/determine.hpp"
-#include "fit/solve.hpp"
 #include "shared/synthetic_fits.hpp"
 
 namespace dashpad::fit {

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "dashpad/laboratory/column_test.hpp"
-#include "dashpad/laboratory/strain_history.hpp"
 #include "laboratory/column.hpp"
 
 namespace dashpad::test {

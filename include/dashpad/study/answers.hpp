@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/study/design.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "dashpad/input/fault.hpp"
 #include "input/iso_mme/test_files.hpp"
-#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_table.hpp"
 #include "input/measurement/pulse_samples.hpp"
 #include "input/spelling.hpp"
 #include "quantities/magnitude_bounds.hpp"

@@ -1,4 +1,4 @@
-#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "input/measurement/column_units.hpp"
 #include "input/spelling.hpp"
 #include "quantities/text.hpp"
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/quantities/quantity.hpp"
-#include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_table.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
