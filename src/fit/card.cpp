@@ -48,8 +48,7 @@ std::string origin_of(const Fit& fit, const FitReport& report) {
                           rms_words(test));
     separator = "; ";
   }
-  for (const ImpactMeasurement& impact : fit.impacts) {
-    if (impact.is_held_out) continue;
+  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
     origin += fmt::format("{}{} ({})", separator, impact.file, impact_words(impact, report));
     separator = "; ";
   }
@@ -85,8 +84,7 @@ constexpr FittedRange nothing{.highest_strain = 0, .lowest_rate = 1e300, .highes
 /// Strains and rates of the fitted tests; with the largest strain 0 where there are none.
 FittedRange range_of_tests(const Fit& fit) {
   FittedRange range = nothing;
-  for (const MaterialMeasurement& test : fit.tests) {
-    if (test.is_held_out) continue;
+  for (const MaterialMeasurement& test : fitted(fit.tests)) {
     for (std::size_t i = 0; i < test.strain.size(); ++i)
       if (counts(test, i)) range.highest_strain = std::max(range.highest_strain, test.strain[i]);
     take_rate(range, mean_rate_of(test));
@@ -208,8 +206,7 @@ std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& 
 /// over its size. Empty where they cannot be computed.
 std::vector<double> fitted_figures(const Fit& fit, std::span<const double> values) {
   std::vector<double> all;
-  for (const ImpactMeasurement& impact : fit.impacts) {
-    if (impact.is_held_out) continue;
+  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
     ImpactMeasurement asked = impact;
     asked.pulse.reset();
     asked.figures = {{ImpactFigure::peak_acceleration, 1, 1},
@@ -220,8 +217,7 @@ std::vector<double> fitted_figures(const Fit& fit, std::span<const double> value
     all.insert(all.end(), computed.begin(), computed.end());
   }
   if (!all.empty()) return all;
-  for (const MaterialMeasurement& test : fit.tests) {
-    if (test.is_held_out) continue;
+  for (const MaterialMeasurement& test : fitted(fit.tests)) {
     const MetTest met = met_test(fit, test, values, 0);
     for (const double stress : met.computed) all.push_back(1 + stress / met.largest_stress);
   }

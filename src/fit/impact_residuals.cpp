@@ -286,10 +286,7 @@ const std::vector<ImpactFigureName>& impact_figure_names() {
 
 std::optional<Pulse> smooth_pulse(const Solution& solution) {
   const History& history = solution.history;
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (!pulse_is_whole(solution.summary) || history.size() < 2 ||
-      !std::ranges::all_of(history.acceleration, finite))
-    return std::nullopt;
+  if (!injury::has_whole_pulse(solution)) return std::nullopt;
   const SmoothCurve curve(history.time, history.acceleration);
   Pulse pulse{{history.time.front()}, {history.acceleration.front()}};
   for (std::size_t i = 1; i < history.size(); ++i)

@@ -103,10 +103,7 @@ Computed computed_of(const Solution& solution, const MeasuredDeceleration& measu
 
 /// Formulas with few numbers meet the loops of real foams within 1 to 2 % of the largest stress (fits.md).
 constexpr double surest_stress = 0.02;
-/// Power of the acceleration in a HIC.
-constexpr double power_of_hic = 2.5;
 constexpr double worth_of_surest = 2;  ///< impacts
-constexpr double two_sided_95 = 1.959964;
 
 /// Shares by which figures of a kind were missed, without what their measurement and the unknowns explain.
 struct Missed {
@@ -132,7 +129,7 @@ double deviation_of(const Missed& of, double surest, bool is_predicted) {
   // What was fitted says that the law is no better than that, not that it is as good.
   const double square = is_predicted ? mean : std::max(mean, surest * surest);
   const double t = uncertainty::student_95(is_predicted ? all : worth_of_surest);
-  return std::min(std::sqrt(square) * t / two_sided_95, 1.0);
+  return std::min(std::sqrt(square) * t / uncertainty::two_sided_95, 1.0);
 }
 
 /// The problem without the impacts that are held out now, and the place to start from.
@@ -360,7 +357,7 @@ std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
     return deviation_of(missed(of, kind), surest, is_predicted);
   };
   Misfit misfit{.peak_acceleration = deviation(FigureKind::acceleration, surest_stress),
-                .hic = deviation(FigureKind::hic, power_of_hic * surest_stress),
+                .hic = deviation(FigureKind::hic, injury::hic_power * surest_stress),
                 .rebound_speed = deviation(FigureKind::rebound, surest_stress),
                 .penetration = deviation(FigureKind::penetration, surest_stress),
                 .impacts = static_cast<int>(impacts),

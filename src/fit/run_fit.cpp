@@ -90,8 +90,7 @@ constexpr double most_off = 0.1;
 /// tolerance: each figure, and pulses in the mean square.
 bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double> values, int runs) {
   auto block = std::ranges::find_if(problem.blocks, &Block::is_impact);
-  for (const ImpactMeasurement& impact : fit.impacts) {
-    if (impact.is_held_out) continue;
+  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
     const std::vector<double>& deviation = block->deviation;
     const std::size_t figures = impact.figures.size();
     std::vector<double> fixed(deviation.size()), full(deviation.size());

@@ -13,10 +13,8 @@
 namespace dashpad::injury {
 namespace {
 
-InjuryFigures::Errors all_unknown() {
-  constexpr double unknown = infinite;
-  return {unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
-}
+constexpr InjuryFigures::Errors all_unknown{infinite, infinite, infinite, infinite, infinite,
+                                            infinite, infinite, infinite, infinite};
 
 }  // namespace
 
@@ -73,7 +71,7 @@ InjuryFigures injury_figures(const Solution& solution) {
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
   const double force = summary.errors.peak_force;
   if (!has_coarser_run(solution)) {
-    figures.errors = all_unknown();
+    figures.errors = all_unknown;
     figures.errors.peak = force;
     return figures;
   }
@@ -94,12 +92,14 @@ InjuryFigures injury_figures(const Solution& solution) {
   return figures;
 }
 
+bool has_whole_pulse(const Solution& solution) {
+  return pulse_is_whole(solution.summary) && solution.history.size() >= 2 &&
+         std::ranges::all_of(solution.history.acceleration,
+                             [](double value) { return std::isfinite(value); });
+}
+
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (!pulse_is_whole(solution.summary) || solution.history.size() < 2 ||
-      !std::ranges::all_of(solution.history.acceleration, finite))
-    return std::nullopt;
-  return injury_figures(solution);
+  return has_whole_pulse(solution) ? std::optional(injury_figures(solution)) : std::nullopt;
 }
 
 double chord_error(const Pulse& pulse, const Clip& clip) {

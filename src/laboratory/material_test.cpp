@@ -188,15 +188,8 @@ std::vector<double> rates_of(const FoamCurves& curves) {
 }  // namespace
 
 const char* to_string(TestKind kind) {
-  switch (kind) {
-    case TestKind::constant_rate: return "constant-rate";
-    case TestKind::parabolic: return "parabolic";
-    case TestKind::relaxation: return "relaxation";
-    case TestKind::creep: return "creep";
-    case TestKind::cyclic: return "cyclic";
-    case TestKind::history: return "history";
-  }
-  return "";
+  constexpr const char* names[]{"constant-rate", "parabolic", "relaxation", "creep", "cyclic", "history"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,

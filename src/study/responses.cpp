@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/metrics.hpp"
+#include "dashpad/injury/figures.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "injury/hic_search.hpp"
 #include "injury/hump.hpp"
@@ -29,11 +29,7 @@ class PulseFigures {
     force_error_ = solution.summary.errors.peak_force;
     whole_window_.reset();
     clip_.reset();
-    whole_ = pulse_is_whole(solution.summary) && history.size() >= 2;
-    if (!whole_) return;
-    double doubt = 0;  // a number less itself is 0 where it is finite
-    for (const double value : history.acceleration) doubt += value - value;
-    whole_ = doubt == 0;
+    whole_ = injury::has_whole_pulse(solution);
     if (!whole_) return;
     fine_.pulse.time = history.time;
     fine_.pulse.acceleration = history.acceleration;

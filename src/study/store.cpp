@@ -62,7 +62,8 @@ void bind(Statement& insert, const StoredRow& row) {
 }
 
 std::string row_query(const StoreHeading& heading) {
-  return "SELECT row, status, extrapolated, bottomed, error" + value_columns(heading) + " FROM samples";
+  return "SELECT row, status, extrapolated, bottomed, error" + value_columns(heading, "samples.") +
+         " FROM samples";
 }
 
 Status status_of(const std::string& name, const Database& database) {

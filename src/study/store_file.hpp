@@ -38,8 +38,9 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
 /// Throws std::runtime_error: no store, a store of another layout, damaged.
 StoreHeading read_heading(const Database& database);
 
-/// Columns of `samples` from the first factor on, each with a comma before it.
-std::string value_columns(const StoreHeading& heading);
+/// Columns of `samples` from the first factor on, each with a comma and `before` it and `after` it.
+std::string value_columns(const StoreHeading& heading, const std::string& before,
+                          const std::string& after = "");
 
 inline constexpr std::uint64_t page_bytes = 16384;
 

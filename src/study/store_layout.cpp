@@ -147,13 +147,10 @@ bool is_empty(const Database& database) {
 void create_tables(Database& database, const Study& study, const StoreHeading& heading) {
   database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application, layout));
   database.execute(tables);
-  std::string columns;
-  for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) columns += ", " + sql_name(column.name) + " REAL";
   database.execute(
       "CREATE TABLE samples (row INTEGER PRIMARY KEY, status TEXT NOT NULL, extrapolated INTEGER NOT "
       "NULL, bottomed INTEGER NOT NULL, error REAL" +
-      columns + ")");
+      value_columns(heading, "", " REAL") + ")");
   write_facts(database, heading, study);
 
   Statement factor{database, "INSERT INTO factors VALUES (?, ?, ?)"};
@@ -199,10 +196,10 @@ StoreHeading read_heading(const Database& database) {
   return heading;
 }
 
-std::string value_columns(const StoreHeading& heading) {
+std::string value_columns(const StoreHeading& heading, const std::string& before, const std::string& after) {
   std::string columns;
   for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) columns += ", samples." + sql_name(column.name);
+    for (const StoredColumn& column : *list) columns += ", " + before + sql_name(column.name) + after;
   return columns;
 }
 

@@ -66,7 +66,7 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
        fmt::format("how the foam scatters from sample to sample (standard deviation {:.2g} %)",
                    100 * std::ranges::max(scatter)),
        ""});
-  Line line{.source = Source::scatter, .is_statistical = true};
+  Line line{.source = Source::scatter};
   line.ends = {-line.deviations, line.deviations};
   line.at = [impact, scatter](double place) {
     return with_parts(impact, [&](Material&, PadCondition& condition, std::size_t i) {
@@ -100,7 +100,6 @@ void add_posterior(const ImpactCase& impact, const std::vector<Part>& parts, Ope
            .ends = {-1, 1},
            .at = [impact, prefix, axes,
                   axis](double place) { return with_values(impact, prefix, axes, axis, place > 0); },
-           .is_statistical = true,
            .deviations = 1});
     }
   }
