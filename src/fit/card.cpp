@@ -9,7 +9,6 @@
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/study/study.hpp"
-#include "fit/determine.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::fit {

@@ -10,7 +10,6 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
-#include "fit/determine.hpp"
 #include "uncertainty/line.hpp"
 
 namespace dashpad::fit {

@@ -9,7 +9,6 @@
 #include <tbb/parallel_for.h>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/study/study.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 

@@ -1,9 +1,7 @@
 #include "fit/determine.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

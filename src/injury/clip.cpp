@@ -5,7 +5,7 @@
 #include <deque>
 #include <stdexcept>
 
-#include "injury/hump.hpp"
+#include "injury/hic_search.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {

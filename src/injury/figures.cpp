@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "injury/pulse_line.hpp"
 

@@ -4,13 +4,11 @@
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "input/spelling.hpp"
-#include "study/distribution.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {

@@ -10,7 +10,6 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "injury/hic_search.hpp"
-#include "injury/hump.hpp"
 #include "injury/pulse_line.hpp"
 #include "result/summary_values.hpp"
 

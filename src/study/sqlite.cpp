@@ -1,4 +1,4 @@
-#include "study/sqlite.hpp"
+#include "study/store_file.hpp"
 
 #include <cstring>
 #include <limits>

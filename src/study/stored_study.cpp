@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "dashpad/study/study.hpp"
 #include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
 

@@ -10,7 +10,6 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
-#include "study/distribution.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/input/case_file.hpp"
-#include "dashpad/study/study.hpp"
 #include "input/spelling.hpp"
 #include "study/factor_spread.hpp"
 

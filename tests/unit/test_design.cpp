@@ -14,7 +14,6 @@
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study.hpp"
 #include "sample_case.hpp"
-#include "study/distribution.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {

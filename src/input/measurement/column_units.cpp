@@ -8,7 +8,6 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "input/measurement/measurement_text.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad::input {
