@@ -35,11 +35,9 @@ bool is_stated(const Material& material);
 double rate_of(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values);
 
 /// Ranges of recoil and HU: intervals of the fit, to the ends of what the law admits where they are open or
-/// nothing tests them; none of HU where the fit knows it to both sides, since it is in the axes then. Axes:
-/// those of the covariance of what goes into the card, the others free; at most most_posterior_axes, those
-/// that move the fitted figures most. A scale of the pad moves all stresses of a formula; with a table, which
-/// has no numbers, its standard error counts as scatter from sample to sample. What the card that the fit
-/// started from says of the rest stays. `card` is that of the fit.
+/// nothing tests them. Axes of what goes into the card, at most most_posterior_axes, those that move the
+/// fitted figures most. A scale of the pad with a table, which has no numbers, counts as scatter. What the
+/// card that the fit started from says of the rest stays. `card` is that of the fit.
 dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, const Solved& solved,
                                     const FitReport& report, const Material& card);
 
@@ -115,13 +113,8 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
 
 inline constexpr std::size_t most_left_out = 8;
 
-/// Standard deviations of what the law misses. `predicted`: of impacts that were not fitted; `fitted`: the
-/// others, which count where nothing was predicted. Nothing without impacts.
-///
-///   s^2 = (n0 s0^2 + sum of max(e^2 - u^2, 0)) / (n0 + n),   times t(n0 + n) / t(infinity), both at 97.5 %
-///
-/// e are the shares by which they were missed, u what the unknowns and the noise of the measurement explain.
-/// s0 is how sure a law of few numbers is at best, 2 % of stresses, and counts like n0 impacts.
+/// Standard deviations of what the law misses, as theory.md has them. `predicted`: of impacts that were not
+/// fitted; `fitted`: the others, which count where nothing was predicted. Nothing without impacts.
 std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
                                 std::span<const ImpactComparison> fitted);
 

@@ -1,7 +1,8 @@
 #pragma once
-/// Fractions in (0, 1) for each draw and dimension: random numbers that are a function of their place, Latin
-/// hypercubes, Sobol points. Random numbers are Philox 4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random
-/// numbers: as easy as 1, 2, 3, SC11), of Random123.
+/// From random numbers to the values of sampled factors: fractions in (0, 1) for each draw and dimension,
+/// Latin hypercubes, Sobol points; distributions and correlations; and whether the values of all factors make
+/// cases that can be solved. Random numbers are Philox 4x32-10 (Salmon, Moraes, Dror, Shaw: SC11), of
+/// Random123.
 
 #include <algorithm>
 #include <array>
@@ -197,10 +198,9 @@ std::optional<Matrix> root_of_correlations(const Study& study);
 std::vector<std::size_t> sampled_factors(const Study& study);
 
 /// Rules of the case that levels or the ends of distributions break, under keys such as
-/// "factors.impactor.speed". All combinations of levels are tried, up to 100,000; with more, each level with
-/// the first of the others. The sampled factors stand at their medians, and at each end of their range (6
-/// deviations out for a normal that is not cut off) one at a time. For a study whose factors are sound in
-/// themselves.
+/// "factors.impactor.speed": of all combinations of levels, up to 100,000, or of each level with the first of
+/// the others; and of the ends of each distribution, the others at their medians. For a study whose factors
+/// are sound in themselves.
 std::vector<Violation> case_violations(const Study& study);
 
 }  // namespace dashpad::study

@@ -10,16 +10,9 @@
 /// quadrature, which takes the infinite slopes at strain zero and rate zero. There are no time steps: the
 /// places of output change no stress.
 ///
-/// Rules. While the strain grows the loading envelope counts, while it falls the unloading one with the
-/// largest strain so far. Where it stands still there is no rate: the envelope is the lasting stress. Where
-/// the rate jumps, the stress of laws 2, 4 and 5 is continuous; their envelope jumps.
-///
-/// Where the stress would turn tensile, contact is lost: the stress is zero until the strain grows again;
-/// then the column, taken to have followed the platen down without force, is loaded from stress zero. This is
-/// our assumption where a test reloads: the laws say nothing about the recovery of a free surface. Law 5
-/// counts time from first contact all the while. Law 3 does not recover: it carries its crush curve while the
-/// strain grows beyond its largest or is held there, and nothing once the strain has fallen, until it is
-/// passed.
+/// Where the rate jumps, the stress of laws 2, 4 and 5 is continuous; their envelope jumps. Where the stress
+/// would turn tensile, contact is lost: the stress is zero until the strain grows again; then the column is
+/// loaded from stress zero. Law 3 does not recover. docs/laboratory.md tells all.
 
 #include <cstddef>
 #include <optional>

@@ -20,11 +20,8 @@ namespace dashpad::laboratory {
 //   efficiency = W / S
 //   ideality = W / (S strain)
 //
-// (Miltz and Gruenbaum 1981; Avalle et al. 2001.) Efficiency and ideality have the unit 1. The foam is used
-// best where the efficiency is highest: that stress is the one to design for.
-//
-// W is the work of the test (ColumnTest::work), integrated between the places of output by adaptive
-// quadrature of the exact stress. The number of places does not enter into it.
+// (Miltz and Gruenbaum 1981; Avalle et al. 2001.) The foam is used best where the efficiency is highest: that
+// stress is the one to design for. W is the work of the test, whatever the number of places.
 
 /// One entry a place of output of the first loading at which the strain, > 0, has grown; holds are left out.
 struct CushionCurve {
@@ -61,9 +58,8 @@ CushionFigures cushion_figures(const ColumnTest& test);
 /// reaches `limit` (Pa, > 0; std::invalid_argument otherwise). Absent where the test never reaches it.
 ///
 /// Between two places, ln(stress) is taken as the cubic in ln(strain) through the nearest four; before the
-/// first place as a power of the strain. The energy is Hermite's cubic with the stresses as slopes.
-/// With 200 places the strain of the Ensolite laws is found to 1e-6 and the energy to a relative 1e-5; before
-/// the first place to 2e-5 and 1e-2 (measured, tests/unit/test_cushioning.cpp).
+/// first place as a power of the strain. With 200 places the strain of the Ensolite laws is found to 1e-6 and
+/// the energy to a relative 1e-5.
 std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double limit);
 
 // The test and its report.

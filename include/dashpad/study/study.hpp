@@ -82,11 +82,10 @@ inline constexpr std::uint64_t most_rows = 1'000'000'000;
 /// Rows of the study, also where they are too many to count in an integer.
 double row_count(const Study& study);
 
-/// Every rule that a study breaks, over all factors at once. Keys are those of study files: "samples",
-/// "factors.impactor.speed", "correlations[1]", "responses[2]". Where the factors are sound in themselves,
-/// also the rules of the case that their values break: of every combination of levels (up to 100,000, else of
-/// every level), and of the ends of every distribution: its cut-offs, or 6 deviations out where a normal or
-/// lognormal has none. A rarer combination that makes no valid case becomes a row that is "not run".
+/// Every rule that a study breaks, over all factors at once, under keys of study files: "samples",
+/// "factors.impactor.speed", "correlations[1]". Where the factors are sound in themselves, also the rules of
+/// the case that their levels and the ends of their distributions break (docs/studies.md). A rarer
+/// combination that makes no valid case becomes a row that is "not run".
 std::vector<Violation> violations(const Study& study);
 
 // Which row of a study has which factors: a function of the row's number alone, so that the order of the
