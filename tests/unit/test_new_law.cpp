@@ -11,6 +11,7 @@
 namespace dashpad::scalar {
 
 #define DASHPAD_FORMULAS
+#include "power_maxwell.hpp"
 #undef DASHPAD_FORMULAS
 
 namespace {
