@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "quantities/magnitude_bounds.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What a fit found, for people and programs: a material card with what it leaves open, and a case.
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "dashpad/input/reading.hpp"
+#include "dashpad/model/pad/material.hpp"
 #include "fit/determine.hpp"
 #include "fit/problem.hpp"
 #include "input/toml_tree.hpp"
@@ -33,11 +35,9 @@ bool is_stated(const Material& material);
 double rate_of(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values);
 
 /// Ranges of recoil and HU: intervals of the fit, to the ends of what the law admits where they are open or
-/// nothing tests them; none of HU where the fit knows it to both sides, since it is in the axes then. Axes:
-/// those of the covariance of what goes into the card, the others free; at most most_posterior_axes, those
-/// that move the fitted figures most. A scale of the pad moves all stresses of a formula; with a table, which
-/// has no numbers, its standard error counts as scatter from sample to sample. What the card that the fit
-/// started from says of the rest stays. `card` is that of the fit.
+/// nothing tests them. Axes of what goes into the card, at most most_posterior_axes, those that move the
+/// fitted figures most. A scale of the pad with a table, which has no numbers, counts as scatter. What the
+/// card that the fit started from says of the rest stays. `card` is that of the fit.
 dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, const Solved& solved,
                                     const FitReport& report, const Material& card);
 
@@ -65,5 +65,61 @@ void seek_recoil(Fit& fit);
 
 /// What is said of the minimum, its uncertainty and the data, but for the time.
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report);
+
+// How a material meets the measurements, those that it was fitted to and others (theory.md, section 6).
+
+/// Of the points of a test that count; `values` of the unknowns, `offset` in Pa.
+MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<const double> values,
+                 double offset);
+
+/// The figures of an impact, to the tolerance of its case.
+std::vector<MetFigure> met_figures(const Fit& fit, const ImpactMeasurement& impact,
+                                   std::span<const double> values);
+
+/// The pulse of an impact that has one, to the tolerance of its case; `shift` is the coordinate of its shift.
+MetPulse met_pulse(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values,
+                   std::optional<std::size_t> shift);
+
+/// Rates of the pieces between points that count, 1/s: the 5th and the 95th percentile of their magnitudes
+/// by the way that they go.
+struct RateRange {
+  double lowest = 0, highest = 0;
+};
+RateRange rates_of(const MaterialMeasurement& test);
+
+/// Of an impact with these values of the unknowns, to the tolerance of its case.
+std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& impact,
+                                       std::span<const double> values);
+
+// By what the law misses impacts that it was not fitted to: what a card says of that (theory.md, section 6).
+
+/// What a misfit is told of.
+enum class FigureKind { acceleration, hic, rebound, penetration };
+/// Nothing for figures on which no verdict rests.
+std::optional<FigureKind> kind_of(ImpactFigure figure);
+
+/// A figure of an impact that was predicted.
+struct PredictedFigure {
+  ImpactComparison of;
+  double by_unknowns = 0;  ///< standard deviation of it by the uncertainty of the unknowns, a share
+};
+
+/// The figures of the impacts that are held out, and of each fitted impact as a fit to the others predicts
+/// it: the search goes on without it from the minimum. Of more than most_left_out impacts, several are left
+/// out together. Nothing of impacts without which there is no fit.
+std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& problem, const Solved& solved,
+                                               int runs, Session& session,
+                                               std::atomic<std::size_t>& evaluations);
+
+inline constexpr std::size_t most_left_out = 8;
+
+/// Standard deviations of what the law misses, as theory.md has them. `predicted`: of impacts that were not
+/// fitted; `fitted`: the others, which count where nothing was predicted. Nothing without impacts.
+std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
+                                std::span<const ImpactComparison> fitted);
+
+/// Radius of a round nose over the thickness of the pad, where that differs among the impacts of the fit by
+/// no more than the factor `alike`.
+std::optional<double> nose_over_pad_of(const Fit& fit, double alike = 1.1);
 
 }  // namespace dashpad::fit

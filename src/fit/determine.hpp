@@ -1,21 +1,157 @@
 #pragma once
-/// From the starts to the best minimum with its uncertainty, and what goes along while that runs: the wish to
+/// Least squares, how sure a minimum is, and the way from the starts to the best minimum: with the wish to
 /// stop, the progress, and what is kept of finished pieces of work.
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "dashpad/fit/fit.hpp"
 #include "dashpad/fit/report.hpp"
 #include "fit/problem.hpp"
-#include "fit/solve.hpp"
-#include "fit/uncertainty.hpp"
 
 namespace dashpad::fit {
+
+// Least squares within bounds, the derivatives that go with it, and profile likelihood: how far a coordinate
+// can go until the misfit, the others refitted, has risen by a threshold.
+
+/// Residuals over coordinates in [0, 1]; false where they cannot be evaluated. Several threads call it.
+struct LeastSquares {
+  std::size_t unknowns = 0;
+  std::size_t residuals = 0;
+  double step = 1e-4;  ///< of a coordinate, for derivatives
+  std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
+  /// Residuals take impacts, which are exact to some 1e-4: differences by several threads, and no search goes
+  /// on below what that moves.
+  bool takes_impacts = false;
+  /// Coordinates that settle() puts where they are best unless they are held, at no cost: they are not
+  /// searched for. Empty: none.
+  std::vector<bool> settles = {};
+  std::function<bool(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals)>
+      settle = {};
+};
+
+/// d residual / d x, a row a residual: central differences, at a bound one-sided ones of second order. False
+/// where the residuals cannot be evaluated.
+bool derivatives(const LeastSquares& problem, std::span<const double> x, std::span<double> into);
+
+struct Minimum {
+  bool converged = false;
+  std::string why_not;
+  std::vector<double> x;
+  double misfit = 0;      ///< sum of squares
+  bool is_sound = false;  ///< converged, or out of iterations with a misfit that is not below the least one
+};
+
+/// Relative change of the misfit at which a search has converged: for a comparison, and for the result; with
+/// impacts, whose noise in it is up to 1e-4, not below that and a tenth of it.
+inline constexpr double coarse = 1e-6, fine = 1e-10;
+inline constexpr int most_iterations = 300;
+
+/// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
+Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
+                 const std::vector<bool>& held = {}, int iterations = most_iterations);
+
+struct ProfileEnd {
+  /// Absent where the misfit does not rise so far within the bounds, or within what makes a material.
+  std::optional<double> x;
+  bool is_rough = false;  ///< the refits ran out before it was as exact as asked for
+  /// A better minimum, if one was met on the way.
+  std::optional<Minimum> better;
+};
+
+struct ProfileRequest {
+  std::size_t coordinate = 0;
+  int side = 1;                        ///< 1 upwards, -1 downwards
+  double threshold = 3.84;             ///< of the misfit
+  double guess = 0.1;                  ///< of the distance
+  std::vector<double> direction = {};  ///< of all coordinates, for a first guess of the others; 1 for its own
+};
+
+/// From a minimum, to half a per cent of the distance; with impacts, to two per cent. Some ten refits, each
+/// with the others from where the curvature at the minimum expects them.
+ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const ProfileRequest& request);
+
+// How sure a minimum is, from the derivatives of the residuals there.
+//
+// With J the derivatives and r the residuals over their deviations, the errors of the coordinates have the
+// covariance
+//
+//   scale H^-1 (sum over blocks of w_k J_k' J_k) H^-1,   H = J' J
+//
+// w_k = n / n_eff is 1 for independent errors, and (1 + rho) / (1 - rho) for errors along a curve whose
+// neighbours are correlated by rho: the fit weighs them as if they were independent.
+//
+// What follows from it for predictions, and draws from the Laplace approximation of a posterior.
+
+/// Eigenvalues of a symmetric matrix, rising, and their directions of length 1.
+struct PrincipalAxes {
+  std::vector<double> values;
+  std::vector<double> directions;  ///< one after the other
+
+  [[nodiscard]] std::span<const double> direction(std::size_t k) const {
+    return {directions.data() + k * values.size(), values.size()};
+  }
+};
+
+/// `matrix` holds `size` rows of `size` numbers.
+[[nodiscard]] PrincipalAxes principal_axes(std::span<const double> matrix, std::size_t size);
+
+/// Of a covariance of coordinates from 0 to 1, the standard deviation along an axis. A direction of which the
+/// data say nothing counts as even between the bounds.
+[[nodiscard]] double deviation_along(const PrincipalAxes& axes, std::size_t k);
+
+/// Lag-1 correlation of residuals along a curve, and how many independent ones they are worth.
+struct Autocorrelation {
+  double rho = 0;
+  double effective_points = 0;
+};
+Autocorrelation autocorrelation_of(std::span<const double> residuals);
+
+struct Uncertainty {
+  /// Of each coordinate; absent at a bound, and where a move across the bounds is within the noise.
+  std::vector<std::optional<double>> error;
+  std::vector<double> widening;    ///< of its variance, by correlated residuals
+  std::vector<double> covariance;  ///< row by row; rows of coordinates at a bound are 0
+  std::vector<std::pair<std::size_t, std::size_t>> strongly_correlated;
+  std::vector<double> correlations;  ///< of these
+  std::vector<std::vector<std::size_t>> flat_directions;
+  std::vector<double> precision;        ///< of all coordinates, row by row: inverse of the covariance
+  std::vector<double> gradient;         ///< of half the misfit over the scale
+  std::vector<Autocorrelation> blocks;  ///< of the curve of each
+};
+
+/// At a minimum. `scale` multiplies variances. False where the derivatives cannot be evaluated.
+bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std::span<const double> x,
+                      double scale, Uncertainty& into);
+
+bool is_at_bound(double x);
+
+/// Standard deviations of the figures of an impact at the minimum `x`: of each the root of the sum of squared
+/// half differences between one standard deviation up and down each principal axis of the covariance. A
+/// direction of which the data say nothing counts as even between the bounds. Absent where the figure is
+/// missing there.
+std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const ImpactMeasurement& impact,
+                                                         const Problem& problem, std::span<const double> x,
+                                                         const Uncertainty& uncertainty);
+
+/// Normal about a minimum in [0, 1]^n with this precision (row by row) and gradient there, cut off at the
+/// bounds. Coordinates of which the data say nothing are even between their bounds. By hit and run along the
+/// eigenvectors of the precision.
+std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
+                                                std::span<const double> precision,
+                                                std::span<const double> gradient, std::size_t count,
+                                                std::uint64_t seed);
+
+// From the starts to the best minimum, and what goes along while that runs.
 
 /// For several threads.
 class Session {

@@ -1,15 +1,14 @@
 #include "dashpad/fit/fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/design.hpp"
-#include "fit/met.hpp"
+#include "dashpad/study/study.hpp"
+#include "fit/card.hpp"
 #include "fit/problem.hpp"
 
 namespace dashpad::fit {
@@ -123,10 +122,8 @@ bool is_of_the_rate(const std::string& key) {
 void check_rates(const Fit& fit, Broken& broken) {
   double lowest = infinite;
   double highest = 0;
-  for (const ImpactMeasurement& impact : fit.impacts)
-    if (!impact.is_held_out) return;
-  for (const MaterialMeasurement& test : fit.tests) {
-    if (test.is_held_out) continue;
+  if (has_fitted(fit.impacts)) return;
+  for (const MaterialMeasurement& test : fitted(fit.tests)) {
     const RateRange rates = rates_of(test);
     lowest = std::min(lowest, rates.lowest);
     highest = std::max(highest, rates.highest);

@@ -10,7 +10,7 @@
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "fit/card.hpp"
 #include "fit/fit_tables.hpp"
 #include "input/case_tables.hpp"

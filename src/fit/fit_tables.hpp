@@ -1,7 +1,6 @@
 #pragma once
 /// The tables of a fit file, each read by a function of its own.
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>

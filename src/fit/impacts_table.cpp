@@ -14,6 +14,7 @@
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/measurement/tables.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
@@ -21,6 +22,34 @@ namespace dashpad::fit {
 
 using input::Presence;
 using input::TableReader;
+
+using input::Presence;
+
+using input::TableReader;
+using input::TomlNode;
+
+double value_of(const TomlNode& node, const std::string& key, const std::string& unit,
+                input::FaultList& faults) {
+  const bool is_in_g = unit == "m/s2" && node.kind == TomlNode::Kind::text && node.text.ends_with(" g");
+  if (!is_in_g) return read_value(node, key, unit, faults);
+  TomlNode with_gravity = node;
+  with_gravity.text.replace(node.text.size() - 1, 1, "gravity");
+  return read_quantity(with_gravity, key, unit, faults);
+}
+
+double value_in(TableReader& table, const std::string& key, const std::string& unit) {
+  const TomlNode* const node = table.find(key);
+  return node ? value_of(*node, table.full_key(key), unit, table.faults()) : no_value;
+}
+
+double value_or_share(TableReader& table, const std::string& key, const std::string& unit, double whole) {
+  const TomlNode* const node = table.find(key, Presence::optional);
+  const bool is_share = node && node->kind == TomlNode::Kind::text && node->text.ends_with('%');
+  return is_share ? table.quantity(key, "1") * std::abs(whole) : value_in(table, key, unit);
+}
+
+using input::TableReader;
+using input::TomlNode;
 
 namespace {
 
@@ -72,6 +101,46 @@ MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
   figure.deviation = value_or_share(table, "deviation", name.quantity->si_unit, figure.value);
   table.refuse_others();
   return figure;
+}
+
+input::StressStrainColumns read_columns(TableReader& table) {
+  input::StressStrainColumns columns;
+  if (auto names = table.table("columns", Presence::optional)) {
+    for (const auto& [key, name] :
+         {std::pair{"strain", &columns.strain}, {"stress", &columns.stress}, {"time", &columns.time}})
+      if (names->has(key)) *name = names->text(key);
+    names->refuse_others();
+  }
+  if (table.has("strain_unit")) columns.strain_unit = table.choice("strain_unit", {"fraction", "percent"});
+  columns.stress_unit = table.text("stress_unit", Presence::optional);
+  columns.time_unit = table.text("time_unit", Presence::optional);
+  return columns;
+}
+
+void read_range(TableReader& table, MaterialMeasurement& test) {
+  if (!table.has("range")) return;
+  const TomlNode* range = table.array("range");
+  if (!range) return;
+  const bool sound =
+      range->children.size() == 2 &&
+      std::ranges::all_of(range->children,
+                          [](const TomlNode& of) { return of.kind == TomlNode::Kind::number; }) &&
+      range->children[0].number < range->children[1].number && range->children[0].number >= 0 &&
+      range->children[1].number <= 1;
+  if (!sound) {
+    table.fault("range", "must be two strains from 0 to 1, the lower one first, such as [0, 0.5]");
+    return;
+  }
+  test.lowest_strain = range->children[0].number;
+  test.highest_strain = range->children[1].number;
+}
+
+/// Times of strains that go on at one rate, up or down.
+std::vector<double> times_at(double rate, const std::vector<double>& strain) {
+  std::vector<double> times{0};
+  for (std::size_t i = 1; i < strain.size(); ++i)
+    times.push_back(times.back() + std::abs(strain[i] - strain[i - 1]) / rate);
+  return times;
 }
 
 }  // namespace
@@ -162,6 +231,46 @@ ImpactMeasurement read_impact(TableReader& table, const input::Folders& folders,
   impact.is_held_out = table.flag("hold_out");
   table.refuse_others();
   return impact;
+}
+
+MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
+                              std::vector<input::InputFile>& files) {
+  MaterialMeasurement test;
+  test.file = table.text("file");
+  const input::StressStrainColumns columns = read_columns(table);
+  std::optional<double> rate;
+  if (table.has("rate")) {
+    rate = table.quantity("rate", "1/s");
+    if (*rate <= 0) table.fault("rate", "must be more than 0; up or down is seen from the strains");
+  }
+  if (rate && !columns.time.empty()) table.fault("rate", "give a rate or a column of times, not both");
+  if (!rate && columns.time.empty())
+    table.fault("rate",
+                "is missing; say how fast the test was, such as \"0.01 1/s\", or name a column of "
+                "times: columns = {time = \"time\"}");
+  read_range(table, test);
+  test.has_offset = table.flag("offset");
+  test.is_held_out = table.flag("hold_out");
+  if (test.has_offset && test.is_held_out)
+    table.fault("offset", "cannot be found from a test that is held out");
+  if (!test.file.empty()) {
+    const std::filesystem::path file = folders.of_file / test.file;
+    files.push_back({"the measurements", file});
+    if (auto read = table.faults().take(input::read_stress_strain_csv(file, columns))) {
+      test.strain = std::move(read->strain);
+      test.stress = std::move(read->stress);
+      test.time = std::move(read->time);
+      if (rate && *rate > 0) test.time = times_at(*rate, test.strain);
+    }
+  }
+  if (table.has("noise")) {
+    double largest = no_value;
+    for (std::size_t i = 0; i < test.stress.size(); ++i)
+      if (counts(test, i) && !(test.stress[i] <= largest)) largest = test.stress[i];
+    test.noise = value_or_share(table, "noise", "Pa", largest);
+  }
+  table.refuse_others();
+  return test;
 }
 
 }  // namespace dashpad::fit

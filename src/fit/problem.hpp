@@ -18,7 +18,7 @@
 
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/impact/pulse.hpp"
-#include "dashpad/laboratory/strain_history.hpp"
+#include "dashpad/laboratory/column_test.hpp"
 
 namespace dashpad::fit {
 

@@ -1,16 +1,14 @@
 // What a user of a fitted foam has to keep in mind, and the recoil that nobody stated.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "dashpad/result/result_quantity.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "fit/card.hpp"
-#include "fit/met.hpp"
 #include "fit/problem.hpp"
 #include "quantities/text.hpp"
 
@@ -151,8 +149,7 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
     if (!test.is_held_out) tested = std::max(tested, rates_of(test).highest);
   if (const auto own = range_of(base); own && !has_tests) tested = own->highest_rate;
   std::string file;
-  for (const ImpactMeasurement& impact : fit.impacts) {
-    if (impact.is_held_out) continue;
+  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
     const double rate = rate_of(fit, impact, values);
     if (rate > reached) file = impact.file;
     reached = std::max(reached, rate);

@@ -1,15 +1,14 @@
 #include "fit/determine.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
+#include <limits>
+#include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "fit/problem.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "quantities/text.hpp"
 
@@ -32,69 +31,62 @@ json json_of(const Minimum& of) {
           {"is_sound", of.is_sound}};
 }
 
-Minimum minimum_of(const json& from) {
-  return {from.at("converged").get<bool>(), from.at("why_not").get<std::string>(),
-          from.at("x").get<std::vector<double>>(), from.at("misfit").get<double>(),
-          from.at("is_sound").get<bool>()};
-}
-
 json json_of(const ProfileEnd& of) {
   return {{"x", of.x ? json(*of.x) : json()},
           {"is_rough", of.is_rough},
           {"better", of.better ? json_of(*of.better) : json()}};
 }
 
-void take(const json& from, Minimum& result) { result = minimum_of(from); }
-void take(const json& from, ProfileEnd& result) {
-  if (!from.at("x").is_null()) result.x = from.at("x").get<double>();
-  result.is_rough = from.at("is_rough").get<bool>();
-  if (!from.at("better").is_null()) result.better = minimum_of(from.at("better"));
-}
+/// What is wrong with a file that is read back.
+class Damage : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
-/// What damage a file that is read back may have. Empty: none.
-using Damage = std::string;
-
-Damage damage_of_flag(const json& in, const char* key) {
+bool flag_in(const json& in, const char* key) {
   const auto found = in.find(key);
-  return found != in.end() && found->is_boolean() ? "" : fmt::format("{} must be true or false", key);
+  if (found == in.end() || !found->is_boolean()) throw Damage(fmt::format("{} must be true or false", key));
+  return *found;
 }
 
 /// A coordinate of a search, which runs from 0 to 1 between the bounds of its unknown.
-Damage damage_of_place(const json& place) {
-  const bool is_sound = place.is_number() && place.get<double>() >= 0 && place.get<double>() <= 1;
-  return is_sound ? "" : "x must be a number from 0 to 1, between the bounds of its unknown";
+double place_in(const json& place) {
+  if (!place.is_number() || !(place.get<double>() >= 0 && place.get<double>() <= 1))
+    throw Damage("x must be a number from 0 to 1, between the bounds of its unknown");
+  return place.get<double>();
 }
 
-Damage damage_of_minimum(const json& of, std::size_t fewest, std::size_t most) {
-  if (!of.is_object()) return "a search must be a table";
-  for (const char* flag : {"converged", "is_sound"})
-    if (Damage damage = damage_of_flag(of, flag); !damage.empty()) return damage;
-  const json why = of.value("why_not", json()), x = of.value("x", json()),
-             misfit = of.value("misfit", json());
+/// `fewest` and `most` unknowns.
+void take(const json& from, std::size_t fewest, std::size_t most, Minimum& result) {
+  if (!from.is_object()) throw Damage("a search must be a table");
+  result.converged = flag_in(from, "converged");
+  result.is_sound = flag_in(from, "is_sound");
+  const json why = from.value("why_not", json()), x = from.value("x", json()),
+             misfit = from.value("misfit", json());
   if (!why.is_string() || why.get_ref<const std::string&>().size() > longest_reason)
-    return "why_not must be a short text";
+    throw Damage("why_not must be a short text");
   if (!misfit.is_number() || !std::isfinite(misfit.get<double>()) || misfit.get<double>() < 0)
-    return "misfit must be a finite number, 0 or more";
+    throw Damage("misfit must be a finite number, 0 or more");
   if (!x.is_array() || x.size() < fewest || x.size() > most)
-    return fmt::format("x must have {} numbers, one for each unknown", most);
-  for (const json& place : x)
-    if (Damage damage = damage_of_place(place); !damage.empty()) return damage;
-  return "";
+    throw Damage(fmt::format("x must have {} numbers, one for each unknown", most));
+  result.why_not = why;
+  result.misfit = misfit;
+  for (const json& place : x) result.x.push_back(place_in(place));
 }
 
-Damage damage_of_end(const json& of, std::size_t unknowns) {
-  if (!of.is_object() || !of.contains("x") || !of.contains("better"))
-    return "an end of an interval must be a table with x and better";
-  if (Damage damage = damage_of_flag(of, "is_rough"); !damage.empty()) return damage;
-  if (!of["x"].is_null())
-    if (Damage damage = damage_of_place(of["x"]); !damage.empty()) return damage;
-  return of["better"].is_null() ? "" : damage_of_minimum(of["better"], unknowns, unknowns);
+void take(const json& from, std::size_t, std::size_t unknowns, ProfileEnd& result) {
+  if (!from.is_object() || !from.contains("x") || !from.contains("better"))
+    throw Damage("an end of an interval must be a table with x and better");
+  result.is_rough = flag_in(from, "is_rough");
+  if (!from["x"].is_null()) result.x = place_in(from["x"]);
+  if (!from["better"].is_null()) take(from["better"], unknowns, unknowns, result.better.emplace());
 }
 
-Damage damage_of_piece(const std::string& name, const json& piece, std::size_t unknowns) {
-  if (name.find(", end ") != std::string::npos) return damage_of_end(piece, unknowns);
+void check_piece(const std::string& name, const json& piece, std::size_t unknowns) {
+  ProfileEnd end;
+  if (name.find(", end ") != std::string::npos) return take(piece, unknowns, unknowns, end);
   // Without an impact that is left out its clock is no unknown.
-  return damage_of_minimum(piece, name.starts_with("start ") ? unknowns : 1, unknowns);
+  take(piece, name.starts_with("start ") ? unknowns : 1, unknowns, end.better.emplace());
 }
 
 /// Numbers that were changed by hand may be as plausible as those that were found.
@@ -125,7 +117,11 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
   const std::size_t unknowns = coordinate_count(fit);
   std::map<std::string, std::string> pieces;
   for (const auto& [key, piece] : state["pieces"].items()) {
-    if (const Damage damage = damage_of_piece(key, piece, unknowns); !damage.empty()) is_none(damage);
+    try {
+      check_piece(key, piece, unknowns);
+    } catch (const Damage& damage) {
+      is_none(damage.what());
+    }
     pieces[key] = piece.dump();
   }
   if (state.value("sum", json()) != sum_of(state["pieces"])) is_none("its numbers have been changed");
@@ -195,7 +191,7 @@ Result Session::recalled(const std::string& name, const std::function<Result()>&
     throw_if_stopped();
     text = json_of(result).dump();
   } else {
-    take(json::parse(text), result);
+    take(json::parse(text), 0, std::numeric_limits<std::size_t>::max(), result);
   }
   finished(name, text);
   return result;

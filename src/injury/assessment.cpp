@@ -10,7 +10,7 @@
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
 
@@ -204,12 +204,8 @@ std::vector<double> dwell_levels(const Standard& standard) {
 }
 
 std::string to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass: return "pass";
-    case Verdict::fail: return "fail";
-    case Verdict::undecided: return "undecided";
-  }
-  return "";
+  constexpr const char* names[]{"pass", "fail", "undecided"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 std::string to_string(const Assessment& assessment) {

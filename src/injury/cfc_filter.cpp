@@ -121,13 +121,8 @@ FilterCoefficients cfc_coefficients(double channel_frequency_class, double inter
 const char* to_string(Corner corner) { return corner == Corner::sae_j211 ? "sae" : "iso"; }
 
 const char* to_string(Ends ends) {
-  switch (ends) {
-    case Ends::mirrored: return "mirrored";
-    case Ends::held: return "held";
-    case Ends::mirrored_from_mean: return "mirrored-from-mean";
-    case Ends::negated_before: break;
-  }
-  return "negated-before";
+  constexpr const char* names[]{"mirrored", "held", "mirrored-from-mean", "negated-before"};
+  return names[static_cast<std::size_t>(ends)];
 }
 
 bool samples_suffice(double channel_frequency_class, double interval) {

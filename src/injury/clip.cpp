@@ -5,7 +5,7 @@
 #include <deque>
 #include <stdexcept>
 
-#include "injury/hump.hpp"
+#include "injury/hic_search.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
@@ -89,6 +89,12 @@ class Window {
   std::deque<std::size_t> lowest_;  // corners inside: each the lowest of those from it on
 };
 
+Magnitude checked(const Pulse& pulse, double level) {
+  check(pulse);
+  if (!(level >= 0)) throw std::invalid_argument("dwell: the level must not be negative");
+  return magnitude_of(pulse);
+}
+
 }  // namespace
 
 /// The highest level that lasts is the highest minimum over a window of that length.
@@ -141,6 +147,20 @@ Clip cumulative_clip(const Pulse& pulse, double duration) {
     clip.end = end;
   });
   return clip;
+}
+
+double cumulative_dwell(const Pulse& pulse, double level) {
+  double sum = 0;
+  for_each_stretch(checked(pulse, level), level, Bound::exceeded,
+                   [&](double begin, double end) { sum += end - begin; });
+  return sum;
+}
+
+double longest_dwell(const Pulse& pulse, double level) {
+  double longest = 0;
+  for_each_stretch(checked(pulse, level), level, Bound::exceeded,
+                   [&](double begin, double end) { longest = std::max(longest, end - begin); });
+  return longest;
 }
 
 }  // namespace dashpad::injury

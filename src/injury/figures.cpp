@@ -6,18 +6,14 @@
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
+#include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
-
 namespace {
 
-InjuryFigures::Errors all_unknown() {
-  constexpr double unknown = infinite;
-  return {unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown, unknown};
-}
+constexpr InjuryFigures::Errors all_unknown{infinite, infinite, infinite, infinite, infinite,
+                                            infinite, infinite, infinite, infinite};
 
 }  // namespace
 
@@ -74,7 +70,7 @@ InjuryFigures injury_figures(const Solution& solution) {
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
   const double force = summary.errors.peak_force;
   if (!has_coarser_run(solution)) {
-    figures.errors = all_unknown();
+    figures.errors = all_unknown;
     figures.errors.peak = force;
     return figures;
   }
@@ -95,12 +91,14 @@ InjuryFigures injury_figures(const Solution& solution) {
   return figures;
 }
 
+bool has_whole_pulse(const Solution& solution) {
+  return pulse_is_whole(solution.summary) && solution.history.size() >= 2 &&
+         std::ranges::all_of(solution.history.acceleration,
+                             [](double value) { return std::isfinite(value); });
+}
+
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (!pulse_is_whole(solution.summary) || solution.history.size() < 2 ||
-      !std::ranges::all_of(solution.history.acceleration, finite))
-    return std::nullopt;
-  return injury_figures(solution);
+  return has_whole_pulse(solution) ? std::optional(injury_figures(solution)) : std::nullopt;
 }
 
 double chord_error(const Pulse& pulse, const Clip& clip) {
@@ -121,6 +119,22 @@ double chord_error(const Pulse& pulse, const Clip& clip) {
     if (t[i] >= clip.end) break;
   }
   return error / clip.level;
+}
+
+Peak peak(const Pulse& pulse) {
+  check(pulse);
+  const std::size_t top = peak_sample(pulse);
+  return {std::abs(pulse.acceleration[top]), pulse.time[top]};
+}
+
+double velocity_change(const Pulse& pulse) {
+  check(pulse);
+  AccurateSum sum;
+  for (std::size_t i = 1; i < pulse.time.size(); ++i) {
+    const double mean = pulse.acceleration[i - 1] / 2 + pulse.acceleration[i] / 2;
+    sum.add(mean * (pulse.time[i] - pulse.time[i - 1]));
+  }
+  return std::abs(sum.value());
 }
 
 }  // namespace dashpad::injury

@@ -9,7 +9,6 @@
 #include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "injury/pulse_line.hpp"
-#include "injury/pulse_words.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::injury {

@@ -10,8 +10,6 @@
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/metrics.hpp"
-#include "injury/coarser_run.hpp"
 #include "injury/pulse_line.hpp"
 
 namespace dashpad::injury {
@@ -92,12 +90,8 @@ void estimate_errors(std::array<ComparedFigure, 6>& figures, const std::array<Co
 }  // namespace
 
 const char* to_string(Alignment alignment) {
-  switch (alignment) {
-    case Alignment::onset: return "onset";
-    case Alignment::peak: return "peak";
-    case Alignment::none: return "none";
-  }
-  return "";
+  constexpr const char* names[]{"onset", "peak", "none"};
+  return names[static_cast<std::size_t>(alignment)];
 }
 
 Pulse filtered_like(const std::optional<PulseFilter>& filter, double interval, const Pulse& pulse) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -29,24 +28,14 @@ constexpr const char* keys_of_metrics[]{"peak_acceleration", "clip_3ms", "cumula
                                         "dwell_time",        "hic15",    "hic36",
                                         "hic_unlimited",     "hic_d",    "severity_index"};
 
-std::string names_of(const std::vector<StandardVariant>& variants) {
-  std::string names;
-  for (const StandardVariant& variant : variants) names += (names.empty() ? "" : ", ") + variant.name;
-  return names;
-}
-
 const StandardVariant& find_variant(const Standard& standard, const std::string& name) {
-  const auto found = std::ranges::find(standard.variants, name, &StandardVariant::name);
-  if (found != standard.variants.end()) return *found;
-  throw std::invalid_argument(
-      standard.name + " has no variant \"" + name + "\"; " +
-      (standard.variants.empty() ? "it has none" : "it has " + names_of(standard.variants)));
-}
-
-[[noreturn]] void refuse_two(const Standard& standard, const std::pair<std::string, std::string>& variants,
-                             const std::string& what) {
-  throw std::invalid_argument("the variants \"" + variants.first + "\" and \"" + variants.second + "\" of " +
-                              standard.name + " both set the " + what);
+  std::string names;
+  for (const StandardVariant& variant : standard.variants) {
+    if (variant.name == name) return variant;
+    names += (names.empty() ? "" : ", ") + variant.name;
+  }
+  throw std::invalid_argument(standard.name + " has no variant \"" + name + "\"; it has " +
+                              (names.empty() ? "none" : names));
 }
 
 /// What takes the place of a value of the standard.
@@ -88,12 +77,8 @@ std::string above_level(const Criterion& criterion) {
 }  // namespace
 
 std::string to_string(SourceKind kind) {
-  switch (kind) {
-    case SourceKind::own_text: return "own text";
-    case SourceKind::secondary: return "secondary";
-    case SourceKind::none: return "no source";
-  }
-  return "";
+  constexpr const char* names[]{"own text", "secondary", "no source"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 const std::vector<Metric>& metrics() {
@@ -124,7 +109,9 @@ Standard with_variants(const Standard& standard, const std::vector<std::string>&
     for (const auto& [what, value, replacement] : replaceable) {
       if (!(variant.*replacement)) continue;
       for (const std::string& other : result.chosen)
-        if (find_variant(standard, other).*replacement) refuse_two(standard, {other, name}, what);
+        if (find_variant(standard, other).*replacement)
+          throw std::invalid_argument("the variants \"" + other + "\" and \"" + name + "\" of " +
+                                      standard.name + " both set the " + what);
       result.*value = *(variant.*replacement);
     }
     result.chosen.push_back(name);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,7 +10,6 @@
 #include "dashpad/quantities/constants.hpp"
 #include "input/case_tables.hpp"
 #include "input/disk.hpp"
-#include "input/law_table.hpp"
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
 #include "model/pad/layer/layer_law.hpp"

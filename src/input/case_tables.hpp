@@ -11,6 +11,7 @@
 #include "dashpad/input/reading.hpp"
 #include "dashpad/model/nose/nose.hpp"
 #include "dashpad/model/nose/profile.hpp"
+#include "dashpad/model/pad/law.hpp"
 #include "dashpad/model/pad/material.hpp"
 #include "dashpad/model/support/support.hpp"
 #include "input/table_reader.hpp"
@@ -58,5 +59,17 @@ std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings,
 
 /// Into the case, with a unit. A material of which a number is set has it in its name.
 void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, FaultList& faults);
+
+// Pad laws with the curves of foams, their fitted range and what is not known of them in TOML. Cards have
+// them at their top, cases in [pad].
+
+/// `law` and the table [parameters]; nothing if the law cannot be known. Parameters at fault are NaN.
+std::optional<PadLaw> read_law(TableReader& table);
+
+/// The optional table [fitted].
+std::optional<FittedRange> read_fitted(TableReader& table);
+
+/// The optional table [uncertainty]. Keys of the posterior that the law does not have are at fault.
+Uncertainty read_uncertainty(TableReader& table, const PadLaw& law);
 
 }  // namespace dashpad::input

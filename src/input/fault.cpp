@@ -1,10 +1,8 @@
 #include "dashpad/input/fault.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 #include <map>
-#include <string>
 #include <string_view>
 #include <utility>
 

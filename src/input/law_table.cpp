@@ -1,10 +1,9 @@
-#include "input/law_table.hpp"
+#include "input/case_tables.hpp"
 
 #include <fmt/format.h>
 
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "input/table_reader.hpp"
 
 namespace dashpad::input {
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "input/case_tables.hpp"
 #include "input/disk.hpp"
-#include "input/law_table.hpp"
 #include "input/spelling.hpp"
 #include "input/table_reader.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "dashpad/input/fault.hpp"
 #include "input/disk.hpp"

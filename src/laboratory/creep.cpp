@@ -1,20 +1,167 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 
-#include "dashpad/laboratory/column_test.hpp"
-#include "laboratory/creep_hold.hpp"
-#include "laboratory/record.hpp"
-#include "laboratory/rules.hpp"
+#include <fmt/format.h>
+#include <boost/numeric/odeint.hpp>
+
+#include "laboratory/column.hpp"
+#include "laboratory/columns.hpp"
 #include "laboratory/viscous_stress.hpp"
+#include "model/pad/foam/foam_stress.hpp"
+#include "model/root.hpp"
 
 namespace dashpad::laboratory {
 namespace {
+
+constexpr double farthest_strain = 0.999;
+
+/// Times after the loading, geometric up to the end of the hold.
+std::vector<double> hold_times(double hold, int places) {
+  // Of the hold: the first place of output after the loading.
+  constexpr double earliest_share = 1e-6;
+  std::vector<double> times;
+  for (int i = 1; i < places; ++i)
+    times.push_back(hold * std::pow(earliest_share, 1 - (i - 1) / (places - 1.0)));
+  times.push_back(hold);
+  return times;
+}
+
+struct HoldPlace {
+  double strain = 0;
+  double rate = 0;
+};
+
+/// The loading alone.
+StrainHistory loading_for(double duration, const CreepTest& test) {
+  return {{{duration, 0, test.loading_rate, 0}}};
+}
+
+/// The loading with the hold after it. `crept_at` gives the strain at times after the loading, fine or
+/// coarse; `slope_at`: of the lasting stress at a strain, Pa. Nothing where the hold ends too early.
+template <class Crept, class Slope>
+std::optional<ColumnTest> with_hold(ColumnTest loading, const CreepTest& test, int places, Crept&& crept_at,
+                                    Slope&& slope_at) {
+  const std::vector<double> times = hold_times(test.hold, places);
+  const std::vector<HoldPlace> held = crept_at(times, false), coarse = crept_at(times, true);
+  if (held.size() < times.size() || coarse.size() < times.size()) return std::nullopt;
+  const double loaded_at = loading.time.back();
+  const double work = loading.work.back();
+  const double strain = loading.strain.back();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    loading.time.push_back(loaded_at + times[i]);
+    loading.strain.push_back(held[i].strain);
+    loading.rate.push_back(held[i].rate);
+    loading.stress.push_back(test.stress);
+    loading.work.push_back(work + test.stress * (held[i].strain - strain));
+    const double error = std::abs(held[i].strain - coarse[i].strain) + 1e-15;
+    loading.stress_error = std::max(loading.stress_error, error * slope_at(held[i].strain) / test.stress);
+  }
+  loading.largest_strain = *std::max_element(loading.strain.begin(), loading.strain.end());
+  return loading;
+}
+
+// Creep of foams by their curves and of slow foam: the strain at which a stress stays.
+
+/// Of the strains that are searched: the least stress that can be stated on the stiffest foam.
+constexpr double least_part = 1e-30;
+
+/// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
+/// evenly solve to second order. The error is estimated by steps of twice the length.
+std::vector<HoldPlace> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
+                             double loaded_for, double strain, const std::vector<double>& times, int steps) {
+  double p = column.lasting(strain);
+  double first = column.branch(0, loaded_for).value;
+  double second = column.branch(1, loaded_for).value;
+  std::vector<HoldPlace> result;
+  double last = 0;
+  for (const double time : times) {
+    const double step = (time - last) / steps;
+    const double before = strain;
+    const auto kept = [&](double relaxation_time) { return std::exp(-step / relaxation_time); };
+    const auto mean = [&](double relaxation_time) {
+      return -std::expm1(-step / relaxation_time) * relaxation_time / step;
+    };
+    const double rise_first = law.first_share * mean(law.first_time);
+    const double rise_second = law.second_share * mean(law.second_time);
+    for (int i = 0; i < steps; ++i) {
+      first *= kept(law.first_time);
+      second *= kept(law.second_time);
+      const double rise = (stress - p - first - second) / (1 + rise_first + rise_second);
+      p += rise;
+      first += rise_first * rise;
+      second += rise_second * rise;
+    }
+    const auto missing = [&](double e) { return column.lasting(e) - p; };
+    if (missing(farthest_strain) < 0) return result;
+    if (missing(strain) < 0) strain = root_between(missing, strain, farthest_strain);
+    result.push_back({strain, (strain - before) / (time - last)});
+    last = time;
+  }
+  return result;
+}
+
+std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const CreepTest& test, int places) {
+  MaxwellColumn column(law);
+  Arc loading;
+  loading.duration = farthest_strain / test.loading_rate;
+  loading.start = {0, test.loading_rate};
+  loading.end = {farthest_strain, test.loading_rate};
+  column.enter(loading);
+  const auto missing = [&](double time) { return column.at(time).value - test.stress; };
+  if (missing(loading.duration) < 0) return std::nullopt;
+  const double loaded_for = root_between(missing, least_part * loading.duration, loading.duration);
+  const double strain = loaded_for * test.loading_rate;
+  const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
+    return crept(law, column, test.stress, loaded_for, strain, times, is_coarse ? 8 : 16);
+  };
+  return with_hold(drive(law, loading_for(loaded_for, test), places), test, places, crept_at,
+                   [&](double e) { return column.lasting(e) / e; });
+}
+
+/// Foams: the strain at which the stress stays, step by step, in which it goes evenly. The error is estimated
+/// by steps of twice the length.
+std::vector<HoldPlace> crept(const FoamStress& law, double stress, double strain, double slip,
+                             const std::vector<double>& times, int steps) {
+  std::vector<HoldPlace> result;
+  double last = 0;
+  for (const double time : times) {
+    double rate = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double step = (time - last) / steps;
+      const auto missing = [&](double e) {
+        return law.stress(strain_of(e), 0, law.slip().after(slip, (e - strain) / step, step)) - stress;
+      };
+      if (missing(farthest_strain) < 0) return result;
+      const double next = missing(strain) >= 0 ? strain : root_between(missing, strain, farthest_strain);
+      rate = (next - strain) / step;
+      slip = law.slip().after(slip, rate, step);
+      strain = next;
+    }
+    result.push_back({strain, rate});
+    last = time;
+  }
+  return result;
+}
+
+template <SharesSlip Law>
+std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
+  const FoamStress column(law);
+  const auto slip_at = [&](double strain) {
+    return column.slip().after(0, test.loading_rate, strain / test.loading_rate);
+  };
+  const auto missing = [&](double strain) {
+    return column.stress(strain_of(strain), 0, slip_at(strain)) - test.stress;
+  };
+  if (missing(farthest_strain) < 0) return std::nullopt;
+  const double strain = root_between(missing, least_part, farthest_strain);
+  const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
+    return crept(column, test.stress, strain, slip_at(strain), times, is_coarse ? 4 : 8);
+  };
+  return with_hold(drive(law, loading_for(strain / test.loading_rate, test), places), test, places, crept_at,
+                   [&](double e) { return column.at(strain_of(e)).base.stress / e; });
+}
 
 constexpr double tolerance = 1e-12;  ///< of the integration, relative
 
@@ -133,13 +280,13 @@ template <HasMemory Law>
 std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
   const std::optional<double> strain = strain_at(law, test);
   if (!strain) return std::nullopt;
-  ColumnTest loading = drive(law, {{{*strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
-  const double loaded_at = loading.time.back();
-  const std::vector<double> times = hold_times(test.hold, places);
-  const auto held = crept(law, test.stress, loaded_at, *strain, times, tolerance);
-  const auto coarse = crept(law, test.stress, loaded_at, *strain, times, 100 * tolerance);
+  ColumnTest loading = drive(law, loading_for(*strain / test.loading_rate, test), places);
+  const auto crept_at = [&, loaded_at = loading.time.back()](const std::vector<double>& times,
+                                                             bool is_coarse) {
+    return crept(law, test.stress, loaded_at, *strain, times, is_coarse ? 100 * tolerance : tolerance);
+  };
   const Creep creep(law, test.stress);
-  return with_hold(std::move(loading), test, times, held, coarse,
+  return with_hold(std::move(loading), test, places, crept_at,
                    [&](double e) { return creep.lasting_slope(e); });
 }
 
@@ -156,7 +303,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
   }
   ColumnTest result;
   if (strain > 0) {
-    result = drive(law, {{{strain / test.loading_rate, 0, test.loading_rate, 0}}}, places);
+    result = drive(law, loading_for(strain / test.loading_rate, test), places);
   } else {
     Record record;
     record.add(0, {0, test.loading_rate}, {});

@@ -1,10 +1,8 @@
 #include "quantities/unit.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 #include <utility>
 

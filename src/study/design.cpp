@@ -1,16 +1,14 @@
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "input/spelling.hpp"
-#include "study/distribution.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {

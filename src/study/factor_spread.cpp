@@ -7,11 +7,10 @@
 
 #include "dashpad/input/fault.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
-#include "study/factor_table.hpp"
+#include "study/factor_spread.hpp"
 
 namespace dashpad::study {
 

@@ -5,14 +5,16 @@
 #include <map>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/answers.hpp"
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 
 namespace dashpad::study {
-
 namespace {
 
 std::optional<std::size_t> place_of(const std::vector<std::string>& names, const char* name) {
@@ -55,6 +57,35 @@ StudyAnswers::OfGroup of_group(const StudyAnswers& answers, const Design& design
                                         limit.value, of.group.drawn));
   }
   return of;
+}
+
+std::vector<std::string> names_of(const std::vector<StoredColumn>& columns) {
+  std::vector<std::string> names;
+  for (const StoredColumn& column : columns) names.push_back(column.name);
+  return names;
+}
+
+bool grows_with_force(const Study& study, std::size_t response) {
+  const ResultQuantity* kind = find_response_kind(study.responses[response]);
+  return kind != nullptr && kind->role.growth == Growth::with_force;
+}
+
+std::uint64_t combinations(const Study& study) {
+  std::uint64_t count = 1;
+  for (const Factor& factor : study.factors)
+    if (const auto* levels = std::get_if<Levels>(&factor.spread)) count *= levels->values.size();
+  return count;
+}
+
+/// The levels of each factor in order; none of one that is sampled.
+std::vector<std::vector<double>> sorted_levels(const Study& study) {
+  std::vector<std::vector<double>> all;
+  for (const Factor& factor : study.factors) {
+    const auto* levels = std::get_if<Levels>(&factor.spread);
+    all.push_back(levels ? levels->values : std::vector<double>{});
+    std::ranges::sort(all.back());
+  }
+  return all;
 }
 
 }  // namespace
@@ -115,6 +146,107 @@ StudyAnswers study_answers(const Store& store, const StudyQuestions& questions) 
     answers.groups.push_back(of_group(answers, design, std::move(groups[i]), i));
   answers.cushion_curves = cushion_curves(answers.study, answers.records);
   return answers;
+}
+
+Records read_records(const Study& study, const Store& store) {
+  const std::vector<std::vector<double>> levels = sorted_levels(study);
+  Records records;
+  records.factors.resize(study.factors.size());
+  records.responses.resize(study.responses.size());
+  store.visit_rows([&](const StoredRow& row) {
+    records.rows.push_back(row.row);
+    for (std::size_t i = 0; i < records.factors.size(); ++i) {
+      if (!study.factors[i].is_sampled() && !std::ranges::binary_search(levels[i], row.factors[i]))
+        throw DamagedStore(fmt::format(
+            "{}: it is damaged ({} = {} in row {}, which is none of its levels): delete it and run "
+            "the study again",
+            store.file(), study.factors[i].key, row.factors[i], row.row));
+      records.factors[i].push_back(row.factors[i]);
+    }
+    for (std::size_t i = 0; i < records.responses.size(); ++i)
+      records.responses[i].push_back(row.outcome.values[i]);
+    records.statuses.push_back(row.outcome.status);
+    if (is_doubtful(row.outcome, study.responses)) ++records.doubtful;
+    if (row.outcome.extrapolated != 0) ++records.extrapolated;
+    if ((row.outcome.extrapolated & extrapolated_strain) != 0) ++records.beyond_strain;
+    if ((row.outcome.extrapolated & extrapolated_rate) != 0) ++records.beyond_rate;
+    if (row.outcome.bottomed) ++records.bottomed;
+    if (row.outcome.status == Status::bottomed_out) ++records.struck_through;
+    if (row.outcome.status == Status::time_limit) ++records.time_limit;
+  });
+  return records;
+}
+
+bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses) {
+  if (outcome.status == Status::tolerance_not_met || outcome.status == Status::not_run) return true;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const ResultQuantity* kind = find_response_kind(responses[i]);
+    if (kind != nullptr && std::isnan(outcome.values.at(i)) && has_response(*kind, outcome.status))
+      return true;
+  }
+  return false;
+}
+
+RowCounts row_counts(const Store& store) {
+  const std::vector<std::string> responses = names_of(store.responses());
+  RowCounts counts;
+  store.visit_rows([&](const StoredRow& row) {
+    if (is_doubtful(row.outcome, responses)) ++counts.doubtful;
+    if (row.outcome.status == Status::bottomed_out) ++counts.struck_through;
+  });
+  return counts;
+}
+
+std::vector<Group> groups(const Study& study, const Design& design, const Records& records) {
+  const bool drawn =
+      std::ranges::any_of(study.factors, [](const Factor& factor) { return factor.is_sampled(); });
+  const std::uint64_t count = drawn ? combinations(study) : 1;
+  const std::uint64_t each = design.rows() / count;
+  std::vector<Group> result(count);
+  std::vector<double> values(study.factors.size());
+  for (std::uint64_t i = 0; i < count; ++i) {
+    result[i].drawn = drawn;
+    if (!drawn) break;
+    design.factors_of(i * each, values);
+    for (std::size_t factor = 0; factor < values.size(); ++factor)
+      if (!study.factors[factor].is_sampled()) result[i].levels.push_back(values[factor]);
+  }
+  for (std::size_t place = 0; place < records.rows.size(); ++place)
+    if (design.block_of(records.rows[place]) < 2) result[records.rows[place] / each].places.push_back(place);
+  return result;
+}
+
+std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
+                              std::size_t response) {
+  const bool unbounded = grows_with_force(study, response);
+  std::vector<double> values;
+  values.reserve(group.places.size());
+  for (const std::size_t place : group.places)
+    values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
+                         ? infinite
+                         : records.responses[response][place]);
+  return values;
+}
+
+std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
+                                 std::size_t response) {
+  const ResultQuantity* kind = find_response_kind(study.responses[response]);
+  const bool grows = kind != nullptr && kind->role.growth != Growth::none;
+  const std::vector<double> values = values_of(study, records, group, response);
+  std::vector<Reading> readings;
+  readings.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Status status = records.statuses[group.places[i]];
+    const bool is_final =
+        status == Status::released || status == Status::at_rest || status == Status::bottomed_out;
+    const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
+    double low = -infinite;
+    double high = infinite;
+    if (is_known) low = values[i];
+    if (is_known && is_final) high = values[i];
+    readings.push_back({low, high});
+  }
+  return readings;
 }
 
 }  // namespace dashpad::study

@@ -2,25 +2,128 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/figures.hpp"
-#include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "injury/coarser_run.hpp"
+#include "injury/hic_search.hpp"
+#include "injury/pulse_line.hpp"
 #include "result/summary_values.hpp"
-#include "study/pulse_figures.hpp"
 
 namespace dashpad::study {
 
 using injury::hic_power;
 
-namespace {
+/// The injury figures of a solved impact one by one, so that nothing is computed that nobody asked for: the
+/// same numbers and errors as injury_figures() of dashpad/injury/figures.hpp, of one solution after the
+/// other.
+class PulseFigures {
+ public:
+  /// Takes no memory once it has held a pulse as long.
+  void take(const Solution& solution) {
+    const History& history = solution.history;
+    force_error_ = solution.summary.errors.peak_force;
+    whole_window_.reset();
+    clip_.reset();
+    whole_ = injury::has_whole_pulse(solution);
+    if (!whole_) return;
+    fine_.pulse.time = history.time;
+    fine_.pulse.acceleration = history.acceleration;
+    check(fine_.pulse);
+    fine_.prepare();
+    has_coarse_ = injury::has_coarser_run(solution);
+    if (!has_coarse_) return;
+    coarse_.pulse = solution.coarser;
+    coarse_.prepare();
+  }
+  /// False: the impactor did not leave the pad, or a value is not finite. Nothing may be asked then.
+  [[nodiscard]] bool whole() const { return whole_; }
+  /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
+  EstimatedValue hic(double longest_window) {
+    const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
+    if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
+      return with_error(figure(longest_window), hic_power);
+    if (!whole_window_) whole_window_ = with_error(figure(injury::unlimited_window), hic_power);
+    return *whole_window_;
+  }
+  EstimatedValue hic_d() {
+    const EstimatedValue hic36 = hic(injury::hic36_window);
+    const double value = injury::hic_d(hic36.value);
+    // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
+    // there.
+    const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
+    return {value, of_samples + hic_power * force_error_};
+  }
+  EstimatedValue clip_3ms() {
+    const auto clip = [](const Sampled& of) {
+      return of.hump ? injury::clip_of(*of.hump, of.pulse, injury::usual_clip)
+                     : injury::contiguous_clip(of.pulse, injury::usual_clip);
+    };
+    if (!are_humps()) return level_of(clip);
+    if (!clip_) clip_ = level_of(clip);
+    return *clip_;
+  }
+  EstimatedValue cumulative_3ms() {
+    if (are_humps()) return clip_3ms();
+    return level_of([](const Sampled& of) { return injury::cumulative_clip(of.pulse, injury::usual_clip); });
+  }
+  EstimatedValue severity_index() {
+    return with_error([](const Sampled& of) { return injury::severity_index(of.pulse); }, hic_power);
+  }
+  EstimatedValue velocity_change() {
+    return with_error([](const Sampled& of) { return injury::velocity_change(of.pulse); }, 1);
+  }
 
-constexpr double three_milliseconds = 3e-3;
+ private:
+  /// A pulse, and what several figures need of it.
+  struct Sampled {
+    Pulse pulse;
+    std::optional<injury::Hump> hump;
+    std::optional<double> scale;  ///< of the curve, once it is there
+    injury::hic_search::Curve curve;
+
+    void prepare() {
+      hump = injury::hump_of(pulse);
+      scale.reset();
+    }
+    double hic(double longest_window) {
+      if (!hump) return injury::hic(pulse, longest_window).value;
+      if (!scale) {
+        scale = injury::scale_for(std::abs(pulse.acceleration[hump->peak]));
+        curve.assign(pulse, hump->sign * *scale);
+      }
+      return injury::hic_of(*hump, curve, *scale, longest_window).value;
+    }
+  };
+
+  [[nodiscard]] bool are_humps() const { return fine_.hump && (coarse_.hump || !has_coarse_); }
+  /// What the steps leave, and the error of the force to the power that it has in the figure.
+  template <class Figure>
+  EstimatedValue with_error(Figure figure, double power) {
+    const double value = figure(fine_);
+    if (!has_coarse_) return {value, infinite};
+    const double coarse = figure(coarse_);
+    return {value, injury::step_error(value, coarse) + power * force_error_};
+  }
+  template <class ClipOf>
+  EstimatedValue level_of(ClipOf clip_of) {
+    const injury::Clip clip = clip_of(fine_);
+    if (!has_coarse_) return {clip.level, infinite};
+    return {clip.level, injury::step_error(fine_.pulse, clip, clip_of(coarse_)) + force_error_};
+  }
+
+  Sampled fine_, coarse_;
+  bool has_coarse_ = false;
+  double force_error_ = 0;
+  bool whole_ = false;
+  std::optional<EstimatedValue> whole_window_;  ///< HIC with a window that is no limit
+  std::optional<EstimatedValue> clip_;          ///< of a hump: contiguous and cumulative are the same
+};
+
+namespace {
 
 /// How a response is got: one of the two functions.
 struct Recipe {
@@ -35,7 +138,7 @@ struct PulseRecipe {
 };
 constexpr PulseRecipe of_pulses[] = {
     {"hic15", [](PulseFigures& of) { return of.hic(injury::hic15_window); }},
-    {"hic36", [](PulseFigures& of) { return of.hic(36e-3); }},
+    {"hic36", [](PulseFigures& of) { return of.hic(injury::hic36_window); }},
     {"hic_unlimited", [](PulseFigures& of) { return of.hic(injury::unlimited_window); }},
     {"hic_d", [](PulseFigures& of) { return of.hic_d(); }},
     {"clip_3ms", [](PulseFigures& of) { return of.clip_3ms(); }},
@@ -59,99 +162,6 @@ const std::vector<Recipe>& recipes() {
 }
 
 }  // namespace
-
-void PulseFigures::take(const Solution& solution) {
-  const History& history = solution.history;
-  force_error_ = solution.summary.errors.peak_force;
-  whole_window_.reset();
-  clip_.reset();
-  whole_ = pulse_is_whole(solution.summary) && history.size() >= 2;
-  if (!whole_) return;
-  double doubt = 0;  // a number less itself is 0 where it is finite
-  for (const double value : history.acceleration) doubt += value - value;
-  whole_ = doubt == 0;
-  if (!whole_) return;
-  fine_.pulse.time = history.time;
-  fine_.pulse.acceleration = history.acceleration;
-  check(fine_.pulse);
-  fine_.prepare();
-  has_coarse_ = injury::has_coarser_run(solution);
-  if (!has_coarse_) return;
-  coarse_.pulse = solution.coarser;
-  coarse_.prepare();
-}
-
-void PulseFigures::Sampled::prepare() {
-  hump = injury::hump_of(pulse);
-  scale.reset();
-}
-
-double PulseFigures::Sampled::hic(double longest_window) {
-  if (!hump) return injury::hic(pulse, longest_window).value;
-  if (!scale) {
-    scale = injury::scale_for(std::abs(pulse.acceleration[hump->peak]));
-    curve.assign(pulse, hump->sign * *scale);
-  }
-  return injury::hic_of(*hump, curve, *scale, longest_window).value;
-}
-
-/// What the steps leave, and the error of the force to the power that it has in the figure.
-template <class Figure>
-EstimatedValue PulseFigures::with_error(Figure figure, double power) {
-  const double value = figure(fine_);
-  if (!has_coarse_) return {value, std::numeric_limits<double>::infinity()};
-  const double coarse = figure(coarse_);
-  return {value, injury::step_error(value, coarse) + power * force_error_};
-}
-
-template <class ClipOf>
-EstimatedValue PulseFigures::level_of(ClipOf clip_of) {
-  const injury::Clip clip = clip_of(fine_);
-  if (!has_coarse_) return {clip.level, std::numeric_limits<double>::infinity()};
-  return {clip.level, injury::step_error(fine_.pulse, clip, clip_of(coarse_)) + force_error_};
-}
-
-/// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
-EstimatedValue PulseFigures::hic(double longest_window) {
-  const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
-  if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
-    return with_error(figure(longest_window), hic_power);
-  if (!whole_window_) whole_window_ = with_error(figure(injury::unlimited_window), hic_power);
-  return *whole_window_;
-}
-
-EstimatedValue PulseFigures::hic_d() {
-  const EstimatedValue hic36 = hic(36e-3);
-  const double value = injury::hic_d(hic36.value);
-  // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
-  // there.
-  const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
-  return {value, of_samples + hic_power * force_error_};
-}
-
-EstimatedValue PulseFigures::clip_3ms() {
-  const auto clip = [](const Sampled& of) {
-    return of.hump ? injury::clip_of(*of.hump, of.pulse, three_milliseconds)
-                   : injury::contiguous_clip(of.pulse, three_milliseconds);
-  };
-  const bool humps = fine_.hump && (coarse_.hump || !has_coarse_);
-  if (!humps) return level_of(clip);
-  if (!clip_) clip_ = level_of(clip);
-  return *clip_;
-}
-
-EstimatedValue PulseFigures::cumulative_3ms() {
-  if (fine_.hump && (coarse_.hump || !has_coarse_)) return clip_3ms();
-  return level_of([](const Sampled& of) { return injury::cumulative_clip(of.pulse, three_milliseconds); });
-}
-
-EstimatedValue PulseFigures::severity_index() {
-  return with_error([](const Sampled& of) { return injury::severity_index(of.pulse); }, hic_power);
-}
-
-EstimatedValue PulseFigures::velocity_change() {
-  return with_error([](const Sampled& of) { return injury::velocity_change(of.pulse); }, 1);
-}
 
 const std::vector<ResultQuantity>& response_kinds() {
   static const std::vector<ResultQuantity> kinds = [] {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 #include <oneapi/tbb/concurrent_queue.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -14,7 +13,6 @@
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "dashpad/study/design.hpp"
 #include "study/run_batches.hpp"
 
 namespace dashpad::study {

@@ -2,10 +2,12 @@
 
 #include <bit>
 
+#include <fmt/format.h>
 #include <boost/random/sobol.hpp>
 
-namespace dashpad::study {
+#include "dashpad/quantities/constants.hpp"
 
+namespace dashpad::study {
 namespace {
 
 /// The finaliser of MurmurHash3 (Appleby): every bit of the result depends on every bit of the argument.
@@ -46,6 +48,96 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0xc7afe638u;
   x ^= x * 0x8d22f6e6u;
   return x;
+}
+
+/// A smaller pivot is one factor that the others determine.
+constexpr double least_pivot = 1e-10;
+
+Matrix correlation_matrix(const Study& study) {
+  const auto sampled = sampled_factors(study);
+  const auto place = [&](std::size_t factor) {
+    return static_cast<std::size_t>(std::ranges::find(sampled, factor) - sampled.begin());
+  };
+  Matrix matrix(sampled.size(), std::vector<double>(sampled.size(), 0.));
+  for (std::size_t i = 0; i < sampled.size(); ++i) matrix[i][i] = 1;
+  for (const Correlation& of : study.correlations) {
+    const std::size_t i = place(of.first), j = place(of.second);
+    if (i < sampled.size() && j < sampled.size()) matrix[i][j] = matrix[j][i] = of.value;
+  }
+  return matrix;
+}
+
+constexpr double deviations_checked = 6;
+
+template <class... Case>
+struct Overloaded : Case... {
+  using Case::operator()...;
+};
+template <class... Case>
+Overloaded(Case...) -> Overloaded<Case...>;
+
+/// P(X < x); of the continuous ones P(X <= x) as well.
+template <class Distribution>
+double below(const Distribution& of, double x) {
+  return x == -infinite ? 0 : x == infinite ? 1 : cdf(of, x);
+}
+double below(const EmpiricalDistribution& of, double x) { return of.below(x); }
+
+template <class Distribution>
+double up_to(const Distribution& of, double x) {
+  return below(of, x);
+}
+double up_to(const EmpiricalDistribution& of, double x) { return of.up_to(x); }
+
+template <class Distribution>
+double above(const Distribution& of, double x) {
+  return x == -infinite ? 1 : x == infinite ? 0 : cdf(complement(of, x));
+}
+double above(const EmpiricalDistribution& of, double x) { return 1 - of.up_to(x); }
+
+template <class Distribution>
+double value_at(const Distribution& of, double fraction, bool from_above) {
+  return from_above ? quantile(complement(of, fraction)) : quantile(of, fraction);
+}
+double value_at(const EmpiricalDistribution& of, double fraction, bool from_above) {
+  return of.quantile(from_above ? 1 - fraction : fraction);
+}
+
+/// A lognormal has no probability at 0 and below, where Boost has no distribution function.
+double lowest_of(const Factor& factor) {
+  const double lowest = factor.lowest.value_or(-infinite);
+  return std::holds_alternative<Lognormal>(factor.spread) ? std::max(lowest, 0.) : lowest;
+}
+
+bool all_finite(std::initializer_list<double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+std::string rule_for(const Levels&) { return ""; }
+std::string rule_for(const Normal& of) {
+  if (!all_finite({of.mean, of.deviation})) return "mean and deviation must be finite numbers";
+  return of.deviation > 0 ? "" : "the deviation must be more than 0";
+}
+std::string rule_for(const Lognormal& of) {
+  if (!all_finite({of.median, of.spread})) return "median and spread must be finite numbers";
+  if (!(of.median > 0)) return "the median must be more than 0";
+  return of.spread > 0 && of.spread <= 10 ? "" : "the spread must be more than 0 and at most 10";
+}
+std::string rule_for(const Uniform& of) {
+  if (!all_finite({of.low, of.high})) return "low and high must be finite numbers";
+  return of.low < of.high ? "" : "low must be less than high";
+}
+std::string rule_for(const Triangular& of) {
+  if (!all_finite({of.low, of.mode, of.high})) return "low, mode and high must be finite numbers";
+  if (!(of.low < of.high)) return "low must be less than high";
+  return of.low <= of.mode && of.mode <= of.high ? "" : "the mode must lie between low and high";
+}
+std::string rule_for(const Empirical& of) {
+  if (of.values.size() < 2) return "needs two measured values or more";
+  if (!std::ranges::all_of(of.values, [](double value) { return std::isfinite(value); }))
+    return "the measured values must be finite numbers";
+  if (!std::ranges::is_sorted(of.values)) return "the measured values must be sorted";
+  return of.values.front() < of.values.back() ? "" : "the measured values are all the same";
 }
 
 }  // namespace
@@ -98,6 +190,111 @@ double Sobol::at(std::uint64_t number, std::size_t dimension) const {
   const std::uint32_t scrambled =
       reversed(laine_karras(reversed(plain(number, dimension)), seeds_[dimension]));
   return (scrambled + 0.5) * 0x1p-32;
+}
+
+std::vector<std::size_t> sampled_factors(const Study& study) {
+  std::vector<std::size_t> sampled;
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (study.factors[i].is_sampled()) sampled.push_back(i);
+  return sampled;
+}
+
+std::optional<Matrix> root_of_correlations(const Study& study) {
+  const Matrix of = correlation_matrix(study);
+  Matrix root(of.size(), std::vector<double>(of.size(), 0.));
+  for (std::size_t i = 0; i < of.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double rest = of[i][j];
+      for (std::size_t k = 0; k < j; ++k) rest -= root[i][k] * root[j][k];
+      if (i == j && !(rest > least_pivot)) return std::nullopt;
+      root[i][j] = i == j ? std::sqrt(rest) : rest / root[j][j];
+    }
+  return root;
+}
+
+Quantiles::Any Quantiles::made_of(const Spread& spread) {
+  return std::visit(
+      Overloaded{[](const Levels&) -> Any { throw std::invalid_argument("levels have no distribution"); },
+                 [](const Normal& of) -> Any {
+                   return boost::math::normal_distribution<double, Policy>(of.mean, of.deviation);
+                 },
+                 [](const Lognormal& of) -> Any {
+                   return boost::math::lognormal_distribution<double, Policy>(std::log(of.median), of.spread);
+                 },
+                 [](const Uniform& of) -> Any {
+                   return boost::math::uniform_distribution<double, Policy>(of.low, of.high);
+                 },
+                 [](const Triangular& of) -> Any {
+                   return boost::math::triangular_distribution<double, Policy>(of.low, of.mode, of.high);
+                 },
+                 [](const Empirical& of) -> Any { return EmpiricalDistribution(of.values); }},
+      spread);
+}
+
+Quantiles::Quantiles(const Factor& factor)
+    : distribution_(made_of(factor.spread)),
+      lowest_(lowest_of(factor)),
+      highest_(factor.highest.value_or(infinite)) {
+  std::visit(
+      [this](const auto& of) {
+        from_above_ = below(of, lowest_) > 0.5;
+        begin_ = from_above_ ? above(of, highest_) : below(of, lowest_);
+        width_ = from_above_ ? above(of, lowest_) - begin_ : up_to(of, highest_) - begin_;
+      },
+      distribution_);
+}
+
+double Quantiles::at(double fraction) const {
+  const double within = from_above_ ? 1 - fraction : fraction;
+  const double value = std::visit(
+      [&](const auto& of) { return value_at(of, begin_ + within * width_, from_above_); }, distribution_);
+  return std::clamp(value, lowest_, highest_);
+}
+
+std::string rule_broken_by(const Factor& factor) {
+  std::string rule = std::visit([](const auto& of) { return rule_for(of); }, factor.spread);
+  if (!rule.empty()) return rule;
+  if (!factor.is_sampled())
+    return factor.lowest || factor.highest ? "only a distribution can be cut off by lowest and highest" : "";
+  const double lowest = factor.lowest.value_or(-infinite), highest = factor.highest.value_or(infinite);
+  if (std::isnan(lowest) || std::isnan(highest)) return "lowest and highest must be finite numbers";
+  if (!(lowest < highest)) return "lowest must be less than highest";
+  constexpr double least_kept = 1e-6;
+  const double kept = Quantiles(factor).kept();
+  if (!(kept >= least_kept))
+    return fmt::format("lowest and highest leave a probability of {:.2g}; it must be at least {}", kept,
+                       least_kept);
+  return "";
+}
+
+CheckedRange checked_range(const Factor& factor) {
+  constexpr double out = deviations_checked;
+  CheckedRange range = std::visit(
+      Overloaded{
+          [](const Levels& of) {
+            return CheckedRange{std::ranges::min(of.values), std::ranges::max(of.values)};
+          },
+          [](const Normal& of) {
+            return CheckedRange{of.mean - out * of.deviation, of.mean + out * of.deviation, true, true};
+          },
+          [](const Lognormal& of) {
+            return CheckedRange{of.median * std::exp(-out * of.spread), of.median * std::exp(out * of.spread),
+                                true, true};
+          },
+          [](const Uniform& of) {
+            return CheckedRange{of.low, of.high};
+          },
+          [](const Triangular& of) {
+            return CheckedRange{of.low, of.high};
+          },
+          [](const Empirical& of) {
+            return CheckedRange{of.values.front(), of.values.back()};
+          }},
+      factor.spread);
+  if (factor.lowest && *factor.lowest > range.low) range.low = *factor.lowest, range.low_is_tail = false;
+  if (factor.highest && *factor.highest < range.high)
+    range.high = *factor.highest, range.high_is_tail = false;
+  return range;
 }
 
 }  // namespace dashpad::study

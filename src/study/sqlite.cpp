@@ -1,6 +1,5 @@
-#include "study/sqlite.hpp"
+#include "study/store_file.hpp"
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>

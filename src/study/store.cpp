@@ -1,17 +1,22 @@
 #include "dashpad/study/store.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "study/store_file.hpp"
 
 namespace dashpad::study {
+
+ExportedColumn exported(const StoredColumn& column) {
+  const auto [scale, unit] = scaled_unit(column.unit, plain_si());
+  return {name_with_unit(column.name, unit), column.unit.empty() ? "" : unit, scale};
+}
 
 namespace {
 
@@ -57,7 +62,8 @@ void bind(Statement& insert, const StoredRow& row) {
 }
 
 std::string row_query(const StoreHeading& heading) {
-  return "SELECT row, status, extrapolated, bottomed, error" + value_columns(heading) + " FROM samples";
+  return "SELECT row, status, extrapolated, bottomed, error" + value_columns(heading, "samples.") +
+         " FROM samples";
 }
 
 Status status_of(const std::string& name, const Database& database) {
@@ -103,6 +109,22 @@ bool has_column(const StoreHeading& heading, const std::string& name) {
     if (std::any_of(list->begin(), list->end(), [&](const auto& column) { return column.name == name; }))
       return true;
   return false;
+}
+
+void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns) {
+  const Outcome& outcome = row.outcome;
+  fmt::format_to(std::back_inserter(text), "{},{},{:d},{:d},{:d},{:d},", row.row, to_string(outcome.status),
+                 outcome.extrapolated != 0, (outcome.extrapolated & extrapolated_strain) != 0,
+                 (outcome.extrapolated & extrapolated_rate) != 0, outcome.bottomed);
+  if (!std::isnan(outcome.error)) fmt::format_to(std::back_inserter(text), "{}", outcome.error);
+  auto column = columns.begin();
+  for (const auto* values : {&row.factors, &outcome.values})
+    for (const double value : *values) {
+      text.push_back(',');
+      if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", column->scale * value);
+      ++column;
+    }
+  text.push_back('\n');
 }
 
 }  // namespace
@@ -205,6 +227,26 @@ std::vector<double> Store::column(const std::string& name) const {
       impossible(file_->database, name, values.back());
   }
   return values;
+}
+
+void export_csv(const Store& store, const std::function<void(std::string_view)>& write) {
+  constexpr std::size_t piece = 1 << 16;
+  std::string names = "row,status,extrapolated,extrapolated_strain,extrapolated_rate,bottomed,error";
+  std::vector<ExportedColumn> columns;
+  for (const auto* list : {&store.factors(), &store.responses()})
+    for (const StoredColumn& column : *list) {
+      columns.push_back(exported(column));
+      names += "," + columns.back().name;
+    }
+  write(names + "\n");
+  fmt::memory_buffer text;
+  store.visit_rows([&](const StoredRow& row) {
+    append(text, row, columns);
+    if (text.size() < piece) return;
+    write({text.data(), text.size()});
+    text.clear();
+  });
+  write({text.data(), text.size()});
 }
 
 }  // namespace dashpad::study

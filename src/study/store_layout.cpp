@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "dashpad/version.hpp"
 #include "json/json_values.hpp"
@@ -148,13 +147,10 @@ bool is_empty(const Database& database) {
 void create_tables(Database& database, const Study& study, const StoreHeading& heading) {
   database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application, layout));
   database.execute(tables);
-  std::string columns;
-  for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) columns += ", " + sql_name(column.name) + " REAL";
   database.execute(
       "CREATE TABLE samples (row INTEGER PRIMARY KEY, status TEXT NOT NULL, extrapolated INTEGER NOT "
       "NULL, bottomed INTEGER NOT NULL, error REAL" +
-      columns + ")");
+      value_columns(heading, "", " REAL") + ")");
   write_facts(database, heading, study);
 
   Statement factor{database, "INSERT INTO factors VALUES (?, ?, ?)"};
@@ -200,10 +196,10 @@ StoreHeading read_heading(const Database& database) {
   return heading;
 }
 
-std::string value_columns(const StoreHeading& heading) {
+std::string value_columns(const StoreHeading& heading, const std::string& before, const std::string& after) {
   std::string columns;
   for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) columns += ", samples." + sql_name(column.name);
+    for (const StoredColumn& column : *list) columns += ", " + before + sql_name(column.name) + after;
   return columns;
 }
 

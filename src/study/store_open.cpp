@@ -1,6 +1,5 @@
 // Opening a store: new, to go on, to read.
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -98,13 +97,10 @@ void start_log(Database& database) {
 }
 
 std::string insert_text(const StoreHeading& heading) {
-  std::string columns = "row, status, extrapolated, bottomed, error", marks = "?, ?, ?, ?, ?";
-  for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) {
-      columns += ", " + sql_name(column.name);
-      marks += ", ?";
-    }
-  return "INSERT INTO samples (" + columns + ") VALUES (" + marks + ")";
+  std::string marks = "?, ?, ?, ?, ?";
+  for (std::size_t i = 0; i < heading.factors.size() + heading.responses.size(); ++i) marks += ", ?";
+  return "INSERT INTO samples (row, status, extrapolated, bottomed, error" + value_columns(heading, "") +
+         ") VALUES (" + marks + ")";
 }
 
 /// SQLite takes a last page that is cut for one that ends in zeros, and a file shorter than its own heading

@@ -33,7 +33,6 @@ constexpr double tolerance_of_ends = 1e-3;
 constexpr double worth_solving = 3e-3;
 /// Of a figure: an impact whose peak is less sure says nothing.
 constexpr double largest_error = 0.05;
-constexpr double two_sided_95 = 1.959964;
 
 /// A figure that gets an interval.
 struct AskedFigure {
@@ -181,7 +180,8 @@ class Search {
   void solve_between() {
     std::vector<Job> jobs;
     for (Solved& of : solved_) {
-      if (of.failed || of.line->is_statistical || impacts_ + static_cast<int>(jobs.size()) >= most_impacts)
+      if (of.failed || is_statistical(of.line->source) ||
+          impacts_ + static_cast<int>(jobs.size()) >= most_impacts)
         continue;
       double most = worth_solving;
       std::optional<double> best;
@@ -250,7 +250,7 @@ Deviation deviation_of(const Solved& of, std::size_t figure) {
     deviation.up = std::max(deviation.up, change);
   }
   if (of.is_mirrored) deviation.down = deviation.up = std::max(deviation.down, deviation.up);
-  if (of.line->is_statistical) {
+  if (is_statistical(of.line->source)) {
     const double factor = two_sided_95 / of.line->deviations;
     deviation.down *= factor;
     deviation.up *= factor;
@@ -286,11 +286,6 @@ Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double n
     }
   }
   return {};
-}
-
-bool is_statistical(Source source) {
-  return source == Source::scatter || source == Source::posterior || source == Source::misfit ||
-         source == Source::neighbours;
 }
 
 constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,

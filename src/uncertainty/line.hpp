@@ -2,7 +2,6 @@
 /// A way in which a case may be otherwise: one number that goes from 0, the case as it is, to its ends.
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
@@ -10,12 +9,20 @@
 
 namespace dashpad::uncertainty {
 
+/// Standard deviations of a normal distribution, to both sides, that hold 95 %.
+inline constexpr double two_sided_95 = 1.959964;
+
+/// Whether the ends of a line are standard deviations of a normal distribution.
+constexpr bool is_statistical(Source source) {
+  return source == Source::scatter || source == Source::posterior || source == Source::misfit ||
+         source == Source::neighbours;
+}
+
 struct Line {
   Source source = Source::continuation;
   std::vector<double> ends = {};              ///< one or two, none of them 0
   std::function<ImpactCase(double)> at = {};  ///< the case there
-  bool is_statistical = false;   ///< ends are standard deviations of a normal distribution, +-`deviations`
-  double deviations = 1.959964;  ///< at which the ends lie
+  double deviations = two_sided_95;           ///< of a statistical source, at which the ends lie
 };
 
 /// The share of a figure, one standard deviation, that a source leaves open without a further impact.
@@ -65,5 +72,9 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
 
 /// "SMALL NOSE: ...", with the size of the error; empty where the nose is not small against the pad.
 std::string warning_of_model(const ImpactCase& impact);
+
+/// Of Student's t, the quantile for both sides: P(|t| < it) = 0.95. Infinite without a degree of freedom;
+/// their number may be broken.
+[[nodiscard]] double student_95(double degrees_of_freedom);
 
 }  // namespace dashpad::uncertainty

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "reading.hpp"
-#include "study/factor_table.hpp"
+#include "study/factor_spread.hpp"
 
 using namespace dashpad;
 using namespace dashpad::fuzz;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "reading.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "reading.hpp"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "reading.hpp"
 #include "unit/small_study.hpp"

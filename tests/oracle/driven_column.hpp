@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dashpad/laboratory/strain_history.hpp"
+#include "dashpad/laboratory/column_test.hpp"
 #include "oracle/law_formulas.hpp"
 #include "oracle/ode_session.hpp"
 

@@ -1,6 +1,6 @@
 /// The error that chords leave in a clip, on half sines whose clip is known.
 
-#include "injury/coarser_run.hpp"
+#include "injury/pulse_line.hpp"
 
 #include <gtest/gtest.h>
 

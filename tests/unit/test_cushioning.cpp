@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dashpad/laboratory/cushioning.hpp"
+#include "dashpad/laboratory/material_test.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

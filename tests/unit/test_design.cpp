@@ -11,10 +11,9 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 
-#include "dashpad/study/design.hpp"
 #include "dashpad/study/run_study.hpp"
+#include "dashpad/study/study.hpp"
 #include "sample_case.hpp"
-#include "study/distribution.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {

@@ -16,8 +16,7 @@
 #include "dashpad/laboratory/column_test.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
-#include "fit/solve.hpp"
-#include "fit/uncertainty.hpp"
+#include "fit/determine.hpp"
 #include "shared/temporary_folder.hpp"
 #include "unit/sample_case.hpp"
 

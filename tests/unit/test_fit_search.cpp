@@ -9,8 +9,6 @@
 
 #include "fit/card.hpp"
 #include "fit/determine.hpp"
-#include "fit/met.hpp"
-#include "fit/solve.hpp"
 #include "shared/synthetic_fits.hpp"
 
 namespace dashpad::fit {

@@ -9,7 +9,7 @@
 
 #include "dashpad/output/materials.hpp"
 #include "dashpad/spit1984/run.hpp"
-#include "laboratory/arc.hpp"
+#include "laboratory/column.hpp"
 
 namespace dashpad {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/fault.hpp"
+#include "dashpad/laboratory/material_test.hpp"
 #include "dashpad/output/materials.hpp"
-#include "laboratory/loading_curve.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {

@@ -213,6 +213,9 @@ TEST(measured_tests, constant_that_the_study_needs) {
   Data data;
   data.replace("printed-constants.csv", "expected_travel_in", "expected_trip_in");
   EXPECT_THAT(data.faults(), ElementsAre("printed-constants.csv: has no constant expected_travel_in"));
+  data.replace("printed-constants.csv", "inch_per_s_of_mph", "inch_per_s_of_knot");
+  EXPECT_THAT(data.faults(), ElementsAre("printed-constants.csv: has no constant inch_per_s_of_mph",
+                                         "printed-constants.csv: has no constant expected_travel_in"));
 }
 
 }  // namespace

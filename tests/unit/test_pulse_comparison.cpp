@@ -9,8 +9,8 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
+#include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/input/case_file.hpp"
-#include "injury/pulse_words.hpp"
 #include "shared/samples.hpp"
 
 namespace dashpad::test {

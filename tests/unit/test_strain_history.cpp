@@ -8,8 +8,7 @@
 #include <stdexcept>
 
 #include "dashpad/laboratory/column_test.hpp"
-#include "dashpad/laboratory/strain_history.hpp"
-#include "laboratory/arc.hpp"
+#include "laboratory/column.hpp"
 
 namespace dashpad::test {
 namespace {

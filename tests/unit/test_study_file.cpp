@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/study/design.hpp"
 #include "dashpad/study/responses.hpp"
 #include "dashpad/study/run_study.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "sample_case.hpp"
 

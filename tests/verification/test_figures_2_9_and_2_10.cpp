@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dashpad/laboratory/cushioning.hpp"
+#include "dashpad/laboratory/material_test.hpp"
 #include "dashpad/spit1984/run.hpp"
 #include "shared/samples.hpp"
 

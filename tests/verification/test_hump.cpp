@@ -8,7 +8,6 @@
 
 #include "dashpad/injury/metrics.hpp"
 #include "injury/hic_search.hpp"
-#include "injury/hump.hpp"
 
 namespace dashpad {
 namespace {

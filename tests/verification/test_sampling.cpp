@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dashpad/study/design.hpp"
+#include "dashpad/study/study.hpp"
 
 namespace dashpad::study {
 namespace {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -147,10 +148,15 @@ inline bool seeks(const Fit& fit, std::string_view key) {
   return std::ranges::count(fit.unknowns, key, &Unknown::key) > 0;
 }
 
-/// Whether some test or impact is fitted to, and not all of them are held out.
+/// The tests or impacts that are fitted to: those that are not held out.
+template <class Measurement>
+auto fitted(const std::vector<Measurement>& of) {
+  return std::views::filter(of, [](const Measurement& one) { return !one.is_held_out; });
+}
+/// Whether there is one.
 template <class Measurement>
 bool has_fitted(const std::vector<Measurement>& of) {
-  return std::ranges::any_of(of, [](const Measurement& one) { return !one.is_held_out; });
+  return !fitted(of).empty();
 }
 /// Whether the unknowns are told by impacts alone.
 inline bool rests_on_impacts_alone(const Fit& fit) {

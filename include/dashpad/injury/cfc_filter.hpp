@@ -1,13 +1,10 @@
 #pragma once
 /// Channel frequency class filters: a two-pole Butterworth filter run forwards and backwards, so that it has
-/// four poles and no phase.
+/// four poles and no phase (docs/injury.md).
 ///
 ///   y(n) = a0 x(n) + a1 x(n-1) + a2 x(n-2) + b1 y(n-1) + b2 y(n-2),  wa = tan(wd T / 2)
-///   a0 = wa^2 / (1 + sqrt(2) wa + wa^2), a1 = 2 a0, a2 = a0,
-///   b1 = -2 (wa^2 - 1) / (1 + sqrt(2) wa + wa^2), b2 = (-1 + sqrt(2) wa - wa^2) / (1 + sqrt(2) wa + wa^2)
 ///
-/// Both runs together pass a vibration of frequency f with the gain 1 / (1 + (tan(pi f T) / wa)^4): one half
-/// at the corner wd, and -3 dB at 0.8022 of it, 5/3 of the class.
+/// Both runs together pass half of a vibration at the corner wd, and -3 dB at 0.8022 of it, 5/3 of the class.
 
 #include <array>
 

@@ -55,6 +55,9 @@ Pulse pulse_of(const History& history);
 /// left by the steps of the history, from a comparison with the run of twice the step.
 InjuryFigures injury_figures(const Solution& solution);
 
+/// Whether the history is that of a whole pulse, and finite: the impactor left the pad.
+bool has_whole_pulse(const Solution& solution);
+
 /// The same of a whole pulse; absent where it was cut off or is not finite: the impactor did not leave the
 /// pad.
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution);

@@ -58,14 +58,8 @@ struct SensorOffset {
 /// Of the samples from `begin` to `end`, s, both included. Throws std::invalid_argument for fewer than two.
 SensorOffset offset_between(const MeasuredPulse& measured, double begin, double end);
 
-/// Of the quiet part before the impact, from the first sample on; absent where there is none. The impact
-/// begins where the acceleration leaves five times its scatter (and 0.5 % of the largest deviation) for good
-/// before it first reaches 10 % of the largest deviation. The quiet part ends earlier by a quarter of the
-/// time from there to the peak, so that the slow beginning of a pulse is not in it; it has ten samples at
-/// least and a scatter of 2 % of the peak at most. Deviations are those of all directions, root of the sum of
-/// squares. Where the quiet part has two levels 1 g apart, to a tenth, rest and free fall, that of the fall
-/// alone counts. Levels have ten samples at least, and differ by 1.5 times their scatter and five standard
-/// errors; the later one is level, to a quarter of the step.
+/// Of the quiet part before the impact, from the first sample on; where it shows a rest and a free fall, of
+/// the fall alone. Absent where there is none. docs/pulses.md says what is quiet.
 std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured);
 
 /// Without the samples before `begin`, s, and a remark that says so.

@@ -70,12 +70,8 @@ struct Contact {
 
 /// `along` is the acceleration along the axis of the impact, m/s2, of either sign: of a resultant that of its
 /// main axis, since a length never changes its sign. Contact is the stretch around the peak above the level
-/// of `quiet`, where nothing happens: its mean and its scatter, which a record of lengths has too; without
-/// one, the stretch that keeps the sign of the peak. It goes on over an interruption, as by ringing, behind
-/// which, within a quarter of the width of the pulse, the velocity changes by another 1 %. That width is the
-/// time above half the peak, from where the acceleration last leaves that level before the peak to where it
-/// first reaches it again: a second blow is none of it. Throws std::invalid_argument for what check()
-/// refuses.
+/// of `quiet`, where nothing happens, or else the one that keeps the sign of the peak (docs/pulses.md).
+/// Throws std::invalid_argument for what check() refuses.
 Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet = {});
 
 /// What sampling, filter and calibration leave open of a figure of a measured pulse.
@@ -150,10 +146,8 @@ double change_of_motion(const Contact& contact, const MeasuredImpact& impact);
 /// rebounds like that, and IMPOSSIBLE VELOCITY CHANGE says so.
 std::optional<double> restitution(const Contact& contact, const MeasuredImpact& impact);
 
-/// PULSE CUT: it starts or ends above 1 % of its peak and above four times the scatter of `quiet`, if there
-/// is such an interval; HIC, clips and velocity change are lower bounds then. `pulse` is the processed one
-/// without the sensor's offset. IMPOSSIBLE VELOCITY CHANGE: that of the motion is not between v and 2 v, to
-/// 0.1 %. And height_in_doubt().
+/// PULSE CUT, where `pulse`, the processed one without the sensor's offset, starts or ends above its noise;
+/// IMPOSSIBLE VELOCITY CHANGE, where that of the motion is not between v and 2 v; and height_in_doubt().
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse);
 
 /// Velocities that differ by less count as the same, relative.
@@ -193,15 +187,19 @@ PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter);
 
-/// Of the figures of `report`. `calibration`: of an acceleration, expanded, in (0, most_calibration), alike
-/// in all directions.
-///
-/// Sampling of the peak: a smooth pulse, a parabola through the largest sample and its neighbours, lies at
-/// most |y(-1) - 2 y(0) + y(1)| / 8 above the largest sample. Of the others: 4/3 of what samples between the
-/// given ones, by a cubic through four, do to them, since straight lines err by the square of the interval.
-/// Filter: what the next higher class leaves of the figure that the chosen one takes away; where there is
-/// none or the samples are too few for it, what no filter leaves. Calibration: to the power that the
-/// acceleration has in the figure, 2.5 of HIC.
+/// Of the figures of `report`, as docs/pulses.md has it. `calibration`: of an acceleration, expanded, in
+/// (0, most_calibration), alike in all directions.
 MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration);
+
+// What is said of it in words and numbers.
+
+/// "1.2, 0, -0.3 g", of accelerations in m/s2; 0 for what is 0 up to rounding, compared with the peak.
+std::string each_in_g(const std::vector<double>& accelerations, double peak);
+
+/// "12 %": two digits, and all digits before the point.
+std::string in_percent(double fraction);
+
+/// "HIC15 is 4.4 % higher with it than without".
+std::string change_of_hic15(const OffsetEffect& effect);
 
 }  // namespace dashpad::injury

@@ -179,14 +179,10 @@ std::vector<Flag> reservations_about_limits(const Standard& standard);
 /// The levels of the dwell times that a standard limits, m/s2: uncertainty::add_intervals() is to know them.
 std::vector<double> dwell_levels(const Standard& standard);
 
-/// Judges the solution of `impact`, the case with the impactor of the standard. Passes where every interval,
-/// with the solver's error, is within its limit; fails where one is above as a whole; otherwise undecided.
-/// Without intervals the value and its error are judged, and the assessment says so.
-///
-/// A pad that bottomed out on a rigid support fails whatever is asked for: the force has no finite
-/// value. A pulse that was cut before contact was lost gives lower bounds, since each of the metrics can only
-/// grow with what is missing of the pulse: it fails above a limit and is undecided below. The peak alone is
-/// final once the impactor came to rest, as a foam that does not unload leaves it on a rigid support.
+/// Judges the solution of `impact`, the case with the impactor of the standard: decide() of each criterion,
+/// by its interval where there is one. A pad that bottomed out on a rigid support fails whatever is asked
+/// for. A pulse that was cut before contact was lost gives lower bounds; the peak alone is final once the
+/// impactor came to rest.
 ///
 /// Throws std::invalid_argument for a standard without criteria and a solution without a history.
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);

@@ -34,11 +34,10 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
 /// std::invalid_argument that names the systems on offer.
 const UnitSystem& deck_system(std::string_view name);
 
-/// A column called strain, a pure number or in % ("strain", "strain [%]", "strain_percent"), and columns of
-/// stress with their units ("stress_kPa", "stress [MPa]"). With several of them each header says its rate
-/// behind an @: "stress_kPa @ 10 1/s". `rate`, 1/s, is that of a single column that does not say it.
-/// Separators, quotes, comments and decimal commas as in measurement/tables.hpp; a stress may be left out
-/// where its curve has ended. Gives all faults, or the first 200.
+/// A column called strain, a pure number or in %, and columns of stress with their units ("stress_kPa"). With
+/// several of them each header says its rate behind an @: "stress_kPa @ 10 1/s". `rate`, 1/s, is that of a
+/// single column that does not say it. A stress may be left out where its curve has ended. Gives all faults,
+/// or the first 200.
 Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::optional<double> rate);
 
 }  // namespace dashpad::input

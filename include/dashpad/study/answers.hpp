@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/study/design.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 
@@ -148,16 +147,9 @@ struct RowCounts {
 RowCounts row_counts(const Store& store);
 
 /// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
-/// thicknesses.
-///
-/// The standard drops a flat platen, wider than the cushion. The loaded area of a sphere grows during the
-/// impact; that of a flat disc does not, but the pad is wider than the disc. Static stress here is the weight
-/// over the area of the contact, projected along the direction of impact, at the largest penetration d,
-///
-///   static stress = M g / a(d)                                                         (theory.md, Eq. 3);
-///
-/// drop height is v^2 / 2 g. Curves of a sphere lie elsewhere than those of a platen and must not be mixed
-/// with them.
+/// thicknesses (docs/studies.md). Static stress is the weight over the area of the contact, projected along
+/// the direction of impact, at the largest penetration; drop height is v^2 / 2 g. Curves of a sphere lie
+/// elsewhere than those of a platen and must not be mixed with them.
 struct CushionCurve {
   double thickness = 0;                   ///< m
   std::vector<double> static_stress;      ///< Pa, in the order of the masses

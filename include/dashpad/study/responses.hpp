@@ -1,7 +1,6 @@
 #pragma once
 /// What a study keeps of each impact: figures of the summary and of the pulse, by name.
 
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>

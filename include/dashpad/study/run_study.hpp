@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "dashpad/impact/solve.hpp"
-#include "dashpad/study/design.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "dashpad/input/fault.hpp"
 #include "dashpad/input/reading.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "input/disk.hpp"
-#include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,14 +85,5 @@ struct MmeChannelText {
 
 /// A whole channel file. Its number of samples must be the one that it claims.
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults);
-
-/// "3" and "003" are 3; a code is no number, even one of digits only.
-std::optional<int> channel_number(const std::string& text);
-
-/// One of `all`, or the two or three of a resultant in the order X, Y, Z. Throws InputError that names those
-/// that could be meant. `file` is for messages.
-std::vector<IsoMmeChannel> chosen_channels(const std::filesystem::path& file,
-                                           const std::vector<IsoMmeChannel>& all,
-                                           const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

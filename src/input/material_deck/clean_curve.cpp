@@ -1,6 +1,5 @@
 #include "input/material_deck/deck_foam.hpp"
 
-#include <string>
 #include <tuple>
 
 #include <fmt/format.h>

@@ -12,7 +12,6 @@
 #include "dashpad/model/pad/foam/table_curve.hpp"
 #include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "input/material_deck/deck_cards.hpp"
-#include "input/material_deck/deck_unit.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {

@@ -14,12 +14,6 @@ struct RadiossBlocks {
   std::vector<std::string> other_materials;
   bool includes_files = false;
 };
-RadiossBlocks radioss_blocks(std::string_view text, MeasurementFaults& faults);
-/// The parts of "MAT/LAW90/12/3" between its slashes.
-std::vector<std::string> parts_of(const std::string& keyword);
-/// A part of a keyword as a number; 0 where it is none.
-long number_in(const std::vector<std::string>& parts, std::size_t place);
-
 struct RadiossSource {
   const RadiossBlocks& deck;
   const DeckUnits& units;
@@ -76,17 +70,5 @@ bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_90(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
-
-struct RadiossLaw {
-  std::string_view number, words;
-  bool crushable;
-  bool (*read)(LawLines&, const RadiossSource&, DeckFoam&);
-};
-inline constexpr RadiossLaw radioss_laws[]{{"LAW33", "FOAM_PLAS", true, read_law_33},
-                                           {"LAW62", "VISC_HYP", false, read_law_62},
-                                           {"LAW70", "FOAM_TAB", false, read_law_70},
-                                           {"LAW90", "LAW90", false, read_law_90}};
-/// Null for a law that is not read.
-const RadiossLaw* radioss_law(std::string_view name);
 
 }  // namespace dashpad::input

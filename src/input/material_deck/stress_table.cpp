@@ -9,7 +9,6 @@
 
 #include "dashpad/quantities/quantity.hpp"
 #include "input/material_deck/deck_foam.hpp"
-#include "input/measurement/column_units.hpp"
 #include "input/measurement/csv_table.hpp"
 
 namespace dashpad::input {

@@ -1,4 +1,4 @@
-#include "input/measurement/column_units.hpp"
+#include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/solution.hpp"
-#include "dashpad/input/pulse_file.hpp"
 #include "dashpad/quantities/quantity.hpp"
-#include "input/measurement/measurement_text.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad::input {

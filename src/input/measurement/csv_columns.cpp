@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "input/measurement/column_units.hpp"
 #include "input/spelling.hpp"
 #include "quantities/text.hpp"
 

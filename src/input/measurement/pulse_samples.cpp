@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
-#include "input/measurement/measurement_text.hpp"
 #include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
 

@@ -30,11 +30,9 @@ struct PulseGaps {
   double usual_step = 0;  ///< s, the median
 };
 
-/// On an even grid, steps of more than 1.5 times the median. A grid is even if all steps up to that length
-/// are within a quarter of the median, and at most three of the rest, or a tenth of all, are longer: more
-/// than that are times that were rounded, or two rates. On any other grid, steps of more than 10 times the
-/// median and of more than 3 times both of their neighbours: the steps of a solver that adapts them grow to
-/// 14 times their median, but one after the other. Fewer than three steps tell nothing.
+/// On an even grid, steps of more than 1.5 times the median; on any other, steps of more than 10 times the
+/// median and of more than 3 times both of their neighbours. docs/pulses.md says which grids are even. Fewer
+/// than three steps tell nothing.
 PulseGaps find_gaps(const std::vector<double>& times);
 
 /// A time of a clock that began long ago: 1764068400.1234 s has no room for a sample of 0.1 ms in a double,

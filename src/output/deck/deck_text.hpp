@@ -9,7 +9,7 @@
 
 #include "dashpad/output/deck/exports.hpp"
 #include "dashpad/output/material_deck.hpp"
-#include "input/material_deck/deck_unit.hpp"
+#include "input/material_deck/deck_cards.hpp"
 
 namespace dashpad::output {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "laboratory/loading_curve.hpp"
+#include "dashpad/laboratory/material_test.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "output/document.hpp"
 #include "output/svg/svg.hpp"

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/injury/pulse_report.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/version.hpp"
-#include "injury/pulse_words.hpp"
 #include "output/documents/assessment.hpp"
 #include "output/result_rows.hpp"
 #include "output/text/capitals.hpp"

@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/laboratory/material_test.hpp"
 #include "dashpad/output/materials.hpp"
 #include "dashpad/version.hpp"
-#include "laboratory/loading_curve.hpp"
 #include "output/plot/axis_ticks.hpp"
 #include "output/plot/axis_with_unit.hpp"
 #include "output/plot/foam_figures.hpp"

@@ -9,8 +9,8 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/report1986/validation/study.hpp"
+#include "fit/determine.hpp"
 #include "fit/problem.hpp"
-#include "fit/solve.hpp"
 
 namespace dashpad::report1986 {
 

@@ -154,8 +154,8 @@ std::vector<UnplacedReadings> read_unplaced(const fs::path& file, const std::vec
 
 /// The printed constants that the study compares with.
 constexpr const char* constants_of_the_study =
-    "pad_thickness_in tests load_cell_tests plate_tests aluminium_load_cell_tests steel_load_cell_tests "
-    "force_readings plug_only_strains strains_by_both load_cell_first_slope_lb_per_in "
+    "pad_thickness_in inch_per_s_of_mph tests load_cell_tests plate_tests aluminium_load_cell_tests "
+    "steel_load_cell_tests force_readings plug_only_strains strains_by_both load_cell_first_slope_lb_per_in "
     "load_cell_last_slope_lb_per_in travel_in expected_travel_in least_excess_time_ms "
     "greatest_excess_time_ms shortest_elastic_time_ms longest_elastic_time_ms nominal_stress_tests "
     "nominal_stress_clustered_tests rebound_readings rebound_ratio_load_cell rebound_ratio_plate "

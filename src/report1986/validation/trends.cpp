@@ -7,7 +7,7 @@
 #include "dashpad/report1986/validation/energy.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
-#include "uncertainty/student.hpp"
+#include "uncertainty/line.hpp"
 
 namespace dashpad::report1986 {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {

@@ -1,16 +1,30 @@
 #pragma once
 /// Tables of numbers as measuring programs write them, CSV: in them a pulse, a strain history or a
-/// compression test. docs/pulses.md has the rules.
+/// compression test; and a pulse that was read, where it came from. docs/pulses.md has the rules.
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dashpad/input/pulse_file.hpp"
+#include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/input/reading.hpp"
 
 namespace dashpad::input {
+
+struct Sensitivity {
+  std::string text = {};              ///< as written: "10 mV/g"
+  double volts_per_acceleration = 0;  ///< V per m/s2, more than 0
+};
+
+/// "10 mV/g", "1.02 mV/(m/s2)": a voltage, and behind the slash the unit of acceleration that it stands for;
+/// g is standard gravity. Throws UnitError.
+Sensitivity sensitivity_of(const std::string& text);
+
+struct PulseFile {
+  injury::MeasuredPulse measured;
+  std::vector<InputFile> files;  ///< that it was read from: of a test, each of its parts
+};
 
 /// What the file itself may not say. A column is named by its header, with or without its unit, or by its
 /// number from 1.
@@ -28,11 +42,9 @@ struct PulseCsvOptions {
   std::optional<double> interval = {};
 };
 
-/// Separated by commas, semicolons, tabs or blanks, or of one column; with header rows or without; decimal
-/// commas where no comma separates. Units are never guessed. What is repaired is a remark; gaps, in the
-/// rows and, unless they are to be bridged, in the times, text, numbers that are not finite, times that do
-/// not increase and choices that are not clear are faults, of which the first 200 are given. At most 1 GiB
-/// and 50 million samples.
+/// Units are never guessed. What is repaired is a remark; gaps, in the rows and, unless they are to be
+/// bridged, in the times, text, numbers that are not finite, times that do not increase and choices that are
+/// not clear are faults, of which the first 200 are given. At most 1 GiB and 50 million samples.
 Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseCsvOptions& options);
 
 /// The columns with the units that the header gives; without header, numbers only.
@@ -44,10 +56,9 @@ struct StrainTable {
   std::vector<std::string> remarks = {};  ///< what was read otherwise than it stands, a sentence each
 };
 
-/// Separators, quotes, comments, decimal commas and header as of a pulse. The header is needed: it
-/// names the time with its unit ("time [ms]", "t_s") and a column called strain, a pure number or in %
-/// ("strain", "strain [%]"). Two rows at least, 10,000 at most; strain 0 first. Gives
-/// all faults, each with its line, or the first 200.
+/// The header is needed: it names the time with its unit ("time [ms]", "t_s") and a column called strain, a
+/// pure number or in % ("strain [%]"). Two rows at least, 10,000 at most; strain 0 first. Gives all faults,
+/// each with its line, or the first 200.
 Reading<StrainTable> read_strain_csv(const std::filesystem::path& file);
 
 /// Which columns, by their header with or without its unit, and the units that the header does not say.
@@ -66,9 +77,8 @@ struct StressStrainTable {
   std::vector<double> stress = {};  ///< Pa
 };
 
-/// Separators, quotes, comments, decimal commas and header as of a pulse; the header is needed. Two
-/// rows at least, 10,000 at most. Gives all faults, each with its line, or the first 200: a column that is
-/// missing, a unit that nobody stated, numbers that are not finite, times that do not increase, a strain of 1
+/// The header is needed. Two rows at least, 10,000 at most. Gives all faults, each with its line, or the
+/// first 200: a column that is missing, a unit that nobody stated, times that do not increase, a strain of 1
 /// or more (per cent taken for a fraction), strains that are negative in compression.
 Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& file,
                                                   const StressStrainColumns& columns);
