@@ -220,11 +220,34 @@ task_format() {
   cpp_files | xargs -r clang-format -i
 }
 
+# Names that nobody would look for: the largest and smallest of something are max_ and min_, faults of a command line are
+# errors, and a parameter is named for what it is.
+check_names() {
+  # shellcheck disable=SC2016
+  cpp_files | xargs -r awk '
+    FNR == 1 { in_text = 0 }
+    in_text { if (/\)"/) in_text = 0; next }
+    {
+      code = $0
+      if (code ~ /R"\(/ && code !~ /\)"/) in_text = 1
+      gsub(/"([^"\\]|\\.)*"/, "", code)
+      sub(/\/\/.*/, "", code)
+      rule = ""
+      if (code ~ /(^|[^A-Za-z0-9_])(most|least)_[a-z]/ && code !~ /least_squares|most_of_a_kind/) rule = "max_ or min_, not most_ or least_"
+      if (code ~ /(^|[^A-Za-z0-9_])wrong([^A-Za-z0-9_]|$)/ && FILENAME !~ /^tests/) rule = "errors, not wrong"
+      if (code ~ /([&*a-z]|[^-]>) ?of[,)]/ && code !~ /[a-z_]of[,)]|\(\*of\)/) rule = "a parameter is named for what it is, not of"
+      if (rule) { print FILENAME ":" FNR ": " rule; found = 1 }
+    }
+    END { exit found }'
+}
+
 task_check_layout() {
   need_packages format shellcheck
   cd "$root"
   say "Checking the layout ..."
   cpp_files | xargs -r -n 100 -P "$jobs" clang-format --dry-run --Werror
+  say "Checking names ..."
+  check_names
   say "Running shellcheck ..."
   shellcheck ./do ./.ci/run tests/soak/*.sh tests/regression/*.sh
 }

@@ -80,45 +80,45 @@ struct AssessedCase {
 
 using Complaints = std::vector<std::string>;
 
-injury::UserValues read_user_values(const AssessRequest& request, Complaints& wrong) {
+injury::UserValues read_user_values(const AssessRequest& request, Complaints& errors) {
   if (request.speed && request.drop_height)
-    wrong.emplace_back("--drop-height: give --speed or --drop-height, not both");
+    errors.emplace_back("--drop-height: give --speed or --drop-height, not both");
   if (request.kept.nose && request.radius)
-    wrong.emplace_back("--keep-nose: give --keep-nose or --radius, not both");
+    errors.emplace_back("--keep-nose: give --keep-nose or --radius, not both");
   if (request.kept.speed && (request.speed || request.drop_height))
-    wrong.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
-                                request.speed ? "--speed" : "--drop-height"));
-  return {.mass = positive_quantity_of("--mass", request.mass, "kg", wrong),
-          .radius = positive_quantity_of("--radius", request.radius, "m", wrong),
-          .speed = positive_quantity_of("--speed", request.speed, "m/s", wrong),
-          .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", wrong)};
+    errors.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
+                                 request.speed ? "--speed" : "--drop-height"));
+  return {.mass = positive_quantity_of("--mass", request.mass, "kg", errors),
+          .radius = positive_quantity_of("--radius", request.radius, "m", errors),
+          .speed = positive_quantity_of("--speed", request.speed, "m/s", errors),
+          .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", errors)};
 }
 
 /// The standards as they are read, with what the user gives in their place.
 std::vector<injury::Standard> read_standards(const AssessRequest& request,
-                                             std::vector<input::InputFile>& files, Complaints& wrong) {
+                                             std::vector<input::InputFile>& files, Complaints& errors) {
   const std::filesystem::path folder = chosen_standards(request.standard_folder);
-  const injury::UserValues values = read_user_values(request, wrong);
+  const injury::UserValues values = read_user_values(request, errors);
   std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
-    if (const auto standard = standard_of(name, folder, files, wrong))
+    if (const auto standard = standard_of(name, folder, files, errors))
       standards.push_back(injury::with_user_values(*standard, values));
   return standards;
 }
 
 std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
-  Complaints wrong;
-  const std::optional<double> tolerance = tolerance_of(request.tolerance, wrong);
+  Complaints errors;
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, errors);
   std::vector<input::InputFile> files;
-  const std::vector<injury::Standard> standards = read_standards(request, files, wrong);
+  const std::vector<injury::Standard> standards = read_standards(request, files, errors);
   std::vector<AssessedCase> cases;
   for (const std::string& file : request.cases) {
-    std::optional<input::CaseFile> given = read_case({file, request.settings, request.materials}, wrong);
+    std::optional<input::CaseFile> given = read_case({file, request.settings, request.materials}, errors);
     std::ranges::move(files_of(file, given), std::back_inserter(files));
     if (given) cases.push_back({.file = file, .given = *std::move(given), .standards = {}});
   }
-  judge_files(request.files, files, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  judge_files(request.files, files, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
 
   for (AssessedCase& each : cases) {
     if (tolerance) each.given.options.tolerance = *tolerance;
@@ -128,17 +128,17 @@ std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
                   .impact = {}};
       of.impact = injury::with_impactor_of(of.standard, each.given.impact);
       for (const Violation& violation : violations(of.impact))
-        wrong.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", each.file, of.standard.name,
-                                    violation.key, violation.value, violation.rule));
+        errors.push_back(fmt::format("{}, with the impactor of {}: {} = {}: {}", each.file, of.standard.name,
+                                     violation.key, violation.value, violation.rule));
       each.standards.push_back(std::move(of));
     }
   }
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (!errors.empty()) throw Refused(std::move(errors));
   return cases;
 }
 
 /// The verdict, and what another choice of nose or speed would have made of it.
-void judge(Assessed& of, const input::CaseFile& given, const AssessRequest& request) {
+void judge(Assessed& assessed, const input::CaseFile& given, const AssessRequest& request) {
   const auto solved = [&](const injury::Standard& standard, const ImpactCase& impact,
                           const Options& options) {
     Solution solution = solve_with_progress(impact, options);
@@ -146,18 +146,18 @@ void judge(Assessed& of, const input::CaseFile& given, const AssessRequest& requ
       add_intervals_with_progress(impact, options, solution, injury::dwell_levels(standard));
     return solution;
   };
-  of.solution = solved(of.standard, of.impact, given.options);
-  of.assessment = injury::assess(of.standard, of.impact, of.solution);
+  assessed.solution = solved(assessed.standard, assessed.impact, given.options);
+  assessed.assessment = injury::assess(assessed.standard, assessed.impact, assessed.solution);
   Options coarse = given.options;
   coarse.tolerance = 1e-3;
-  of.others =
-      injury::turning_choices(of.own, given.impact, request.kept, of.assessment.verdict,
+  assessed.others =
+      injury::turning_choices(assessed.own, given.impact, request.kept, assessed.assessment.verdict,
                               [&](const injury::Standard& standard, const ImpactCase& impact) {
                                 return injury::assess(standard, impact, solved(standard, impact, coarse));
                               });
-  for (const injury::OtherChoice& choice : of.others)
-    of.assessment.reservations.push_back(
-        output::other_choice(choice, of.own, given.impact, unit_system(request.files.units)));
+  for (const injury::OtherChoice& choice : assessed.others)
+    assessed.assessment.reservations.push_back(
+        output::other_choice(choice, assessed.own, given.impact, unit_system(request.files.units)));
 }
 
 int run_assessment(const AssessRequest& request) {
@@ -166,11 +166,11 @@ int run_assessment(const AssessRequest& request) {
   int code = exit_done;
   std::vector<output::AssessmentReport> reports;
   for (AssessedCase& each : cases)
-    for (Assessed& of : each.standards) {
-      judge(of, each.given, request);
-      code = std::max<int>(code, exit_code(of.assessment.verdict, of.solution.summary));
-      reports.push_back(
-          {of.standard, each.given.impact, of.impact, of.solution, of.assessment, of.others, each.file});
+    for (Assessed& assessed : each.standards) {
+      judge(assessed, each.given, request);
+      code = std::max<int>(code, exit_code(assessed.assessment.verdict, assessed.solution.summary));
+      reports.push_back({assessed.standard, each.given.impact, assessed.impact, assessed.solution,
+                         assessed.assessment, assessed.others, each.file});
     }
   const bool is_plan = reports.size() > 1;
   const auto document = [&](output::Pictures pictures) {

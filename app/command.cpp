@@ -47,14 +47,14 @@ void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
              "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)");
 }
 
-std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong) {
+std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
   constexpr double lowest = 1e-8, highest = 1e-2;
   double value = 0;
   const char* end = text->data() + text->size();
   const auto [stop, error] = std::from_chars(text->data(), end, value);
   if (error == std::errc{} && stop == end && value >= lowest && value <= highest) return value;
-  wrong.push_back(
+  errors.push_back(
       fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text, lowest, highest));
   return std::nullopt;
 }
@@ -80,34 +80,34 @@ ExitCode exit_code(injury::Verdict verdict, const Summary& summary) {
 
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
                                             std::vector<input::InputFile>& files,
-                                            std::vector<std::string>& wrong) {
+                                            std::vector<std::string>& errors) {
   try {
     const input::StandardChoice choice = input::standard_choice(name);
     files.push_back({"the standard", input::find_standard(choice.name, folder).value()});
     return injury::with_variants(input::read_standard(files.back().file).value(), choice.variants);
   } catch (const input::InputError& error) {
-    add_lines(error.faults(), wrong);
+    add_lines(error.faults(), errors);
   } catch (const std::invalid_argument& error) {
-    wrong.push_back(fmt::format("--standard: {}", error.what()));
+    errors.push_back(fmt::format("--standard: {}", error.what()));
   }
   return std::nullopt;
 }
 
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
-                                  const std::string& si_unit, std::vector<std::string>& wrong) {
+                                  const std::string& si_unit, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
   auto [value, rule] = read_si(*text, si_unit);
   if (rule.empty()) rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
   if (rule.empty()) return value;
-  wrong.push_back(fmt::format("{} {}: {}", option, *text, rule));
+  errors.push_back(fmt::format("{} {}: {}", option, *text, rule));
   return std::nullopt;
 }
 
 std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
-                                           const std::string& si_unit, std::vector<std::string>& wrong) {
-  const std::optional<double> value = quantity_of(option, text, si_unit, wrong);
+                                           const std::string& si_unit, std::vector<std::string>& errors) {
+  const std::optional<double> value = quantity_of(option, text, si_unit, errors);
   if (!value || *value > 0) return value;
-  wrong.push_back(fmt::format("{} {}: must be more than 0", option, *text));
+  errors.push_back(fmt::format("{} {}: must be more than 0", option, *text));
   return std::nullopt;
 }
 
@@ -131,17 +131,17 @@ CLI::Option* add_case(CLI::App& app, GivenCase& given) {
   return add_option(app, "CASE", given.file, "Case file (TOML)")->required();
 }
 
-std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& wrong) {
-  return taken(input::read_case(given.file, chosen_folder(given.materials), given.settings), wrong);
+std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& errors) {
+  return taken(input::read_case(given.file, chosen_folder(given.materials), given.settings), errors);
 }
 
 input::CaseFile case_to_solve(
-    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
-  const std::optional<double> chosen = tolerance_of(tolerance, wrong);
-  std::optional<input::CaseFile> input = read_case(given, wrong);
-  judge(files_of(given.file, input), wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  const std::optional<double> chosen = tolerance_of(tolerance, errors);
+  std::optional<input::CaseFile> input = read_case(given, errors);
+  judge(files_of(given.file, input), errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   if (chosen) input->options.tolerance = *chosen;
   return *std::move(input);
 }
@@ -196,8 +196,8 @@ std::vector<std::string> lines(const std::vector<input::Fault>& faults) {
   return text;
 }
 
-void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong) {
-  for (const input::Fault& fault : faults) wrong.push_back(with_excerpt(fault));
+void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& errors) {
+  for (const input::Fault& fault : faults) errors.push_back(with_excerpt(fault));
 }
 
 }  // namespace dashpad::app

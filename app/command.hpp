@@ -79,7 +79,7 @@ CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const 
 /// Adds --units, a system of units for decks.
 void add_deck_units(CLI::App& app, std::string& units);
 /// The system of that name; absent where it is none, of which `wrong` is told.
-std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& wrong);
+std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& errors);
 
 /// Adds --units; the help names the systems on offer.
 void add_units(CLI::App& app, std::string& units);
@@ -88,16 +88,16 @@ void add_all(CLI::App& app, output::Detail& detail);
 /// Adds --tolerance.
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 /// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
-std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& wrong);
+std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors);
 /// Adds --force.
 void add_force(CLI::App& app, bool& force);
 /// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told
 /// so.
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
-                                  const std::string& si_unit, std::vector<std::string>& wrong);
+                                  const std::string& si_unit, std::vector<std::string>& errors);
 /// The same of a quantity that must be more than 0.
 std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
-                                           const std::string& si_unit, std::vector<std::string>& wrong);
+                                           const std::string& si_unit, std::vector<std::string>& errors);
 /// Adds --materials; the folder stays empty where the cards that came with the command are meant.
 void add_material_folder(CLI::App& app, std::string& folder);
 /// The folder that was chosen, or the first of:
@@ -113,7 +113,7 @@ std::filesystem::path chosen_standards(const std::string& folder);
 /// and `wrong` is told why.
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
                                             std::vector<input::InputFile>& files,
-                                            std::vector<std::string>& wrong);
+                                            std::vector<std::string>& errors);
 /// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
 /// share/dashpad/data/validation, data/validation/.
 std::filesystem::path chosen_measured_tests(const std::string& folder);
@@ -124,7 +124,7 @@ std::filesystem::path running_executable();
 std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
 /// The same; absent where there is none, of which `wrong` is told.
 std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,
-                                               std::vector<std::string>& wrong);
+                                               std::vector<std::string>& errors);
 
 /// A case file, what is set in place of its values, and where its materials are.
 struct GivenCase {
@@ -138,12 +138,12 @@ void add_settings(CLI::App& app, std::vector<std::string>& settings);
 CLI::Option* add_case(CLI::App& app, GivenCase& given);
 
 /// The case of that file; absent where it has faults, of which `wrong` is told.
-std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& wrong);
+std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& errors);
 
 /// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
 /// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
 input::CaseFile case_to_solve(
-    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> wrong,
+    const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
 /// The files that the case was read from; of a case with faults at least its own.
@@ -162,12 +162,12 @@ void add_intervals_with_progress(const ImpactCase& impact, const Options& option
 
 /// One line for each fault.
 std::vector<std::string> lines(const std::vector<input::Fault>& faults);
-void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& wrong);
+void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& errors);
 /// What was read; its faults are added to what is wrong.
 template <class T>
-std::optional<T> taken(input::Reading<T> reading, std::vector<std::string>& wrong) {
+std::optional<T> taken(input::Reading<T> reading, std::vector<std::string>& errors) {
   if (reading) return *std::move(reading);
-  add_lines(reading.faults(), wrong);
+  add_lines(reading.faults(), errors);
   return std::nullopt;
 }
 

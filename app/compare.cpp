@@ -60,15 +60,15 @@ struct CompareRequest {
 };
 
 input::CaseFile read_and_check(const CompareRequest& request) {
-  std::vector<std::string> wrong;
-  judge_picture(request.files, wrong);
-  if (std::isnan(request.time_step_ms)) wrong.emplace_back("--time-step nan: must be a number");
-  std::optional<input::CaseFile> input = read_case(request.given, wrong);
-  judge_files(request.files, files_of(request.given.file, input), wrong);
+  std::vector<std::string> errors;
+  judge_picture(request.files, errors);
+  if (std::isnan(request.time_step_ms)) errors.emplace_back("--time-step nan: must be a number");
+  std::optional<input::CaseFile> input = read_case(request.given, errors);
+  judge_files(request.files, files_of(request.given.file, input), errors);
   if (input)
     for (const Violation& violation : spit1984::what_a_deck_cannot_say(input->impact))
-      wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+      errors.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
+  if (!errors.empty()) throw Refused(std::move(errors));
   return *std::move(input);
 }
 
@@ -111,16 +111,16 @@ void judge_pulse(const injury::PulseReport& pulse, injury::Alignment alignment) 
 
 /// The case beside the pulse of the request; returns the exit code.
 int compare_with_pulse(const CompareRequest& request) {
-  std::vector<std::string> wrong;
-  judge_picture(request.files, wrong);
-  const std::optional<input::CaseFile> input = read_case(request.given, wrong);
+  std::vector<std::string> errors;
+  judge_picture(request.files, errors);
+  const std::optional<input::CaseFile> input = read_case(request.given, errors);
   PulseRequest asked = request.pulse;
   injury::MeasuredImpact impact;
   if (input) {
     impact = {.speed = input->impact.impactor.speed, .gravity = input->impact.impactor.gravity};
     asked.case_impact = impact;
   }
-  const injury::PulseReport pulse = pulse_report(asked, std::move(wrong), [&](auto files, auto& faults) {
+  const injury::PulseReport pulse = pulse_report(asked, std::move(errors), [&](auto files, auto& faults) {
     std::ranges::move(files_of(request.given.file, input), std::back_inserter(files));
     judge_files(request.files, files, faults);
   });

@@ -17,7 +17,7 @@ namespace dashpad::app {
 
 namespace {
 
-constexpr int most_points = 1'000'000;
+constexpr int max_points = 1'000'000;
 
 constexpr const char* export_footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format ls-dyna --out pad.k
@@ -85,25 +85,25 @@ std::vector<std::string> curves_of(const ExportRequest& request) {
 
 /// What is wrong with the choice of curves.
 std::vector<std::string> wrong_curves(const ExportRequest& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
       if (!output::is_over_time(name))
-        wrong.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
+        errors.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
     if (!request.system.empty())
-      wrong.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
+      errors.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
   }
   for (auto name = request.curves.begin(); name != request.curves.end(); ++name)
     if (std::find(request.curves.begin(), name, *name) != name)
-      wrong.push_back(fmt::format("--curves: {} is named twice", *name));
+      errors.push_back(fmt::format("--curves: {} is named twice", *name));
   if (format_of(request).holds_one_curve && curves_of(request).size() != 1)
-    wrong.push_back(
+    errors.push_back(
         fmt::format("--format {}: holds one curve; name it, as in --curves force", request.format));
   const int highest_first = output::highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
   if (request.first_id > highest_first)
-    wrong.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
-                                request.first_id, highest_first, output::highest_curve_id));
-  return wrong;
+    errors.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
+                                 request.first_id, highest_first, output::highest_curve_id));
+  return errors;
 }
 
 output::CurveFile curves_for(const ExportRequest& request, const input::CaseFile& input,
@@ -114,7 +114,8 @@ output::CurveFile curves_for(const ExportRequest& request, const input::CaseFile
   if (!request.system.empty()) file.units = consistent_system(request.system);
   file.acceleration_in_g = request.in_g;
   file.first_id = request.first_id;
-  if (std::ranges::none_of(file.curves, [](const output::FileCurve& of) { return of.curve.exists(); }))
+  if (std::ranges::none_of(file.curves,
+                           [](const output::FileCurve& file_curve) { return file_curve.curve.exists(); }))
     throw std::runtime_error("nothing was written: " + file.curves.front().curve.name + " is " +
                              file.curves.front().remark);
   return file;
@@ -125,16 +126,16 @@ std::string account(const ExportRequest& request, const output::CurveFile& file)
   std::string text = fmt::format("{}, {}, units {}\n", request.out == "-" ? "standard output" : request.out,
                                  request.format, format_of(request).over_time_only ? "SI" : file.units.name);
   int id = file.first_id;
-  for (const output::FileCurve& of : file.curves)
-    text += fmt::format("  {:>8}  {:<13} {}\n", id++, of.curve.name, of.remark);
+  for (const output::FileCurve& file_curve : file.curves)
+    text += fmt::format("  {:>8}  {:<13} {}\n", id++, file_curve.curve.name, file_curve.remark);
   for (const std::string& flag : file.flags) text += flag + "\n";
   return text;
 }
 
 int export_curves(const ExportRequest& request) {
   const input::CaseFile input = case_to_solve(
-      request.given, request.tolerance, wrong_curves(request), [&](const auto& files, auto& wrong) {
-        judge_targets({{"--out", request.out}}, files, request.force, wrong);
+      request.given, request.tolerance, wrong_curves(request), [&](const auto& files, auto& errors) {
+        judge_targets({{"--out", request.out}}, files, request.force, errors);
       });
   const Solution solution = solve_with_progress(input.impact, input.options);
   const output::CurveFile file = curves_for(request, input, solution);
@@ -163,7 +164,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
       ->check(CLI::Range(1, output::highest_curve_id));
   add_option(sub, "--points N", request.points,
              "Keep at most N points of a curve; says how far off it is then")
-      ->check(CLI::Range(2, most_points));
+      ->check(CLI::Range(2, max_points));
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");
   add_material_folder(sub, request.given.materials);

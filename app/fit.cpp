@@ -83,18 +83,18 @@ struct FitRequest {
   std::string materials;
 };
 
-constexpr std::size_t most_draws = 1'000'000;
+constexpr std::size_t max_draws = 1'000'000;
 
 /// 0 without --posterior, or where it is wrong.
-std::size_t draws_of(const FitRequest& request, std::vector<std::string>& wrong) {
+std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors) {
   if (request.posterior.empty()) return 0;
   const std::string& text = request.posterior.front();
   const bool digits =
       !text.empty() && text.size() < 8 && text.find_first_not_of("0123456789") == std::string::npos;
   const std::size_t count = digits ? std::stoul(text) : 0;
-  if (count >= 1 && count <= most_draws) return count;
-  wrong.push_back(
-      fmt::format("--posterior {}: must be a whole number of draws, 1 to {}, then a file", text, most_draws));
+  if (count >= 1 && count <= max_draws) return count;
+  errors.push_back(
+      fmt::format("--posterior {}: must be a whole number of draws, 1 to {}, then a file", text, max_draws));
   return 0;
 }
 
@@ -107,7 +107,7 @@ std::vector<Target> fit_targets(const FitRequest& request) {
 /// Of the contents of all files that the fit is read from, and of the version.
 std::string fingerprint_of(const std::vector<input::InputFile>& files) {
   std::vector<std::string> texts{std::string{version()}};
-  for (const input::InputFile& of : files) texts.push_back(input::read_measurement(of.file));
+  for (const input::InputFile& input_file : files) texts.push_back(input::read_measurement(input_file.file));
   return fingerprint(texts);
 }
 
@@ -124,21 +124,21 @@ fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
 /// Beside the results: the state is read, and may be there.
 void judge_state(const FitRequest& request, const std::vector<Target>& targets,
                  const std::vector<input::InputFile>& inputs, const fit::Fit& fit,
-                 const fit::RunOptions& options, std::vector<std::string>& wrong) {
+                 const fit::RunOptions& options, std::vector<std::string>& errors) {
   if (!request.state) return;
   if (*request.state == "-") {
-    wrong.emplace_back("--state -: must be a file");
+    errors.emplace_back("--state -: must be a file");
     return;
   }
   std::vector<Target> all = targets;
   all.push_back({"--state", *request.state});
-  const std::size_t before = wrong.size();
-  judge_targets(all, inputs, true, wrong);
-  if (wrong.size() > before) return;
+  const std::size_t before = errors.size();
+  judge_targets(all, inputs, true, errors);
+  if (errors.size() > before) return;
   try {
     fit::check_state(fit, options);
   } catch (const std::runtime_error& error) {
-    wrong.push_back(fmt::format("--state {}", error.what()));
+    errors.push_back(fmt::format("--state {}", error.what()));
   }
 }
 
@@ -162,25 +162,26 @@ int stopped(const FitRequest& request, std::size_t kept) {
 std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
   if (!request.files.of("--case").empty() || !report.fitted_case) return "";
   std::string keys;
-  for (const fit::FittedUnknown& of : report.unknowns)
-    if (!of.is_nuisance && !fit::is_of_card(of.key)) keys += (keys.empty() ? "" : ", ") + of.key;
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
+      keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
   return keys + ": no card holds that; --case FILE keeps it, with the foam.\n";
 }
 
 int fit_material(const FitRequest& request) {
   // From the reading of the files to the writing of the results: neither is left half done.
   const StopSignal signal;
-  std::vector<std::string> wrong;
-  const std::size_t draws = draws_of(request, wrong);
+  std::vector<std::string> errors;
+  const std::size_t draws = draws_of(request, errors);
   std::optional<fit::FitFile> input =
-      taken(fit::read_fit(request.file, chosen_folder(request.materials)), wrong);
+      taken(fit::read_fit(request.file, chosen_folder(request.materials)), errors);
   std::vector<Target> targets = fit_targets(request);
   const std::vector<input::InputFile> files =
       input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};
-  judge_targets(targets, files, request.files.force, wrong);
+  judge_targets(targets, files, request.files.force, errors);
   if (const std::string& file = request.files.of("--case");
       !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
-    wrong.push_back(
+    errors.push_back(
         fmt::format("--case {}: no unknown of this fit is one of the case, as support.stiffness; "
                     "a card holds all that it finds (--output)",
                     file));
@@ -188,9 +189,9 @@ int fit_material(const FitRequest& request) {
   if (request.state && input) {
     options.state = *request.state;
     options.fingerprint = fingerprint_of(files);
-    judge_state(request, targets, files, input->fit, options, wrong);
+    judge_state(request, targets, files, input->fit, options, errors);
   }
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (!errors.empty()) throw Refused(std::move(errors));
   fit::FitReport report;
   try {
     report = run_with_progress(input->fit, options);
@@ -198,7 +199,8 @@ int fit_material(const FitRequest& request) {
     return stopped(request, stop.kept());
   }
   // Without convergence there is no card and no sample.
-  if (!report.converged) std::erase_if(targets, [](const Target& of) { return of.option != "--json"; });
+  if (!report.converged)
+    std::erase_if(targets, [](const Target& target) { return target.option != "--json"; });
   const auto document = [&](output::Pictures pictures) {
     return output::fit_document(report, unit_system(request.files.units), pictures);
   };

@@ -77,7 +77,7 @@ constexpr Command commands[]{{"Every day", "run", add_run},
                              {"The report of 1986", "validate", add_validate}};
 
 /// More than that nobody reads, of however many kinds the faults are.
-constexpr std::size_t most_lines = 200;
+constexpr std::size_t max_lines = 200;
 
 /// One line, and below it the excerpt of the file where it has one. A line break in a name that somebody gave
 /// begins none.
@@ -92,8 +92,8 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   std::string text;
   const std::size_t count = complaints.size();
   const std::vector<std::string> lines = input::abridged(complaints);
-  for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) text += shown(lines[i]) + "\n";
-  if (lines.size() > most_lines) text += "...\n";
+  for (std::size_t i = 0; i < lines.size() && i < max_lines; ++i) text += shown(lines[i]) + "\n";
+  if (lines.size() > max_lines) text += "...\n";
   text += std::to_string(count) + (count == 1 ? " fault" : " faults");
   const bool would_run = std::ranges::none_of(app.get_subcommands(), [](const CLI::App* sub) {
     const auto* const named = std::ranges::find(commands, sub->get_name(), &Command::name);

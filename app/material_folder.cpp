@@ -18,15 +18,15 @@ struct DataFolder {
   const char* source;
 };
 
-fs::path chosen(const std::string& folder, const DataFolder& of) {
+fs::path chosen(const std::string& folder, const DataFolder& data_folder) {
   if (!folder.empty()) return folder;
-  if (const char* named = std::getenv(of.variable); named != nullptr && *named != '\0') return named;
+  if (const char* named = std::getenv(data_folder.variable); named != nullptr && *named != '\0') return named;
 
   std::error_code ignored;
   const fs::path installed =
-      (fs::absolute(running_executable(), ignored).parent_path() / of.installed).lexically_normal();
+      (fs::absolute(running_executable(), ignored).parent_path() / data_folder.installed).lexically_normal();
   if (fs::is_directory(installed, ignored)) return installed;
-  return fs::is_directory(of.source, ignored) ? of.source : installed;
+  return fs::is_directory(data_folder.source, ignored) ? data_folder.source : installed;
 }
 
 }  // namespace

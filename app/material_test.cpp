@@ -58,7 +58,7 @@ struct MaterialTestRequest {
 constexpr double lowest_rate = 1e-12;  // 1/s; a test that takes 30,000 years
 constexpr double highest_rate = 1e9;   // 1/s, as in cards
 // Closer to 1, 1 - strain has too few digits left for the quadrature along a parabola to end.
-constexpr double least_strain = 1e-12, most_strain = 0.999999;
+constexpr double min_strain = 1e-12, max_strain = 0.999999;
 
 using Text = std::optional<std::string>;
 using Wrong = std::vector<std::string>;
@@ -77,41 +77,41 @@ std::string with_unit_of_rate(const std::string& text) {
 /// A quantity between two values, both excluded; `rule` says so. Keeps `fallback` where there is no text, or
 /// where it is wrong, of which `wrong` is told.
 double quantity(const std::string& option, const Text& text, const char* si_unit, double low, double high,
-                const char* rule, double fallback, Wrong& wrong) {
+                const char* rule, double fallback, Wrong& errors) {
   if (!text) return fallback;
   try {
     const double value = to_si(std::string{si_unit} == "1/s" ? with_unit_of_rate(*text) : *text, si_unit);
     if (value > low && value < high) return value;
-    wrong.push_back(fmt::format("{} {}: {}", option, *text, rule));
+    errors.push_back(fmt::format("{} {}: {}", option, *text, rule));
   } catch (const UnitError& error) {
-    wrong.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
+    errors.push_back(fmt::format("{} {}: {}", option, *text, error.what()));
   }
   return fallback;
 }
 
-std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& wrong) {
+std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& errors) {
   std::vector<double> rates;
   for (const std::string& text : request.rates) {
-    const std::size_t before = wrong.size();
+    const std::size_t before = errors.size();
     const double rate = quantity("--rate", text, "1/s", lowest_rate, highest_rate,
-                                 "must be more than 1e-12 and less than 1e9 per second", 1, wrong);
-    if (wrong.size() > before) continue;
+                                 "must be more than 1e-12 and less than 1e9 per second", 1, errors);
+    if (errors.size() > before) continue;
     if (std::ranges::find(rates, rate) != rates.end())
-      wrong.push_back(fmt::format("--rate {}: is named twice", text));
+      errors.push_back(fmt::format("--rate {}: is named twice", text));
     rates.push_back(rate);
   }
   return rates;
 }
 
 /// Options that mean nothing for the kind of test, and those that it lacks.
-void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind, Wrong& wrong) {
+void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind, Wrong& errors) {
   const auto only_for = [&](bool given, const char* option,
                             std::initializer_list<laboratory::TestKind> kinds) {
     if (!given || std::ranges::find(kinds, kind) != kinds.end()) return;
     std::string names;
     for (const laboratory::TestKind each : kinds)
       names += fmt::format("{}{}", names.empty() ? "" : ", ", to_string(each));
-    wrong.push_back(fmt::format("{}: is not for --test {}, but for {}", option, to_string(kind), names));
+    errors.push_back(fmt::format("{}: is not for --test {}, but for {}", option, to_string(kind), names));
   };
   using enum laboratory::TestKind;
   only_for(!request.rates.empty(), "--rate", {constant_rate, parabolic, relaxation, creep, cyclic});
@@ -122,22 +122,22 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
   only_for(request.cycles.has_value(), "--cycles", {cyclic});
   only_for(request.history.has_value(), "--history", {history});
   if (request.explicit_1984 && kind == creep)
-    wrong.emplace_back(
+    errors.emplace_back(
         "--explicit-1984: is not for --test creep; the update of 1984 is driven by strains, "
         "and creep by a stress");
   if (request.steps && !request.explicit_1984)
-    wrong.emplace_back("--steps: is for the update of 1984; add --explicit-1984");
+    errors.emplace_back("--steps: is for the update of 1984; add --explicit-1984");
   if (kind == creep && !request.stress)
-    wrong.emplace_back("--test creep: needs --stress, such as \"50 kPa\"");
-  if (kind == history && !request.history) wrong.emplace_back("--test history: needs --history FILE");
+    errors.emplace_back("--test creep: needs --stress, such as \"50 kPa\"");
+  if (kind == history && !request.history) errors.emplace_back("--test history: needs --history FILE");
 }
 
 /// Tells of the first step of a history that is too fast.
-void judge_rates(const laboratory::MaterialTest& test, Wrong& wrong) {
+void judge_rates(const laboratory::MaterialTest& test, Wrong& errors) {
   for (std::size_t i = 1; i < test.times.size(); ++i) {
     const double rate = std::abs(test.strains[i] - test.strains[i - 1]) / (test.times[i] - test.times[i - 1]);
     if (rate < highest_rate) continue;
-    wrong.push_back(
+    errors.push_back(
         fmt::format("{}: between {} s and {} s the strain rate is {:.3g} per second; it must be less "
                     "than 1e9 per second",
                     test.history_name, test.times[i - 1], test.times[i], rate));
@@ -145,38 +145,38 @@ void judge_rates(const laboratory::MaterialTest& test, Wrong& wrong) {
   }
 }
 
-void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& wrong) {
+void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& errors) {
   test.history_name = file;
-  if (auto table = taken(input::read_strain_csv(file), wrong)) {
+  if (auto table = taken(input::read_strain_csv(file), errors)) {
     test.times = std::move(table->time);
     test.strains = std::move(table->strain);
     test.history_remarks = std::move(table->remarks);
-    judge_rates(test, wrong);
+    judge_rates(test, errors);
   }
 }
 
 /// The test. Adds to `wrong` all that is wrong with it, the rows of the history among it.
-laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& wrong) {
+laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& errors) {
   laboratory::MaterialTest test;
   test.kind = kind_of(request.test);
-  judge_options(request, test.kind, wrong);
-  if (!request.rates.empty()) test.rates = rates_of(request, wrong);
+  judge_options(request, test.kind, errors);
+  if (!request.rates.empty()) test.rates = rates_of(request, errors);
   const char* const strain_rule = "must be more than 1e-12 and less than 0.999999";
   test.strain =
-      quantity("--strain", request.strain, "1", least_strain, most_strain, strain_rule, test.strain, wrong);
+      quantity("--strain", request.strain, "1", min_strain, max_strain, strain_rule, test.strain, errors);
   test.hold = quantity("--hold", request.hold, "s", 0, 1e9, "must be more than 0 and less than 1e9 s",
-                       test.hold, wrong);
+                       test.hold, errors);
   test.stress = quantity("--stress", request.stress, "Pa", 0, 1e12, "must be more than 0 and less than 1 TPa",
-                         1, wrong);
+                         1, errors);
   test.low = quantity("--low", request.low, "1", -1e-300, test.strain,
-                      "must be at least 0 and less than --strain", test.low, wrong);
+                      "must be at least 0 and less than --strain", test.low, errors);
   test.cycles = request.cycles.value_or(test.cycles);
   for (const std::string& text : request.stress_limits)
-    test.stress_limits.push_back(
-        quantity("--stress-limit", text, "Pa", 0, 1e12, "must be more than 0 and less than 1 TPa", 1, wrong));
+    test.stress_limits.push_back(quantity("--stress-limit", text, "Pa", 0, 1e12,
+                                          "must be more than 0 and less than 1 TPa", 1, errors));
   if (request.explicit_1984) test.steps_of_1984 = request.steps.value_or(20);
   if (request.history && test.kind == laboratory::TestKind::history)
-    read_history(*request.history, test, wrong);
+    read_history(*request.history, test, errors);
   return test;
 }
 
@@ -207,17 +207,17 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
 
 /// Throws Refused with all that is wrong.
 laboratory::MaterialTestReport run_test(const MaterialTestRequest& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   const std::optional<std::filesystem::path> card =
-      find_card(request.material, chosen_folder(request.materials), wrong);
+      find_card(request.material, chosen_folder(request.materials), errors);
   std::vector<input::InputFile> files;
   if (card) files.push_back({"the material card", *card});
   if (request.history) files.push_back({"the strain history", *request.history});
-  judge_files(request.files, files, wrong);
-  judge_picture(request.files, wrong);
-  const laboratory::MaterialTest test = test_of(request, wrong);
-  const std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  judge_files(request.files, files, errors);
+  judge_picture(request.files, errors);
+  const laboratory::MaterialTest test = test_of(request, errors);
+  const std::optional<Material> material = card ? taken(input::read_material(*card), errors) : std::nullopt;
+  if (!errors.empty()) throw Refused(std::move(errors));
   try {
     const ProgressLine line{"Testing the material"};
     return laboratory::run_material_test(*material, test, spit1984::stresses_of_update);

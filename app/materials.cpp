@@ -44,10 +44,10 @@ struct MaterialsRequest {
 void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) {
   std::vector<input::InputFile> files;
   for (const fs::path& card : cards) files.push_back({"the material card", card});
-  std::vector<std::string> wrong;
-  judge_files(request.files, files, wrong);
-  judge_picture(request.files, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::vector<std::string> errors;
+  judge_files(request.files, files, errors);
+  judge_picture(request.files, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
 }
 
 /// The document goes to its files, and to people below that heading.
@@ -104,11 +104,11 @@ fs::path find_card(const std::string& name, const fs::path& folder) {
 }
 
 std::optional<fs::path> find_card(const std::string& name, const fs::path& folder,
-                                  std::vector<std::string>& wrong) {
+                                  std::vector<std::string>& errors) {
   try {
     return find_card(name, folder);
   } catch (const Refused& refused) {
-    wrong.insert(wrong.end(), refused.complaints().begin(), refused.complaints().end());
+    errors.insert(errors.end(), refused.complaints().begin(), refused.complaints().end());
   }
   return std::nullopt;
 }

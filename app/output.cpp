@@ -41,10 +41,10 @@ fs::path folder_of(const fs::path& path) {
 
 /// Without links, "." and ".."; a link whose file is not there yet is followed too.
 fs::path place_of(const fs::path& file) {
-  constexpr int most_links = 40;  // as the system follows
+  constexpr int max_links = 40;  // as the system follows
   std::error_code error;
   fs::path path = fs::absolute(file, error);
-  for (int links = 0; links < most_links && fs::is_symlink(path, error); ++links)
+  for (int links = 0; links < max_links && fs::is_symlink(path, error); ++links)
     path = path.parent_path() / fs::read_symlink(path, error);
   const fs::path place = fs::weakly_canonical(path, error);
   return error ? path.lexically_normal() : place;
@@ -120,10 +120,10 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
-                   bool force, std::vector<std::string>& wrong) {
+                   bool force, std::vector<std::string>& errors) {
   for (auto target = targets.begin(); target != targets.end(); ++target) {
     const auto say = [&](const std::string& what) {
-      wrong.push_back(target->option + " " + target->file + ": " + what);
+      errors.push_back(target->option + " " + target->file + ": " + what);
     };
     for (auto earlier = targets.begin(); earlier != target; ++earlier) {
       if (target->is_standard_output() && earlier->is_standard_output())

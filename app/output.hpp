@@ -40,7 +40,7 @@ struct Target {
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
 /// standard error redirected to a target, a target that is one of the files that the command read.
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
-                   bool force, std::vector<std::string>& wrong);
+                   bool force, std::vector<std::string>& errors);
 
 /// Fills the file of that name, which is there: for results too large for memory.
 using WriteFile = std::function<void(const std::filesystem::path&)>;

@@ -29,13 +29,13 @@ std::vector<CLI::Option*> add_documents(CLI::App& app, OutputFiles& files) {
 }
 
 void judge_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
-                 std::vector<std::string>& wrong) {
-  judge_targets(files.targets(), inputs, files.force, wrong);
+                 std::vector<std::string>& errors) {
+  judge_targets(files.targets(), inputs, files.force, errors);
 }
 
-void judge_picture(const OutputFiles& files, std::vector<std::string>& wrong) {
+void judge_picture(const OutputFiles& files, std::vector<std::string>& errors) {
   if (const std::string& file = files.of("--picture"); !file.empty() && !output::picture_format(file))
-    wrong.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", file));
+    errors.push_back(fmt::format("--picture {}: must end in .svg, .png or .pdf", file));
 }
 
 bool is_document(const Target& target) {

@@ -36,9 +36,9 @@ std::vector<CLI::Option*> add_documents(CLI::App& app, OutputFiles& files);
 
 /// Tells `wrong` what forbids writing the files, as judge_targets() does.
 void judge_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
-                 std::vector<std::string>& wrong);
+                 std::vector<std::string>& errors);
 /// Tells `wrong` of a --picture whose name has the ending of no format.
-void judge_picture(const OutputFiles& files, std::vector<std::string>& wrong);
+void judge_picture(const OutputFiles& files, std::vector<std::string>& errors);
 
 /// A document, with pictures or without.
 using MakeDocument = std::function<output::Document(output::Pictures)>;

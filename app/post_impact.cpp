@@ -40,35 +40,35 @@ struct PostImpactInput {
 };
 
 PostImpactInput read_and_check(const PostImpactRequest& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   PostImpactInput input;
   constexpr double held = std::numeric_limits<double>::infinity();
-  input.second.mass = positive_quantity_of("--other-mass", request.other_mass, "kg", wrong).value_or(held);
-  input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", wrong).value_or(0);
-  std::optional<input::CaseFile> file = read_case(request.given, wrong);
-  judge_files(request.files, files_of(request.given.file, file), wrong);
+  input.second.mass = positive_quantity_of("--other-mass", request.other_mass, "kg", errors).value_or(held);
+  input.second.velocity = quantity_of("--other-velocity", request.other_velocity, "m/s", errors).value_or(0);
+  std::optional<input::CaseFile> file = read_case(request.given, errors);
+  judge_files(request.files, files_of(request.given.file, file), errors);
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
-      wrong.push_back(request.given.file + ": blows: two bodies meet once; leave the table out");
+      errors.push_back(request.given.file + ": blows: two bodies meet once; leave the table out");
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
-      wrong.push_back(
+      errors.push_back(
           request.given.file +
           ": here a support has nothing beside its curve, and there is no gravity; give the other body as "
           "support.body_mass, and dashpad run has the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
-      wrong.push_back(fmt::format("--other-velocity {}: the bodies must approach; the impactor has {} m/s",
-                                  *request.other_velocity, impactor.speed));
+      errors.push_back(fmt::format("--other-velocity {}: the bodies must approach; the impactor has {} m/s",
+                                   *request.other_velocity, impactor.speed));
   }
-  if (wrong.empty()) {
+  if (errors.empty()) {
     input.file.impact = relative_motion(input.file.impact, input.first, input.second);
     for (const Violation& violation : violations(input.file.impact))
-      wrong.push_back(fmt::format("the motion of the two towards each other: {} = {}: {}", violation.key,
-                                  violation.value, violation.rule));
+      errors.push_back(fmt::format("the motion of the two towards each other: {} = {}: {}", violation.key,
+                                   violation.value, violation.rule));
   }
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (!errors.empty()) throw Refused(std::move(errors));
   return input;
 }
 

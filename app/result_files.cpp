@@ -20,13 +20,13 @@ void add_result_files(CLI::App& app, OutputFiles& files) {
 }
 
 void judge_result_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
-                        std::vector<std::string>& wrong) {
-  judge_files(files, inputs, wrong);
+                        std::vector<std::string>& errors) {
+  judge_files(files, inputs, errors);
   const std::string &drawing = files.of("--drawing"), &png = files.of("--png");
   if (!drawing.empty() && drawing != "-" && !output::picture_format(drawing))
-    wrong.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", drawing));
+    errors.push_back(fmt::format("--drawing {}: must end in .svg, .png or .pdf", drawing));
   if (!png.empty() && png != "-" && output::picture_format(png) != output::PictureFormat::png)
-    wrong.push_back(fmt::format("--png {}: must end in .png", png));
+    errors.push_back(fmt::format("--png {}: must end in .png", png));
 }
 
 void publish(const OutputFiles& files, const SolvedCase& solved, std::string_view heading,

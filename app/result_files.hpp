@@ -20,7 +20,7 @@ void add_result_files(CLI::App& app, OutputFiles& files);
 
 /// Tells `wrong` what forbids writing them, as judge_targets does.
 void judge_result_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
-                        std::vector<std::string>& wrong);
+                        std::vector<std::string>& errors);
 
 /// A case, and what came of it.
 struct SolvedCase {

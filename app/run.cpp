@@ -49,9 +49,9 @@ struct RunRequest {
 };
 
 int run(const RunRequest& request) {
-  const input::CaseFile input =
-      case_to_solve(request.given, request.tolerance, {},
-                    [&](const auto& files, auto& wrong) { judge_result_files(request.files, files, wrong); });
+  const input::CaseFile input = case_to_solve(
+      request.given, request.tolerance, {},
+      [&](const auto& files, auto& errors) { judge_result_files(request.files, files, errors); });
   std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
   Solution& solution = blows.back().solution;
   if (!request.no_intervals) add_intervals_with_progress(blows.back().impact, input.options, solution);

@@ -74,13 +74,13 @@ Settings settings_of(const Spit1984Request& request) {
 
 /// CLI11 takes "nan" for a number within any range.
 std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   for (const auto& [option, value] :
        {std::pair{"--time-step", request.time_step_ms},
         std::pair{"--equilibrium-tolerance", request.settings.equilibrium_tolerance},
         std::pair{"--precision-tolerance", request.settings.precision_tolerance}})
-    if (std::isnan(value)) wrong.push_back(fmt::format("{} nan: must be a number", option));
-  return wrong;
+    if (std::isnan(value)) errors.push_back(fmt::format("{} nan: must be a number", option));
+  return errors;
 }
 
 /// Where the questions go: standard output, unless that is for a result.
@@ -90,18 +90,18 @@ std::ostream& terminal(const Spit1984Request& request) {
 
 /// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
 Deck deck_for(const Spit1984Request& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   if (request.interactive == !request.given.file.empty())
-    wrong.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
-                                           : "CASE is missing; --interactive asks at the terminal instead");
-  std::ranges::move(what_is_no_number(request), std::back_inserter(wrong));
+    errors.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
+                                            : "CASE is missing; --interactive asks at the terminal instead");
+  std::ranges::move(what_is_no_number(request), std::back_inserter(errors));
   std::optional<input::CaseFile> input;
-  if (!request.given.file.empty()) input = read_case(request.given, wrong);
-  judge_files(request.files, files_of(request.given.file, input), wrong);
+  if (!request.given.file.empty()) input = read_case(request.given, errors);
+  judge_files(request.files, files_of(request.given.file, input), errors);
   if (input)
     for (const Violation& violation : what_a_deck_cannot_say(input->impact))
-      wrong.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+      errors.push_back(fmt::format("{}: {}: {}", request.given.file, violation.key, violation.rule));
+  if (!errors.empty()) throw Refused(std::move(errors));
   if (request.interactive) {
     const std::optional<Deck> answers = ensol(std::cin, terminal(request));
     if (!answers) {
@@ -109,8 +109,8 @@ Deck deck_for(const Spit1984Request& request) {
       throw Refused({"the input ended before the last answer"});
     }
     for (const Violation& violation : violations(*answers))
-      wrong.push_back(fmt::format("{} = {}: {}", violation.key, violation.value, violation.rule));
-    if (!wrong.empty()) throw Refused(std::move(wrong));
+      errors.push_back(fmt::format("{} = {}: {}", violation.key, violation.value, violation.rule));
+    if (!errors.empty()) throw Refused(std::move(errors));
     return *answers;
   }
   Deck deck = deck_of(input->impact);
@@ -143,9 +143,9 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
 
 Run run_with_progress(const Deck& deck, const Settings& settings) {
   // How many steps the impact takes is not known before its end.
-  ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.most_steps)};
+  ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.max_steps)};
   return run(deck, settings, [&](int step) {
-    line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.most_steps));
+    line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.max_steps));
   });
 }
 
@@ -195,13 +195,13 @@ void add_spit1984(CLI::App& app, Action& action) {
   add_option(*sub, "--precision-tolerance X", request->settings.precision_tolerance,
              "TOL, of the penetration (default 1e-5)")
       ->check(CLI::Range(0.0, 1.0));
-  add_option(*sub, "--most-steps N", request->settings.most_steps,
+  add_option(*sub, "--most-steps N", request->settings.max_steps,
              "Dimension of the time history (default 1000)")
       ->check(CLI::Range(4, 1'000'000));
-  add_option(*sub, "--most-stations N", request->settings.most_stations,
+  add_option(*sub, "--most-stations N", request->settings.max_stations,
              "Dimension of the contact field (default 1000)")
       ->check(CLI::Range(2, 1'000'000));
-  add_option(*sub, "--most-iterations N", request->settings.most_iterations, "Trials of a step (default 100)")
+  add_option(*sub, "--most-iterations N", request->settings.max_iterations, "Trials of a step (default 100)")
       ->check(CLI::Range(1, 100'000));
   add_force(*sub, request->files.force);
   add_material_folder(*sub, request->given.materials);

@@ -37,9 +37,9 @@ struct StandardsRequest {
 int show(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
   const fs::path file = input::find_standard(choice.name, folder).value();
-  std::vector<std::string> wrong;
-  judge_files(request.files, {{"the standard", file}}, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::vector<std::string> errors;
+  judge_files(request.files, {{"the standard", file}}, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   injury::Standard standard = input::read_standard(file).value();
   try {
     standard = injury::with_variants(standard, choice.variants);

@@ -68,35 +68,35 @@ output::PictureFormat picture_format_of(const ValidateRequest& request) {
 
 /// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
 /// of the figures, which need not be there yet.
-std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& wrong) {
+std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& errors) {
   std::vector<Target> targets = request.files.targets();
   if (!request.figures) return targets;
   const fs::path folder{*request.figures};
   std::error_code error;
   if (folder.empty() || folder == "-")
-    wrong.emplace_back("--figures: needs the name of a folder");
+    errors.emplace_back("--figures: needs the name of a folder");
   else if (fs::is_directory(folder, error))
     std::ranges::move(stills(request), std::back_inserter(targets));
   else if (fs::exists(fs::symlink_status(folder, error)))
-    wrong.push_back(fmt::format("--figures {}: is no folder", *request.figures));
+    errors.push_back(fmt::format("--figures {}: is no folder", *request.figures));
   else  // A file in its place is refused for the reasons that forbid the folder.
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
 }
 
 ValidateInput read_and_check(const ValidateRequest& request) {
-  std::vector<std::string> wrong;
-  const std::vector<Target> targets = targets_to_judge(request, wrong);
+  std::vector<std::string> errors;
+  const std::vector<Target> targets = targets_to_judge(request, errors);
 
   ValidateInput input;
   std::vector<input::Fault> faults;
   input.data = report1986::read_validation_data(chosen_measured_tests(request.data), faults);
-  add_lines(faults, wrong);
+  add_lines(faults, errors);
   std::vector<input::InputFile> inputs = input.data.files;
   inputs.push_back({"the material card", chosen_folder(request.materials) / material});
-  judge_targets(targets, inputs, request.files.force, wrong);
-  if (auto card = taken(input::read_material(inputs.back().file), wrong)) input.ensolite = *std::move(card);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  judge_targets(targets, inputs, request.files.force, errors);
+  if (auto card = taken(input::read_material(inputs.back().file), errors)) input.ensolite = *std::move(card);
+  if (!errors.empty()) throw Refused(std::move(errors));
   return input;
 }
 

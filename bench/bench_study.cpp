@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct Settings {
   std::string command = DASHPAD_COMMAND;
   std::int64_t scaling_samples = 20'000;
-  std::int64_t most_samples = 1'000'000;
+  std::int64_t max_samples = 1'000'000;
   int repetitions = 3;
   std::string csv;
 };
@@ -134,7 +134,7 @@ std::vector<Job> jobs_of(const Settings& settings) {
       for (const int workers : counts)
         jobs.push_back({"scaling", study, launcher, workers, settings.scaling_samples});
   for (const char* study : {"law-4", "law-5"})
-    for (std::int64_t samples = 100; samples <= settings.most_samples; samples *= 10)
+    for (std::int64_t samples = 100; samples <= settings.max_samples; samples *= 10)
       jobs.push_back({"samples", study, "threads", counts.back(), samples});
   return jobs;
 }
@@ -168,7 +168,7 @@ int measure_studies(int count, char** arguments) {
   app.add_option("--command", settings.command, "The command dashpad")->capture_default_str();
   app.add_option("--scaling-samples", settings.scaling_samples, "Samples of the study on 1 to all cores")
       ->capture_default_str();
-  app.add_option("--most-samples", settings.most_samples, "Largest study")->capture_default_str();
+  app.add_option("--most-samples", settings.max_samples, "Largest study")->capture_default_str();
   app.add_option("--repetitions", settings.repetitions, "Of each run of less than 100,000 samples")
       ->capture_default_str();
   app.add_option("--csv", settings.csv, "File for all measurements");

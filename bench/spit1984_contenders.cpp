@@ -48,7 +48,7 @@ std::vector<Contender> spit1984_contenders(const ImpactCase& impact) {
       spit1984::Settings settings;
       settings.arithmetic = spit1984::Arithmetic::binary32;
       settings.defects = version.defects;
-      settings.most_steps = settings.most_stations = 4000;  // the listing's 1000 end a run at small steps
+      settings.max_steps = settings.max_stations = 4000;  // the listing's 1000 end a run at small steps
       contenders.push_back({version.name, fmt::format("step {} ms", step_ms),
                             [=](double share) {
                               return outcome_of(

@@ -88,15 +88,17 @@ output::Table samples_table(const Costs& costs) {
 /// Lines with their points; the label stands at the points.
 void add(output::Panel& panel, const std::string& label, std::size_t turn, double x, double y) {
   for (output::Series& series : panel.series)
-    if (series.turn == turn) {
+    if (series.palette_index == turn) {
       series.x.push_back(x);
       series.y.push_back(y);
     }
-  if (std::ranges::any_of(panel.series, [&](const output::Series& series) { return series.turn == turn; }))
+  if (std::ranges::any_of(panel.series,
+                          [&](const output::Series& series) { return series.palette_index == turn; }))
     return;
-  panel.series.push_back({.style = output::SeriesStyle::solid_line, .x = {x}, .y = {y}, .turn = turn});
   panel.series.push_back(
-      {.label = label, .style = output::SeriesStyle::points, .x = {x}, .y = {y}, .turn = turn});
+      {.style = output::SeriesStyle::solid_line, .x = {x}, .y = {y}, .palette_index = turn});
+  panel.series.push_back(
+      {.label = label, .style = output::SeriesStyle::points, .x = {x}, .y = {y}, .palette_index = turn});
 }
 
 output::CaptionedPlot scaling_figure(const RawResults& results, const Costs& costs) {
@@ -124,7 +126,7 @@ output::CaptionedPlot scaling_figure(const RawResults& results, const Costs& cos
                              .style = output::SeriesStyle::dashed_line,
                              .x = {1, most},
                              .y = {1, most},
-                             .turn = 6});
+                             .palette_index = 6});
   return {
       .name = "Scaling",
       .plot = {.title = "A study on 1 to all cores",

@@ -66,15 +66,15 @@ std::string in_words(double time_us) {
   return time_us < 1e6 ? fmt::format("{:.3g} ms", time_us / 1000) : fmt::format("{:.3g} s", time_us / 1e6);
 }
 
-output::Panel panel_of(const RawResults& results, const CaseText& of, Measure measure, const char* title,
-                       const char* axis) {
+output::Panel panel_of(const RawResults& results, const CaseText& case_text, Measure measure,
+                       const char* title, const char* axis) {
   output::Panel panel{.title = title,
                       .x = {.label = axis, .logarithmic = true},
                       .y = {.label = "CPU time an impact (us)", .logarithmic = true, .low = 1},
                       .series = {}};
   for (const Solver& solver : solvers) {
-    output::Series line{.style = output::SeriesStyle::solid_line, .turn = solver.turn};
-    for (const WorkPoint& point : front_of(results, of.id, solver.name, measure)) {
+    output::Series line{.style = output::SeriesStyle::solid_line, .palette_index = solver.turn};
+    for (const WorkPoint& point : front_of(results, case_text.id, solver.name, measure)) {
       line.x.push_back(point.error);
       line.y.push_back(point.time);
     }
@@ -84,38 +84,38 @@ output::Panel panel_of(const RawResults& results, const CaseText& of, Measure me
     panel.series.push_back(std::move(line));
     panel.series.push_back(std::move(points));
   }
-  if (of.goal_us > 0 && measure == Measure::force_and_rebound) {
-    panel.series.push_back({.label = fmt::format("goal: {} us at {}", of.goal_us, goal_error),
+  if (case_text.goal_us > 0 && measure == Measure::force_and_rebound) {
+    panel.series.push_back({.label = fmt::format("goal: {} us at {}", case_text.goal_us, goal_error),
                             .style = output::SeriesStyle::horizontal_line,
-                            .y = {of.goal_us}});
+                            .y = {case_text.goal_us}});
     panel.series.push_back({.style = output::SeriesStyle::vertical_line, .x = {goal_error}});
   }
   return panel;
 }
 
-output::CaptionedPlot figure_of(const RawResults& results, const CaseText& of) {
+output::CaptionedPlot figure_of(const RawResults& results, const CaseText& case_text) {
   return {
-      .name = of.id,
-      .plot = {.title = fmt::format("Work and precision: {}", of.title),
-               .panels = {panel_of(results, of, Measure::all_figures, "Peak force, penetration, rebound",
-                                   "Largest relative error of the three"),
-                          panel_of(results, of, Measure::force_and_rebound, "Peak force and rebound alone",
-                                   "Largest relative error of the two")},
+      .name = case_text.id,
+      .plot = {.title = fmt::format("Work and precision: {}", case_text.title),
+               .panels = {panel_of(results, case_text, Measure::all_figures,
+                                   "Peak force, penetration, rebound", "Largest relative error of the three"),
+                          panel_of(results, case_text, Measure::force_and_rebound,
+                                   "Peak force and rebound alone", "Largest relative error of the two")},
                .source = facts_text(results)},
       .note =
           "Each point is a setting that no other setting of its solver beats. Errors are the largest over "
           "five speeds."};
 }
 
-output::Table precision_table(const RawResults& results, const CaseText& of) {
+output::Table precision_table(const RawResults& results, const CaseText& case_text) {
   constexpr std::array wanted{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  output::Table table{
-      .caption = fmt::format("{}: {}. Fastest setting with at most this true error", of.id, of.title),
-      .columns = {"solver"},
-      .rows = {}};
+  output::Table table{.caption = fmt::format("{}: {}. Fastest setting with at most this true error",
+                                             case_text.id, case_text.title),
+                      .columns = {"solver"},
+                      .rows = {}};
   for (const double error : wanted) table.columns.push_back(fmt::format("{:.0e}", error));
   for (const Solver& solver : solvers) {
-    const auto front = front_of(results, of.id, solver.name, Measure::all_figures);
+    const auto front = front_of(results, case_text.id, solver.name, Measure::all_figures);
     if (front.empty()) continue;
     std::vector<std::string> row{solver.name};
     for (const double error : wanted) {
@@ -139,12 +139,13 @@ output::Table goal_table(const RawResults& results) {
       .caption = "Fastest setting with a true error of at most 1e-3 in peak force and rebound speed",
       .columns = {"case", "goal", "with estimate", "error", "CVODE takes", "one run", "error", "CVODE takes"},
       .rows = {}};
-  for (const CaseText& of : cases) {
-    const auto cvode = front_of(results, of.id, "CVODE (best settings)", Measure::force_and_rebound);
-    std::vector<std::string> row{fmt::format("{}: {}", of.id, of.title),
-                                 of.goal_us > 0 ? in_words(of.goal_us) : "-"};
+  for (const CaseText& case_text : cases) {
+    const auto cvode = front_of(results, case_text.id, "CVODE (best settings)", Measure::force_and_rebound);
+    std::vector<std::string> row{fmt::format("{}: {}", case_text.id, case_text.title),
+                                 case_text.goal_us > 0 ? in_words(case_text.goal_us) : "-"};
     for (const char* solver : {"Dashpad", "one run"}) {
-      const auto point = fastest(front_of(results, of.id, solver, Measure::force_and_rebound), goal_error);
+      const auto point =
+          fastest(front_of(results, case_text.id, solver, Measure::force_and_rebound), goal_error);
       row.push_back(point ? in_words(point->time) : "-");
       row.push_back(point ? fmt::format("{:.1e}", point->error) : "-");
       row.push_back(point ? ratio(cvode, *point) + " times" : "-");
@@ -161,17 +162,17 @@ Chapter work_precision_chapter(const RawResults& results) {
   chapter.section.heading = "Work and precision";
   chapter.section.paragraphs = {facts_text(results)};
   for (const auto& fact : results.facts())
-    if (std::ranges::any_of(cases, [&](const CaseText& of) { return fact.first == of.id; }))
+    if (std::ranges::any_of(cases, [&](const CaseText& case_text) { return fact.first == case_text.id; }))
       chapter.section.paragraphs.push_back(fmt::format("{}: {}", fact.first, fact.second));
   chapter.section.tables.push_back(goal_table(results));
   chapter.table_names.emplace_back("goal");
-  for (const CaseText& of : cases) {
+  for (const CaseText& case_text : cases) {
     const auto measured = results.values("case");
-    if (std::ranges::find(measured, of.id) == measured.end()) continue;
-    chapter.section.tables.push_back(precision_table(results, of));
-    chapter.table_names.push_back(fmt::format("precision-{}", of.id));
-    chapter.section.figures.push_back(figure_of(results, of));
-    chapter.figure_names.push_back(fmt::format("work-precision-{}", of.id));
+    if (std::ranges::find(measured, case_text.id) == measured.end()) continue;
+    chapter.section.tables.push_back(precision_table(results, case_text));
+    chapter.table_names.push_back(fmt::format("precision-{}", case_text.id));
+    chapter.section.figures.push_back(figure_of(results, case_text));
+    chapter.figure_names.push_back(fmt::format("work-precision-{}", case_text.id));
   }
   return chapter;
 }

@@ -52,22 +52,22 @@ struct ExportMaterialRequest {
 };
 
 int export_material(const ExportMaterialRequest& request) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   std::vector<input::InputFile> files;
   const std::optional<std::filesystem::path> card =
-      find_card(request.card, chosen_folder(request.folder), wrong);
+      find_card(request.card, chosen_folder(request.folder), errors);
   if (card) files.push_back({"the material card", *card});
-  std::optional<Material> material = card ? taken(input::read_material(*card), wrong) : std::nullopt;
+  std::optional<Material> material = card ? taken(input::read_material(*card), errors) : std::nullopt;
   output::MaterialDeckOptions options{request.format, consistent_systems().front(), request.first_id};
-  if (const auto units = deck_units_of(request.units, wrong)) options.units = *units;
-  const auto density = positive_quantity_of("--density", request.density, "kg/m3", wrong);
+  if (const auto units = deck_units_of(request.units, errors)) options.units = *units;
+  const auto density = positive_quantity_of("--density", request.density, "kg/m3", errors);
   if (material && density) material->density = density;
   if (material) {
     const std::string why = output::why_no_material_deck(*material, options);
-    if (!why.empty()) wrong.push_back("--format " + request.format + ": " + why);
+    if (!why.empty()) errors.push_back("--format " + request.format + ": " + why);
   }
-  judge_targets({{"-o", request.out}}, files, request.force, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  judge_targets({{"-o", request.out}}, files, request.force, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   std::string account =
       fmt::format("{} as {}, units {}\n", material->name, request.format, options.units.name);
   for (const std::string& remark : output::not_in_material_deck(*material, options))

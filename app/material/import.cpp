@@ -65,33 +65,34 @@ bool is_table(const std::string& file) {
 
 /// What the options say and the kind of file has no use for.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
-                                       Wrong& wrong) {
-  rate = positive_quantity_of("--rate", request.rate, "1/s", wrong);
+                                       Wrong& errors) {
+  rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
   if (is_table(request.file)) {
-    if (!request.units.empty()) wrong.emplace_back("--units: a table says its units in its header");
+    if (!request.units.empty()) errors.emplace_back("--units: a table says its units in its header");
     return std::nullopt;
   }
-  if (request.rate) wrong.emplace_back("--rate: is for tables; a deck has its own rates");
+  if (request.rate) errors.emplace_back("--rate: is for tables; a deck has its own rates");
   if (request.units.empty()) {
-    wrong.emplace_back("--units: is needed, since a deck does not say its units; such as --units t-mm-s");
+    errors.emplace_back("--units: is needed, since a deck does not say its units; such as --units t-mm-s");
     return std::nullopt;
   }
-  return deck_units_of(request.units, wrong);
+  return deck_units_of(request.units, errors);
 }
 
 /// The one of that number or name.
-void keep_only(const std::string& wanted, Found& found, Wrong& wrong) {
+void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
   std::string names;
   for (const input::DeckMaterial& each : found)
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", each.id, each.material.name);
   std::erase_if(found, [&](const input::DeckMaterial& each) {
     return each.material.name != wanted && fmt::format("{}", each.id) != wanted;
   });
-  if (found.empty()) wrong.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
+  if (found.empty())
+    errors.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
 }
 
 /// A card into a folder keeps its name; else all goes to one file.
-std::vector<Target> targets_of(const ImportRequest& request, const Found& found, Wrong& wrong) {
+std::vector<Target> targets_of(const ImportRequest& request, const Found& found, Wrong& errors) {
   std::error_code ignored;
   const bool into_folder = request.out.ends_with('/') || fs::is_directory(request.out, ignored);
   std::vector<Target> targets;
@@ -99,8 +100,8 @@ std::vector<Target> targets_of(const ImportRequest& request, const Found& found,
     targets.push_back({"-o", into_folder ? (fs::path(request.out) / (each.material.name + ".toml")).string()
                                          : request.out});
   if (!into_folder && found.size() > 1) {
-    wrong.push_back(fmt::format("{}: holds {} foams; give a folder with -o, or choose one with --material",
-                                request.file, found.size()));
+    errors.push_back(fmt::format("{}: holds {} foams; give a folder with -o, or choose one with --material",
+                                 request.file, found.size()));
     targets.resize(1);
   }
   return targets;
@@ -146,20 +147,20 @@ std::string understood(const input::DeckMaterial& found) {
 }
 
 int import_material(const ImportRequest& request) {
-  Wrong wrong;
+  Wrong errors;
   std::optional<double> rate;
-  const std::optional<UnitSystem> units = judge_import(request, rate, wrong);
+  const std::optional<UnitSystem> units = judge_import(request, rate, errors);
   Found found;
   if (is_table(request.file)) {
-    if (auto table = taken(input::read_stress_table(request.file, rate), wrong))
+    if (auto table = taken(input::read_stress_table(request.file, rate), errors))
       found.push_back(*std::move(table));
   } else if (units) {
-    found = taken(input::read_material_deck(request.file, *units), wrong).value_or(Found());
+    found = taken(input::read_material_deck(request.file, *units), errors).value_or(Found());
   }
-  if (request.material && !found.empty()) keep_only(*request.material, found, wrong);
-  const std::vector<Target> targets = targets_of(request, found, wrong);
-  judge_targets(targets, {{"the imported file", request.file}}, request.force, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (request.material && !found.empty()) keep_only(*request.material, found, errors);
+  const std::vector<Target> targets = targets_of(request, found, errors);
+  judge_targets(targets, {{"the imported file", request.file}}, request.force, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   std::string account;
   for (const input::DeckMaterial& each : found) account += understood(each);
   for (const Target& target : targets)
@@ -181,11 +182,11 @@ void add_deck_units(CLI::App& app, std::string& units) {
       "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), lbf-s2/in-in-s (lbf, psi)");
 }
 
-std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& wrong) {
+std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& errors) {
   try {
     return input::deck_system(name);
   } catch (const std::invalid_argument& error) {
-    wrong.push_back(std::string("--units ") + name + ": " + error.what());
+    errors.push_back(std::string("--units ") + name + ": " + error.what());
     return std::nullopt;
   }
 }

@@ -96,9 +96,9 @@ Ranks::Ranks() {
 
 Ranks::~Ranks() { MPI_Finalize(); }
 
-std::optional<int> Ranks::first_with(bool wrong) const {
+std::optional<int> Ranks::first_with(bool errors) const {
   const auto none = static_cast<std::uint64_t>(size_);
-  const std::uint64_t first = reduced(wrong ? static_cast<std::uint64_t>(rank_) : none, MPI_MIN);
+  const std::uint64_t first = reduced(errors ? static_cast<std::uint64_t>(rank_) : none, MPI_MIN);
   return first == none ? std::nullopt : std::optional{static_cast<int>(first)};
 }
 

@@ -47,7 +47,7 @@ class Ranks {
   [[nodiscard]] bool is_first() const { return rank_ == 0; }
 
   /// Called by all: the first rank for which something is wrong.
-  [[nodiscard]] std::optional<int> first_with(bool wrong) const;
+  [[nodiscard]] std::optional<int> first_with(bool errors) const;
   /// Called by all: whether all have the same number.
   [[nodiscard]] bool is_same_for_all(std::uint64_t number) const;
   /// Called by all: the number of rank 0.

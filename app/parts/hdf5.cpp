@@ -55,10 +55,10 @@ void write_attribute(const Handle& owner, const char* name, const std::string& t
 /// A data set that grows chunk by chunk.
 class Column {
  public:
-  Column(const Handle& group, const study::StoredColumn& of, hid_t type, hsize_t rows)
-      : exported_(study::exported(of)), set_(make(group, exported_.name, type, rows)) {
+  Column(const Handle& group, const study::StoredColumn& stored_column, hid_t type, hsize_t rows)
+      : exported_(study::exported(stored_column)), set_(make(group, exported_.name, type, rows)) {
     write_attribute(set_, "unit", exported_.unit);
-    write_attribute(set_, "meaning", of.meaning);
+    write_attribute(set_, "meaning", stored_column.meaning);
     values_.reserve(rows_a_chunk);
   }
   void add(double value) {

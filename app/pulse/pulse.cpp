@@ -79,28 +79,29 @@ struct PulsesRequest {
 /// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
 std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
   PulseRequest each = request.each;
-  std::vector<std::string> wrong;
-  const std::optional<double> calibration = calibration_of(each, wrong);
+  std::vector<std::string> errors;
+  const std::optional<double> calibration = calibration_of(each, errors);
   std::vector<input::InputFile> standard;
   if (!request.standard.empty())
-    each.standard = standard_of(request.standard, chosen_standards(request.standard_folder), standard, wrong);
-  judge_picture(request.written, wrong);
+    each.standard =
+        standard_of(request.standard, chosen_standards(request.standard_folder), standard, errors);
+  judge_picture(request.written, errors);
   if (request.files.size() > 1 && !request.written.of("--csv").empty())
-    wrong.emplace_back("--csv: is of one pulse; give one FILE");
+    errors.emplace_back("--csv: is of one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;
     try {
-      reports.push_back(pulse_report(each, wrong, [&](auto files, auto& complaints) {
+      reports.push_back(pulse_report(each, errors, [&](auto files, auto& complaints) {
         files.insert(files.end(), standard.begin(), standard.end());
         judge_files(request.written, files, complaints);
       }));
     } catch (const Refused& refused) {
       for (const std::string& complaint : refused.complaints())
-        if (std::ranges::find(wrong, complaint) == wrong.end()) wrong.push_back(complaint);
+        if (std::ranges::find(errors, complaint) == errors.end()) errors.push_back(complaint);
     }
   }
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  if (!errors.empty()) throw Refused(std::move(errors));
   for (injury::PulseReport& report : reports) {
     const ProgressLine waiting("Computing the uncertainty of " + report.file);
     report.uncertainty = injury::measurement_uncertainty(report, calibration);

@@ -35,13 +35,13 @@ input::Reading<input::PulseFile> read(const PulseRequest& request, const PulseSe
 /// Resampled and filtered as asked for; `wrong` is told where that cannot be.
 injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const PulseSettings& settings,
                                  const std::optional<injury::PulseFilter>& filter,
-                                 std::vector<std::string>& wrong) {
+                                 std::vector<std::string>& errors) {
   try {
     return injury::processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
     const char* advice =
         filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
-    wrong.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
+    errors.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
     return {};
   }
 }
@@ -50,13 +50,13 @@ injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const Pu
 /// --zero wants one and there is none. Leaves out what shows another level than the quiet part.
 std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
                                               injury::MeasuredPulse& measured,
-                                              std::vector<std::string>& wrong) {
+                                              std::vector<std::string>& errors) {
   std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
   std::optional<double> begin;
   if (offset && offset->rest) begin = offset->begin;
   if (!settings.zero_interval) {
     if (request.zero && !offset)
-      wrong.emplace_back(
+      errors.emplace_back(
           "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
   } else {
     try {
@@ -64,8 +64,8 @@ std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const
           injury::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
     } catch (const std::invalid_argument& error) {
       const std::vector<double>& time = measured.pulse.time;
-      wrong.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
-                                  error.what(), 1e3 * time.front(), 1e3 * time.back()));
+      errors.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
+                                   error.what(), 1e3 * time.front(), 1e3 * time.back()));
     }
   }
   if (begin) injury::leave_out_before(measured, *begin);
@@ -93,11 +93,11 @@ void remark_on(injury::PulseReport& report) {
 }  // namespace
 
 injury::PulseReport pulse_report(
-    const PulseRequest& request, std::vector<std::string> wrong,
+    const PulseRequest& request, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
   const bool is_test = input::is_iso_mme(request.file);
-  for (std::string& line : out_of_place(request, is_test)) wrong.push_back(std::move(line));
-  const PulseSettings settings = settings_of(request, wrong);
+  for (std::string& line : out_of_place(request, is_test)) errors.push_back(std::move(line));
+  const PulseSettings settings = settings_of(request, errors);
   injury::PulseReport report;
   report.file = request.file;
   report.resampled_to = settings.interval;
@@ -107,20 +107,20 @@ injury::PulseReport pulse_report(
        {std::pair{"Position", &request.position}, {"Date", &request.date}, {"Note", &request.note}})
     if (!words->empty()) report.about.emplace_back(what, *words);
   ProgressLine waiting("Reading " + request.file);
-  if (wrong.empty()) waiting.expect(expected_time(request.file));
+  if (errors.empty()) waiting.expect(expected_time(request.file));
   std::vector<input::InputFile> files{{"the measurement", request.file}};
-  if (auto pulse = taken(read(request, settings, is_test), wrong)) {
+  if (auto pulse = taken(read(request, settings, is_test), errors)) {
     report.measured = std::move(pulse->measured);
     files = std::move(pulse->files);
   }
-  judge(files, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  judge(files, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
-  const std::optional<injury::SensorOffset> offset = offset_of(request, settings, report.measured, wrong);
-  injury::ProcessedPulse pulse = processed(report.measured, settings, report.filter, wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  const std::optional<injury::SensorOffset> offset = offset_of(request, settings, report.measured, errors);
+  injury::ProcessedPulse pulse = processed(report.measured, settings, report.filter, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   injury::ProcessedPulse zero =
-      offset ? processed(injury::zeroed(report.measured, *offset), settings, report.filter, wrong) : pulse;
+      offset ? processed(injury::zeroed(report.measured, *offset), settings, report.filter, errors) : pulse;
   if (request.zero) std::swap(pulse, zero);
   const double hic15_of_other = offset ? injury::hic(zero.pulse, injury::hic15_window).value : 0;
   report.contact = injury::contact_of(

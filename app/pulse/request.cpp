@@ -25,9 +25,9 @@ double level_of(std::string text) {
 
 /// "0 ms,5 ms".
 std::optional<std::pair<double, double>> interval_of(const std::string& text,
-                                                     std::vector<std::string>& wrong) {
+                                                     std::vector<std::string>& errors) {
   const auto say = [&](const std::string& rule) {
-    wrong.push_back(fmt::format("--zero {}: {}", text, rule));
+    errors.push_back(fmt::format("--zero {}: {}", text, rule));
     return std::nullopt;
   };
   const auto comma = text.find(',');
@@ -44,11 +44,12 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
 
 /// What --speed, --drop-height or a case tells.
 std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
-                                                std::vector<std::string>& wrong) {
-  const std::optional<double> speed = positive_quantity_of("--speed", request.speed, "m/s", wrong);
-  const std::optional<double> height = positive_quantity_of("--drop-height", request.drop_height, "m", wrong);
+                                                std::vector<std::string>& errors) {
+  const std::optional<double> speed = positive_quantity_of("--speed", request.speed, "m/s", errors);
+  const std::optional<double> height =
+      positive_quantity_of("--drop-height", request.drop_height, "m", errors);
   if (request.speed && request.drop_height)
-    wrong.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
+    errors.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
   if (height) return injury::after_fall(*height);
   if (!request.speed && !request.drop_height && request.case_impact) return request.case_impact;
   return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
@@ -56,11 +57,11 @@ std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
 
 }  // namespace
 
-std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& wrong) {
-  const std::optional<double> share = quantity_of("--calibration", request.calibration, "1", wrong);
-  if (share && !(*share > 0 && *share < injury::most_calibration))
-    wrong.push_back(fmt::format("--calibration {}: must be more than 0 and less than {:.0f} %",
-                                *request.calibration, 100 * injury::most_calibration));
+std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& errors) {
+  const std::optional<double> share = quantity_of("--calibration", request.calibration, "1", errors);
+  if (share && !(*share > 0 && *share < injury::max_calibration))
+    errors.push_back(fmt::format("--calibration {}: must be more than 0 and less than {:.0f} %",
+                                 *request.calibration, 100 * injury::max_calibration));
   return share;
 }
 
@@ -74,37 +75,37 @@ std::optional<injury::PulseFilter> filter_of(const PulseRequest& request) {
   return filter;
 }
 
-PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong) {
+PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& errors) {
   PulseSettings settings;
-  settings.interval = positive_quantity_of("--resample", request.resample, "s", wrong);
-  settings.interval_of_samples = quantity_of("--interval", request.interval, "s", wrong);
+  settings.interval = positive_quantity_of("--resample", request.resample, "s", errors);
+  settings.interval_of_samples = quantity_of("--interval", request.interval, "s", errors);
   if (settings.interval_of_samples && !(*settings.interval_of_samples > 0))
-    wrong.push_back(fmt::format("--interval {}: must be more than 0", *request.interval));
-  if (request.zero && *request.zero != "auto") settings.zero_interval = interval_of(*request.zero, wrong);
+    errors.push_back(fmt::format("--interval {}: must be more than 0", *request.interval));
+  if (request.zero && *request.zero != "auto") settings.zero_interval = interval_of(*request.zero, errors);
   for (const std::string& text : request.sensitivities) {
     try {
       settings.sensitivities.push_back(input::sensitivity_of(text));
     } catch (const UnitError& error) {
-      wrong.push_back(fmt::format("--sensitivity {}: {}", text, error.what()));
+      errors.push_back(fmt::format("--sensitivity {}: {}", text, error.what()));
     }
   }
-  settings.impact = impact_of(request, wrong);
+  settings.impact = impact_of(request, errors);
   for (const double window : request.windows_ms) {
     const Magnitudes times = measured_magnitudes("s");
     if (!(window > 0))
-      wrong.push_back(fmt::format("--window {}: must be more than 0 ms", window));
+      errors.push_back(fmt::format("--window {}: must be more than 0 ms", window));
     else if (!times.admit(1e-3 * window))
-      wrong.push_back(fmt::format("--window {}: must be between {:g} and {:g} ms", window, 1e3 * times.least,
-                                  1e3 * times.most));
+      errors.push_back(fmt::format("--window {}: must be between {:g} and {:g} ms", window, 1e3 * times.least,
+                                   1e3 * times.most));
     settings.windows.push_back(1e-3 * window);
   }
   for (const std::string& text : request.dwells) {
     try {
       settings.levels.push_back(level_of(text));
       if (!(settings.levels.back() >= 0))
-        wrong.push_back(fmt::format("--dwell {}: must not be less than 0", text));
+        errors.push_back(fmt::format("--dwell {}: must not be less than 0", text));
     } catch (const UnitError& error) {
-      wrong.push_back(fmt::format("--dwell {}: {}; a number alone is in g", text, error.what()));
+      errors.push_back(fmt::format("--dwell {}: {}; a number alone is in g", text, error.what()));
     }
   }
   if (request.dwells.empty())
@@ -113,9 +114,9 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
 }
 
 std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test) {
-  std::vector<std::string> wrong;
+  std::vector<std::string> errors;
   const auto say = [&](bool given, const std::string& option, const std::string& rule) {
-    if (given) wrong.push_back(option + ": " + rule);
+    if (given) errors.push_back(option + ": " + rule);
   };
   if (is_test) {
     const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
@@ -133,7 +134,7 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
   }
   say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
   say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
-  return wrong;
+  return errors;
 }
 
 void add_source_options(CLI::App& sub, PulseRequest& request) {

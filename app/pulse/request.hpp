@@ -54,10 +54,10 @@ struct PulseSettings {
 };
 
 /// Adds to `wrong` all that is wrong with them.
-PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& wrong);
+PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& errors);
 
 /// Of --calibration: relative, k = 2.
-std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& wrong);
+std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& errors);
 
 std::optional<injury::PulseFilter> filter_of(const PulseRequest& request);
 
@@ -75,7 +75,7 @@ void add_figure_options(CLI::App& sub, PulseRequest& request);
 /// `judge` sees the files that it was read from, and may add to `wrong`. Throws Refused with all that is
 /// wrong then.
 injury::PulseReport pulse_report(
-    const PulseRequest& request, std::vector<std::string> wrong,
+    const PulseRequest& request, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
 }  // namespace dashpad::app

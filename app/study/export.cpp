@@ -90,12 +90,12 @@ void write_files(const study::Store& store, const StudyExportRequest& request) {
 
 int run_export(const StudyExportRequest& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong;
-  judge_files(request.files, files_of_store(request.store_file), wrong);
-  if (request.files.targets().empty()) wrong.emplace_back("--csv or --hdf5: one of them is needed");
+  std::vector<std::string> errors;
+  judge_files(request.files, files_of_store(request.store_file), errors);
+  if (request.files.targets().empty()) errors.emplace_back("--csv or --hdf5: one of them is needed");
   if (const std::string& file = request.files.of("--hdf5"); file == "-" || is_special(file))
-    wrong.push_back(fmt::format("--hdf5 {}: needs the name of a file", file));
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+    errors.push_back(fmt::format("--hdf5 {}: needs the name of a file", file));
+  if (!errors.empty()) throw Refused(std::move(errors));
   write_files(store, request);
   std::string line = fmt::format("{} rows", store.rows_done());
   if (store.rows_done() < store.rows()) line += fmt::format("; NOT COMPLETE: the study has {}", store.rows());

@@ -86,7 +86,7 @@ std::string with_all_digits(double value) { return std::isnan(value) ? "none" : 
 /// The same bits, or no value both times.
 bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-std::vector<std::string> differences(const Replay& of, const study::Store& store) {
+std::vector<std::string> differences(const Replay& replay, const study::Store& store) {
   std::vector<std::string> found;
   const auto compare = [&found](const std::vector<study::StoredColumn>& columns, const auto& before,
                                 const auto& now) {
@@ -95,20 +95,20 @@ std::vector<std::string> differences(const Replay& of, const study::Store& store
         found.push_back(fmt::format("{}: stored {}, now {} {}", columns[i].name, with_all_digits(before[i]),
                                     with_all_digits(now[i]), columns[i].unit));
   };
-  compare(store.factors(), of.stored.factors, of.factors);
-  if (of.stored.outcome.status != of.again.status)
-    found.push_back(fmt::format("status: stored \"{}\", now \"{}\"", to_string(of.stored.outcome.status),
-                                to_string(of.again.status)));
-  compare(store.responses(), of.stored.outcome.values, of.again.values);
+  compare(store.factors(), replay.stored.factors, replay.factors);
+  if (replay.stored.outcome.status != replay.again.status)
+    found.push_back(fmt::format("status: stored \"{}\", now \"{}\"", to_string(replay.stored.outcome.status),
+                                to_string(replay.again.status)));
+  compare(store.responses(), replay.stored.outcome.values, replay.again.values);
   return found;
 }
 
-std::string heading(const Replay& of, const study::Store& store, const UnitSystem& units) {
-  std::string text = fmt::format("Row {}:", of.stored.row);
-  for (std::size_t i = 0; i < of.stored.factors.size(); ++i)
+std::string heading(const Replay& replay, const study::Store& store, const UnitSystem& units) {
+  std::string text = fmt::format("Row {}:", replay.stored.row);
+  for (std::size_t i = 0; i < replay.stored.factors.size(); ++i)
     text += fmt::format(
         "{} {} = {}", i == 0 ? "" : ",", store.factors()[i].name,
-        output::shown_factor(store.factors()[i].unit, of.factors[i], of.impact.pad.material, units));
+        output::shown_factor(store.factors()[i].unit, replay.factors[i], replay.impact.pad.material, units));
   return text + "\n\n";
 }
 
@@ -122,9 +122,9 @@ std::string verdict(const std::vector<std::string>& differences, const study::St
 
 int run_replay(const StudyReplayRequest& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong;
-  judge_result_files(request.files, files_of_store(request.store_file), wrong);
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::vector<std::string> errors;
+  judge_result_files(request.files, files_of_store(request.store_file), errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
   const Replay result = replay(store, request);
   const std::vector<std::string> different = differences(result, store);
   publish(request.files, {result.impact, result.options, result.solution, result.blows},

@@ -68,9 +68,9 @@ std::string response_rule(const std::string& name, const study::Store& store) {
 
 /// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
 std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
-                                          std::vector<std::string>& wrong) {
+                                          std::vector<std::string>& errors) {
   const auto refuse = [&](const std::string& rule) {
-    wrong.push_back(fmt::format("--limit \"{}\": {}", text, rule));
+    errors.push_back(fmt::format("--limit \"{}\": {}", text, rule));
     return std::nullopt;
   };
   const std::size_t sign = text.find_first_of(">=");
@@ -87,16 +87,16 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
 }
 
 study::StudyQuestions questions_of(const StudySummaryRequest& request, const study::Store& store,
-                                   std::vector<std::string>& wrong) {
+                                   std::vector<std::string>& errors) {
   study::StudyQuestions questions;
   for (const std::string& name : request.responses) {
     if (const std::string rule = response_rule(name, store); !rule.empty())
-      wrong.push_back(fmt::format("--response {}: {}", name, rule));
+      errors.push_back(fmt::format("--response {}: {}", name, rule));
     else if (std::ranges::find(questions.responses, name) == questions.responses.end())
       questions.responses.push_back(name);
   }
   for (const std::string& text : request.limits)
-    if (const std::optional<study::StudyLimit> limit = limit_of(text, store, wrong))
+    if (const std::optional<study::StudyLimit> limit = limit_of(text, store, errors))
       questions.limits.push_back(*limit);
   return questions;
 }
@@ -116,13 +116,13 @@ std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answ
 
 int summarise(const StudySummaryRequest& request) {
   const study::Store store = open_stored(request.store_file);
-  std::vector<std::string> wrong;
-  judge_files(request.files, files_of_store(request.store_file), wrong);
-  judge_picture(request.files, wrong);
-  const study::StudyQuestions questions = questions_of(request, store, wrong);
-  if (wrong.empty() && store.rows_done() == 0)
-    wrong.push_back(request.store_file + ": has no rows yet; run dashpad study first");
-  if (!wrong.empty()) throw Refused(std::move(wrong));
+  std::vector<std::string> errors;
+  judge_files(request.files, files_of_store(request.store_file), errors);
+  judge_picture(request.files, errors);
+  const study::StudyQuestions questions = questions_of(request, store, errors);
+  if (errors.empty() && store.rows_done() == 0)
+    errors.push_back(request.store_file + ": has no rows yet; run dashpad study first");
+  if (!errors.empty()) throw Refused(std::move(errors));
 
   const study::StudyAnswers answers = study::study_answers(store, questions);
   const std::string picture = picture_of(request.files, answers);

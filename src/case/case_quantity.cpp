@@ -54,20 +54,21 @@ void add_alternative(const ImpactCase& base, const std::string& prefix, Place pl
       place(base));
 }
 
-/// Adds the numbers of a material and its condition. `of` returns the pad or layer that has them.
+/// Adds the numbers of a material and its condition. `owner` returns the pad or layer that has them.
 template <class Of>
-void add_material(const ImpactCase& base, const std::string& prefix, Of of, std::vector<CaseQuantity>& into) {
+void add_material(const ImpactCase& base, const std::string& prefix, Of owner,
+                  std::vector<CaseQuantity>& into) {
   // Density and temperature need data in the card; they may then vary without being given in the case.
-  const Material& material = of(base).material;
+  const Material& material = owner(base).material;
   for (const Parameter<PadCondition>& parameter : PadCondition::parameters) {
     const bool is_silent =
         (parameter.member == &PadCondition::density && !material.density_exponent) ||
         (parameter.member == &PadCondition::temperature && material.temperature_table.temperature.empty());
     if (!is_silent)
       add_parameter(
-          prefix, parameter, [of](auto& impact) -> auto& { return of(impact).condition; }, into);
+          prefix, parameter, [owner](auto& impact) -> auto& { return owner(impact).condition; }, into);
   }
-  const auto law_in = [of](auto& impact) -> auto& { return of(impact).material.law; };
+  const auto law_in = [owner](auto& impact) -> auto& { return owner(impact).material.law; };
   add_alternative(base, prefix + "parameters.", law_in, into);
   std::visit(
       [&]<class Law>(const Law&) {

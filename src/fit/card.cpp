@@ -70,7 +70,7 @@ double rounded_outwards(double value, double side) {
 /// Whether a fitted number is one of the base curve, whose tested range the old one was.
 bool refits_curve(const Fit& fit) {
   return std::ranges::any_of(fit.unknowns,
-                             [](const Unknown& of) { return of.key.starts_with("pad.curve."); });
+                             [](const Unknown& unknown) { return unknown.key.starts_with("pad.curve."); });
 }
 
 void take_rate(FittedRange& range, double rate) {
@@ -129,11 +129,11 @@ void round_stresses(CurvesRateEffect& effect) {
   for (CurvesRateEffect::AtRate& at : effect.curves) round_stresses(at.curve);
 }
 template <class Of>
-void round_stresses(Of& of) {
+void round_stresses(Of& owner) {
   if constexpr (requires { Of::parameters; })
     for (const Parameter<Of>& parameter : Of::parameters)
       if (std::string_view(parameter.unit) == "Pa")
-        parameter.set(of, rounded_to(parameter.of(of), card_digits));
+        parameter.set(owner, rounded_to(parameter.of(owner), card_digits));
 }
 
 /// With the card_digits that are written; as it is where it then would break a rule, as a table whose
@@ -141,13 +141,13 @@ void round_stresses(Of& of) {
 PadLaw rounded(const PadLaw& exact) {
   PadLaw result = exact;
   std::visit(
-      []<class Law>(Law& of) {
-        round_stresses(of);
+      []<class Law>(Law& law) {
+        round_stresses(law);
         if constexpr (SharesSlip<Law>) {
-          std::visit([](auto& form) { round_stresses(form); }, of.curves.base);
-          std::visit([](auto& effect) { round_stresses(effect); }, of.curves.rate_effect);
-          if constexpr (requires { of.unloading_curve; })
-            if (of.unloading_curve) round_stresses(*of.unloading_curve);
+          std::visit([](auto& form) { round_stresses(form); }, law.curves.base);
+          std::visit([](auto& effect) { round_stresses(effect); }, law.curves.rate_effect);
+          if constexpr (requires { law.unloading_curve; })
+            if (law.unloading_curve) round_stresses(*law.unloading_curve);
         }
       },
       result);
@@ -157,8 +157,9 @@ PadLaw rounded(const PadLaw& exact) {
 /// Whether what neighbouring columns do in impacts is in the numbers of the law.
 bool rests_on_strikes(const Fit& fit) {
   return rests_on_impacts_alone(fit) && !seeks(fit, "pad.neighbours") &&
-         std::ranges::all_of(fit.impacts,
-                             [](const ImpactMeasurement& of) { return of.impact.pad.neighbours == 0; });
+         std::ranges::all_of(fit.impacts, [](const ImpactMeasurement& impact_measurement) {
+           return impact_measurement.impact.pad.neighbours == 0;
+         });
 }
 
 const std::string pad_prefix = "pad.";
@@ -179,19 +180,19 @@ std::vector<std::size_t> card_coordinates(const Fit& fit, const Solved& solved) 
   return of;
 }
 
-std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& of) {
+std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& size_ts) {
   const std::vector<double>& x = solved.minimum.x;
   std::vector<double> covariance;
-  for (const std::size_t i : of)
-    for (const std::size_t j : of) covariance.push_back(solved.uncertainty.covariance[i * x.size() + j]);
-  const PrincipalAxes found = principal_axes(covariance, of.size());
+  for (const std::size_t i : size_ts)
+    for (const std::size_t j : size_ts) covariance.push_back(solved.uncertainty.covariance[i * x.size() + j]);
+  const PrincipalAxes found = principal_axes(covariance, size_ts.size());
   std::vector<Axis> axes;
-  for (std::size_t k = 0; k < of.size(); ++k) {
+  for (std::size_t k = 0; k < size_ts.size(); ++k) {
     const double deviation = deviation_along(found, k);
     const auto end = [&](double side) {
       std::vector<double> place = x;
-      for (std::size_t i = 0; i < of.size(); ++i) {
-        double& at = place[of[i]];
+      for (std::size_t i = 0; i < size_ts.size(); ++i) {
+        double& at = place[size_ts[i]];
         at = std::clamp(at + side * deviation * found.direction(k)[i], 0.0, 1.0);
       }
       return place;
@@ -235,17 +236,17 @@ void keep_largest(const Fit& fit, const Problem& problem, const Solved& solved, 
     }
   }
   std::ranges::stable_sort(axes, std::greater{}, &Axis::effect);
-  axes.resize(std::min(axes.size(), most_posterior_axes));
+  axes.resize(std::min(axes.size(), max_posterior_axes));
 }
 
 /// Numbers of the law that the unknowns move: their own, and all stresses with the scale of the pad.
-std::vector<CaseQuantity> moved_numbers(const Fit& fit, const std::vector<std::size_t>& of) {
+std::vector<CaseQuantity> moved_numbers(const Fit& fit, const std::vector<std::size_t>& size_ts) {
   const bool scales =
-      std::ranges::any_of(of, [&](std::size_t i) { return fit.unknowns[i].key == scale_of_pad; });
+      std::ranges::any_of(size_ts, [&](std::size_t i) { return fit.unknowns[i].key == scale_of_pad; });
   std::vector<CaseQuantity> moved;
   for (const CaseQuantity& quantity : quantities_of(fit.base)) {
     const bool is_own =
-        std::ranges::any_of(of, [&](std::size_t i) { return fit.unknowns[i].key == quantity.key; });
+        std::ranges::any_of(size_ts, [&](std::size_t i) { return fit.unknowns[i].key == quantity.key; });
     if (study::is_of_law(quantity.key) && (is_own || (scales && quantity.unit == "Pa")))
       moved.push_back(quantity);
   }
@@ -253,10 +254,10 @@ std::vector<CaseQuantity> moved_numbers(const Fit& fit, const std::vector<std::s
 }
 
 PosteriorAxes posterior_of(const Fit& fit, const Problem& problem, const Solved& solved) {
-  const std::vector<std::size_t> of = card_coordinates(fit, solved);
-  const std::vector<CaseQuantity> moved = moved_numbers(fit, of);
-  if (of.empty() || moved.empty() || moved.size() > most_posterior_keys) return {};
-  std::vector<Axis> axes = axes_of(solved, of);
+  const std::vector<std::size_t> size_ts = card_coordinates(fit, solved);
+  const std::vector<CaseQuantity> moved = moved_numbers(fit, size_ts);
+  if (size_ts.empty() || moved.empty() || moved.size() > max_posterior_keys) return {};
+  std::vector<Axis> axes = axes_of(solved, size_ts);
   keep_largest(fit, problem, solved, axes);
   PosteriorAxes posterior;
   for (const CaseQuantity& number : moved) posterior.keys.push_back(number.key.substr(pad_prefix.size()));
@@ -285,8 +286,8 @@ std::optional<ValueRange> share_range(const FitReport& report, const std::string
 
 bool has_table(const PadLaw& law) {
   return std::visit(
-      []<class Law>(const Law& of) {
-        if constexpr (SharesSlip<Law>) return std::holds_alternative<TableCurve>(of.curves.base);
+      []<class Law>(const Law& held) {
+        if constexpr (SharesSlip<Law>) return std::holds_alternative<TableCurve>(held.curves.base);
         return false;
       },
       law);
@@ -329,8 +330,9 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
   if (!finds_more_than_a_card(fit)) return std::nullopt;
   FittedCase found{fit.base, fit.options};
   if (!fit.has_case) {
-    const ImpactMeasurement& first =
-        *std::ranges::find_if(fit.impacts, [](const ImpactMeasurement& of) { return !of.is_held_out; });
+    const ImpactMeasurement& first = *std::ranges::find_if(
+        fit.impacts,
+        [](const ImpactMeasurement& impact_measurement) { return !impact_measurement.is_held_out; });
     found = {first.impact, first.options};
   }
   const std::vector<double> written = written_values(fit, values);

@@ -111,7 +111,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
                                                int runs, Session& session,
                                                std::atomic<std::size_t>& evaluations);
 
-inline constexpr std::size_t most_left_out = 8;
+inline constexpr std::size_t max_left_out = 8;
 
 /// Standard deviations of what the law misses, as theory.md has them. `predicted`: of impacts that were not
 /// fitted; `fitted`: the others, which count where nothing was predicted. Nothing without impacts.

@@ -54,11 +54,11 @@ struct Minimum {
 /// Relative change of the misfit at which a search has converged: for a comparison, and for the result; with
 /// impacts, whose noise in it is up to 1e-4, not below that and a tenth of it.
 inline constexpr double coarse = 1e-6, fine = 1e-10;
-inline constexpr int most_iterations = 300;
+inline constexpr int max_iterations = 300;
 
 /// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
 Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
-                 const std::vector<bool>& held = {}, int iterations = most_iterations);
+                 const std::vector<bool>& held = {}, int iterations = max_iterations);
 
 struct ProfileEnd {
   /// Absent where the misfit does not rise so far within the bounds, or within what makes a material.

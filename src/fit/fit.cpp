@@ -39,11 +39,12 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
                       "is no number of the pad's law, which is all that material tests see: it needs "
                       "[[impacts]]"});
   for (const ImpactMeasurement& impact : fit.impacts) {
-    ImpactCase of = impact.impact;
-    of.pad.material = fit.base.pad.material;
-    if (!has(of))
-      broken.push_back({key, no_value,
-                        impact.file + " has no such quantity: " + study::rule_for_unknown(unknown.key, of)});
+    ImpactCase impact_case = impact.impact;
+    impact_case.pad.material = fit.base.pad.material;
+    if (!has(impact_case))
+      broken.push_back(
+          {key, no_value,
+           impact.file + " has no such quantity: " + study::rule_for_unknown(unknown.key, impact_case)});
   }
 }
 
@@ -177,7 +178,7 @@ void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Brok
 bool is_of_card(const std::string& key) { return study::is_of_law(key) || key == "pad.scale"; }
 
 bool finds_more_than_a_card(const Fit& fit) {
-  return !std::ranges::all_of(fit.unknowns, [](const Unknown& of) { return is_of_card(of.key); });
+  return !std::ranges::all_of(fit.unknowns, [](const Unknown& unknown) { return is_of_card(unknown.key); });
 }
 
 bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound) {

@@ -32,11 +32,12 @@ struct UnknownEntry {
 void collect_unknowns(const TomlNode& table, const std::string& prefix, std::vector<UnknownEntry>& entries) {
   for (const TomlNode& child : table.children) {
     const std::string key = prefix + child.key;
-    const bool holds_tables =
-        child.kind == TomlNode::Kind::table && !child.children.empty() &&
-        std::ranges::all_of(child.children,
-                            [](const TomlNode& of) { return of.kind == TomlNode::Kind::table; }) &&
-        child.child("prior") == nullptr;
+    const bool holds_tables = child.kind == TomlNode::Kind::table && !child.children.empty() &&
+                              std::ranges::all_of(child.children,
+                                                  [](const TomlNode& toml_node) {
+                                                    return toml_node.kind == TomlNode::Kind::table;
+                                                  }) &&
+                              child.child("prior") == nullptr;
     if (holds_tables)
       collect_unknowns(child, key + ".", entries);
     else
@@ -127,14 +128,14 @@ bool read_base(TableReader& top, const input::Folders& folders, FitFile& into) {
       std::ranges::move(read->files, std::back_inserter(into.files));
     }
   } else if (auto table = top.table("pad")) {
-    input::PadMaterial of = input::read_pad_material(*table, folders);
+    input::PadMaterial pad_material = input::read_pad_material(*table, folders);
     table->refuse_others();
-    if (of.card) into.files.push_back({"the material card", *of.card});
-    if (of.material) {
-      std::vector<Violation> broken = violations(*of.material);
+    if (pad_material.card) into.files.push_back({"the material card", *pad_material.card});
+    if (pad_material.material) {
+      std::vector<Violation> broken = violations(*pad_material.material);
       for (Violation& violation : broken) violation.key = "pad." + violation.key;
-      if (of.is_in_line) top.faults().add(broken);
-      into.fit.base.pad.material = *std::move(of.material);
+      if (pad_material.is_in_line) top.faults().add(broken);
+      into.fit.base.pad.material = *std::move(pad_material.material);
     }
   }
   return top.faults().size() == before;

@@ -165,11 +165,11 @@ std::optional<ComputedPulse> computed_pulse(const Solution& solution, const Meas
 double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& measured, double lowest,
                   double highest) {
   constexpr double looks_per_sample = 3;
-  constexpr int fewest_looks = 16, most_looks = 200, bits = 22;
+  constexpr int fewest_looks = 16, max_looks = 200, bits = 22;
   const std::vector<double>& time = measured.time;
   const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   const int looks = static_cast<int>(
-      std::clamp<double>(looks_per_sample * (highest - lowest) / spacing, fewest_looks, most_looks));
+      std::clamp<double>(looks_per_sample * (highest - lowest) / spacing, fewest_looks, max_looks));
   const double look = (highest - lowest) / looks;
 
   // The curve at even times, from the earliest that any look reads.
@@ -212,7 +212,7 @@ double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& mea
   }
   // A bound itself is never tried by that.
   for (const double bound : {0.0, 1.0})
-    if (const double of = misses(bound); of < least) best = bound, least = of;
+    if (const double value = misses(bound); value < least) best = bound, least = value;
   return std::lerp(lowest, highest, best);
 }
 

@@ -121,12 +121,13 @@ void read_range(TableReader& table, MaterialMeasurement& test) {
   if (!table.has("range")) return;
   const TomlNode* range = table.array("range");
   if (!range) return;
-  const bool sound =
-      range->children.size() == 2 &&
-      std::ranges::all_of(range->children,
-                          [](const TomlNode& of) { return of.kind == TomlNode::Kind::number; }) &&
-      range->children[0].number < range->children[1].number && range->children[0].number >= 0 &&
-      range->children[1].number <= 1;
+  const bool sound = range->children.size() == 2 &&
+                     std::ranges::all_of(range->children,
+                                         [](const TomlNode& toml_node) {
+                                           return toml_node.kind == TomlNode::Kind::number;
+                                         }) &&
+                     range->children[0].number < range->children[1].number &&
+                     range->children[0].number >= 0 && range->children[1].number <= 1;
   if (!sound) {
     table.fault("range", "must be two strains from 0 to 1, the lower one first, such as [0, 0.5]");
     return;
@@ -172,7 +173,7 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
   }
   result.hic = injury::hic(between, injury::unlimited_window).value;
   result.velocity_change = shape.contact.velocity_change;
-  const std::size_t points = std::min(kept.size(), most_pulse_points);
+  const std::size_t points = std::min(kept.size(), max_pulse_points);
   for (std::size_t k = 0; k < points; ++k) {
     const std::size_t i = kept[k * (kept.size() - 1) / (points - 1)];
     result.time.push_back(measured.time[i] - *shape.onset);

@@ -16,11 +16,11 @@ namespace dashpad::fit {
 namespace {
 
 /// Share of the largest strain by which a strain has to come back for a turn: less is noise.
-constexpr double least_turn = 0.02;
+constexpr double min_turn = 0.02;
 
 /// 1 or -1 for each point: whether the test is on its way up or down there.
 std::vector<int> courses(const std::vector<double>& strain) {
-  const double least = least_turn * std::ranges::max(strain);
+  const double least = min_turn * std::ranges::max(strain);
   std::vector<int> course(strain.size(), 1);
   std::size_t extreme = 0;  // the last place that was farthest on the present course
   int now = 1;
@@ -122,9 +122,9 @@ Missed missed(std::span<const PredictedFigure> all, FigureKind kind) {
   return of;
 }
 
-double deviation_of(const Missed& of, double surest, bool is_predicted) {
-  const double all = worth_of_surest + of.count;
-  const double mean = (worth_of_surest * surest * surest + of.squares) / all;
+double deviation_of(const Missed& missed, double surest, bool is_predicted) {
+  const double all = worth_of_surest + missed.count;
+  const double mean = (worth_of_surest * surest * surest + missed.squares) / all;
   // What was fitted says that the law is no better than that, not that it is as good.
   const double square = is_predicted ? mean : std::max(mean, surest * surest);
   const double t = uncertainty::student_95(is_predicted ? all : worth_of_surest);
@@ -263,7 +263,8 @@ std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& 
       add(ImpactFigure::rebound_speed, *rebound, of.rebound, {});
   }
   const auto is_there = [&](ImpactFigure figure) {
-    return std::ranges::any_of(all, [&](const ImpactComparison& of) { return of.figure == figure; });
+    return std::ranges::any_of(
+        all, [&](const ImpactComparison& impact_comparison) { return impact_comparison.figure == figure; });
   };
   for (const MetFigure& met : met_figures(fit, impact, values))
     if (met.measured > 0 && kind_of(met.figure) && !is_there(met.figure))
@@ -292,9 +293,9 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
   const auto take = [&](std::size_t i, std::span<const double> values) {
     ImpactMeasurement asked = fit.impacts[i];
     asked.figures.clear();
-    for (const ImpactComparison& of : compared(fit, fit.impacts[i], values)) {
-      found[i].push_back({of});
-      asked.figures.push_back({of.figure, of.measured, 1});
+    for (const ImpactComparison& impact_comparison : compared(fit, fit.impacts[i], values)) {
+      found[i].push_back({impact_comparison});
+      asked.figures.push_back({impact_comparison.figure, impact_comparison.measured, 1});
     }
     const auto own = prediction_deviations(fit, asked, problem, x, solved.uncertainty);
     for (std::size_t k = 0; k < own.size(); ++k)
@@ -306,7 +307,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
       take(i, problem.values(x));
     else
       fitted.push_back(i);
-  const std::size_t groups = fitted.size() < 2 ? 0 : std::min(fitted.size(), most_left_out);
+  const std::size_t groups = fitted.size() < 2 ? 0 : std::min(fitted.size(), max_left_out);
   session.begin("Leaving out each impact", groups);
   tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t group) {
     Fit rest = fit;

@@ -57,14 +57,14 @@ Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::o
 
 /// The trigger of a measured pulse is as good as its noise: it may be off by this share of the time for which
 /// the pulse is above half its peak.
-constexpr double most_shift = 0.25;
+constexpr double max_shift = 0.25;
 
 Coordinate shift_of(const MeasuredDeceleration& pulse, std::size_t impact) {
   Coordinate shift;
   shift.key = fmt::format("impacts[{}].pulse.shift", impact + 1);
   shift.unit = "s";
-  shift.lowest = -most_shift * pulse.half_peak_width;
-  shift.highest = most_shift * pulse.half_peak_width;
+  shift.lowest = -max_shift * pulse.half_peak_width;
+  shift.highest = max_shift * pulse.half_peak_width;
   shift.is_nuisance = true;
   return shift;
 }
@@ -84,7 +84,7 @@ Coordinate offset_of(const Block& block, std::size_t test) {
 /// The base curve has to rise from place to place by this share of its mean rise, to within a deviation that
 /// no data can move: a material whose curve falls is none.
 constexpr std::size_t places_of_rule = 100;
-constexpr double least_rise = 0.01;
+constexpr double min_rise = 0.01;
 constexpr double deviation_of_rule = 1e-4;
 
 /// How an unknown of the law gets into a case, by its place among the unknowns.
@@ -112,8 +112,8 @@ std::size_t Problem::points() const {
 }
 
 std::size_t Problem::priors() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(coordinates, [](const Coordinate& of) { return of.prior.has_value(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      coordinates, [](const Coordinate& coordinate) { return coordinate.prior.has_value(); }));
 }
 
 std::size_t Problem::residuals() const {
@@ -262,7 +262,7 @@ std::optional<Block> rule_of_rising(const Fit& fit) {
                     for (std::size_t i = 0; i < predicted.size(); ++i) {
                       const double stress =
                           form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
-                      predicted[i] = std::max(least_rise - (stress - before) / mean_rise, 0.0);
+                      predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
                       before = stress;
                     }
                   }

@@ -22,7 +22,7 @@ constexpr const char* key_of_recoil = "pad.parameters.recoil";
 /// A test at more than this many times the rate of the base curve has stress that the rate added.
 constexpr double clearly_faster = 2;
 /// Of the largest strain: what a test has to come back for a way back.
-constexpr double least_way_back = 0.1;
+constexpr double min_way_back = 0.1;
 
 const TomlNode* in(const TomlNode* table, const char* key) { return table ? table->child(key) : nullptr; }
 
@@ -33,33 +33,36 @@ const FoamCurves* curves_with_rate(const Fit& fit) {
 
 bool shows_recoil(const ImpactMeasurement& impact) {
   return !impact.is_held_out &&
-         (impact.pulse || std::ranges::any_of(impact.figures, [](const MeasuredFigure& of) {
-            return of.figure == ImpactFigure::rebound_speed || of.figure == ImpactFigure::contact_time ||
-                   of.figure == ImpactFigure::velocity_change;
+         (impact.pulse || std::ranges::any_of(impact.figures, [](const MeasuredFigure& measured_figure) {
+            return measured_figure.figure == ImpactFigure::rebound_speed ||
+                   measured_figure.figure == ImpactFigure::contact_time ||
+                   measured_figure.figure == ImpactFigure::velocity_change;
           }));
 }
 
 bool shows_recoil(const MaterialMeasurement& test, double slowest_rate) {
   if (test.is_held_out || rates_of(test).highest <= clearly_faster * slowest_rate) return false;
   const auto largest = std::ranges::max_element(test.strain);
-  return *std::min_element(largest, test.strain.end()) < (1 - least_way_back) * *largest;
+  return *std::min_element(largest, test.strain.end()) < (1 - min_way_back) * *largest;
 }
 
 using Sentences = std::vector<std::string>;
 
-std::string value_words(const FittedUnknown& of, double value) {
-  return brief_quantity(value, of.unit, plain_si(), 4);
+std::string value_words(const FittedUnknown& fitted_unknown, double value) {
+  return brief_quantity(value, fitted_unknown.unit, plain_si(), 4);
 }
 
 void add_open_unknowns(const FitReport& report, Sentences& all) {
-  for (const FittedUnknown& of : report.unknowns) {
-    if (of.is_nuisance) continue;
-    if (of.wants_beyond())
-      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", of.key,
-                                of.is_at_lowest ? "lower" : "upper", value_words(of, of.value)));
-    else if (!of.is_identified())
-      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", of.key,
-                                of.open() == "both" ? "on both sides" : of.open()));
+  for (const FittedUnknown& fitted_unknown : report.unknowns) {
+    if (fitted_unknown.is_nuisance) continue;
+    if (fitted_unknown.wants_beyond())
+      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", fitted_unknown.key,
+                                fitted_unknown.is_at_lowest ? "lower" : "upper",
+                                value_words(fitted_unknown, fitted_unknown.value)));
+    else if (!fitted_unknown.is_identified())
+      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.",
+                                fitted_unknown.key,
+                                fitted_unknown.open() == "both" ? "on both sides" : fitted_unknown.open()));
   }
 }
 
@@ -85,10 +88,10 @@ constexpr double worth_saying = 0.05;  ///< of the measured figure
 void add_misses(const FitReport& report, Sentences& all) {
   for (const ImpactFigureName& name : impact_figure_names()) {
     const ImpactComparison* worst = nullptr;
-    for (const ImpactComparison& of : report.comparison)
-      if (of.figure == name.figure && of.share() &&
-          (!worst || std::abs(*of.share()) > std::abs(*worst->share())))
-        worst = &of;
+    for (const ImpactComparison& impact_comparison : report.comparison)
+      if (impact_comparison.figure == name.figure && impact_comparison.share() &&
+          (!worst || std::abs(*impact_comparison.share()) > std::abs(*worst->share())))
+        worst = &impact_comparison;
     if (worst && std::abs(*worst->share()) > worth_saying)
       all.push_back(fmt::format("Of {} the {} by the model is {} % {} what was measured.", worst->file,
                                 title_in_sentence(*name.quantity), brief(100 * std::abs(*worst->share()), 2),
@@ -98,30 +101,35 @@ void add_misses(const FitReport& report, Sentences& all) {
 
 /// Pulses of other impacts than the cases beside them.
 void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) {
-  for (const ImpactMeasurement& of : fit.impacts) {
-    if (!of.pulse) continue;
-    const Impactor impactor = impact_with(fit, of, values).impactor;
-    if (of.pulse->impact && injury::unlike_speeds(*of.pulse->impact, {.speed = impactor.speed}))
-      all.push_back(fmt::format("{} strikes at {} m/s, and the impact of its pulse {} at {} m/s.", of.file,
-                                brief(impactor.speed, 4), of.pulse->file, brief(of.pulse->impact->speed, 4)));
-    const double change = of.pulse->velocity_change - impactor.gravity * of.pulse->time.back();
+  for (const ImpactMeasurement& impact_measurement : fit.impacts) {
+    if (!impact_measurement.pulse) continue;
+    const Impactor impactor = impact_with(fit, impact_measurement, values).impactor;
+    if (impact_measurement.pulse->impact &&
+        injury::unlike_speeds(*impact_measurement.pulse->impact, {.speed = impactor.speed}))
+      all.push_back(fmt::format("{} strikes at {} m/s, and the impact of its pulse {} at {} m/s.",
+                                impact_measurement.file, brief(impactor.speed, 4),
+                                impact_measurement.pulse->file,
+                                brief(impact_measurement.pulse->impact->speed, 4)));
+    const double change =
+        impact_measurement.pulse->velocity_change - impactor.gravity * impact_measurement.pulse->time.back();
     if (change < (1 - worth_saying) * impactor.speed || change > (1 + worth_saying) * 2 * impactor.speed)
       all.push_back(fmt::format(
           "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot: "
           "another height, a wrong scale or an offset of the sensor.",
-          of.pulse->file, brief(change, 4), brief(impactor.speed, 4), of.file));
+          impact_measurement.pulse->file, brief(change, 4), brief(impactor.speed, 4),
+          impact_measurement.file));
   }
 }
 
 /// What the impacts were met with, beside the card.
 void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
   bool is_scaled = false;
-  for (const FittedUnknown& of : report.unknowns) {
-    if (of.is_nuisance) continue;
-    is_scaled = is_scaled || of.key == "pad.scale";
-    if (!is_of_card(of.key))
-      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.", of.key,
-                                value_words(of, of.value)));
+  for (const FittedUnknown& fitted_unknown : report.unknowns) {
+    if (fitted_unknown.is_nuisance) continue;
+    is_scaled = is_scaled || fitted_unknown.key == "pad.scale";
+    if (!is_of_card(fitted_unknown.key))
+      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.",
+                                fitted_unknown.key, value_words(fitted_unknown, fitted_unknown.value)));
   }
   if (is_scaled && has_fitted(fit.tests))
     all.emplace_back(
@@ -164,11 +172,12 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
 
 bool states_recoil(const TomlNode& fit_file, const std::vector<input::InputFile>& files) {
   if (in(in(fit_file.child("pad"), "parameters"), "recoil")) return true;
-  return std::ranges::any_of(files, [](const input::InputFile& of) {
-    if (of.file.extension() != ".toml") return false;
-    const input::Reading<input::TomlFile> toml = input::read_toml(of.file);
+  return std::ranges::any_of(files, [](const input::InputFile& input_file) {
+    if (input_file.file.extension() != ".toml") return false;
+    const input::Reading<input::TomlFile> toml = input::read_toml(input_file.file);
     if (!toml) return false;
-    const TomlNode* const pad = of.kind == "the material card" ? &toml->root : toml->root.child("pad");
+    const TomlNode* const pad =
+        input_file.kind == "the material card" ? &toml->root : toml->root.child("pad");
     return in(in(pad, "parameters"), "recoil") && !in(toml->root.child("uncertainty"), "recoil");
   });
 }
@@ -181,8 +190,8 @@ void seek_recoil(Fit& fit) {
   if (!assumes_recoil(fit) || !violations(fit).empty()) return;
   const double slowest_rate = curves_with_rate(fit)->slowest_rate;
   const bool is_shown =
-      std::ranges::any_of(fit.impacts, [](const auto& of) { return shows_recoil(of); }) ||
-      std::ranges::any_of(fit.tests, [&](const auto& of) { return shows_recoil(of, slowest_rate); });
+      std::ranges::any_of(fit.impacts, [](const auto& given) { return shows_recoil(given); }) ||
+      std::ranges::any_of(fit.tests, [&](const auto& given) { return shows_recoil(given, slowest_rate); });
   if (!is_shown) return;
   fit.unknowns.push_back({.key = key_of_recoil, .unit = "1", .lowest = 0, .highest = 1, .start = 0.5});
   fit.unknowns.back().is_added = true;

@@ -84,9 +84,9 @@ void describe_measurements(const Fit& fit, const Problem& problem, const Solved&
   }
 }
 
-constexpr int first_runs = 3, most_runs = 7;
+constexpr int first_runs = 3, max_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
-constexpr double most_off = 0.1;
+constexpr double max_off = 0.1;
 
 /// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full
 /// tolerance: each figure, and pulses in the mean square.
@@ -102,10 +102,10 @@ bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double
     double squares = 0;
     for (std::size_t i = 0; i < fixed.size(); ++i) {
       const double off = std::abs(fixed[i] - full[i]) / deviation[i];
-      if (i < figures && !(off <= most_off)) return false;
+      if (i < figures && !(off <= max_off)) return false;
       if (i >= figures) squares += off * off;
     }
-    if (!(squares <= most_off * most_off * static_cast<double>(fixed.size() - figures))) return false;
+    if (!(squares <= max_off * max_off * static_cast<double>(fixed.size() - figures))) return false;
     ++block;
   }
   return true;
@@ -148,7 +148,8 @@ constexpr double same_misfit = 1e-3;
 
 std::vector<double> first_start(const Problem& problem) {
   std::vector<double> x;
-  for (const Coordinate& of : problem.coordinates) x.push_back(std::clamp(of.place(of.start), 0.0, 1.0));
+  for (const Coordinate& coordinate : problem.coordinates)
+    x.push_back(std::clamp(coordinate.place(coordinate.start), 0.0, 1.0));
   return x;
 }
 
@@ -171,7 +172,7 @@ std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& proble
 /// Rise of twice the log likelihood at the ends of a 95 % interval: that of chi-squared, one degree.
 constexpr double threshold_of_95 = 3.841458820694124;
 /// Better minima that profiles may meet before the search is given up.
-constexpr int most_better = 5;
+constexpr int max_better = 5;
 
 /// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
 /// Refits where that changes the weights.
@@ -298,7 +299,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     if (runs <= first_runs) minimum = search(fit, problem, residuals, session, report);
     if (minimum.converged) minimum = minimise(residuals, minimum.x);
     session.throw_if_stopped();
-    if (minimum.converged && has_fitted(fit.impacts) && runs < most_runs &&
+    if (minimum.converged && has_fitted(fit.impacts) && runs < max_runs &&
         !runs_suffice(fit, problem, problem.values(minimum.x), runs))
       continue;
     const Solved solved = determine(problem, residuals, minimum, session, report);
@@ -387,7 +388,7 @@ Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimu
     }
     find_profiles(residuals, report, round, session, solved);
     const std::optional<Minimum> better = better_of(solved);
-    if (!better || round == most_better) return solved;
+    if (!better || round == max_better) return solved;
     report.starts_at_best = 0;
     solved.minimum = minimise(residuals, better->x);
   }

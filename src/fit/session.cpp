@@ -23,18 +23,18 @@ constexpr std::string_view format_of_state = "dashpad fit state 3";
 constexpr std::size_t largest_state = std::size_t{64} << 20;  // bytes
 constexpr std::size_t longest_reason = 1000;
 
-json json_of(const Minimum& of) {
-  return {{"converged", of.converged},
-          {"why_not", of.why_not},
-          {"x", of.x},
-          {"misfit", of.misfit},
-          {"is_sound", of.is_sound}};
+json json_of(const Minimum& minimum) {
+  return {{"converged", minimum.converged},
+          {"why_not", minimum.why_not},
+          {"x", minimum.x},
+          {"misfit", minimum.misfit},
+          {"is_sound", minimum.is_sound}};
 }
 
-json json_of(const ProfileEnd& of) {
-  return {{"x", of.x ? json(*of.x) : json()},
-          {"is_rough", of.is_rough},
-          {"better", of.better ? json_of(*of.better) : json()}};
+json json_of(const ProfileEnd& profile_end) {
+  return {{"x", profile_end.x ? json(*profile_end.x) : json()},
+          {"is_rough", profile_end.is_rough},
+          {"better", profile_end.better ? json_of(*profile_end.better) : json()}};
 }
 
 /// What is wrong with a file that is read back.

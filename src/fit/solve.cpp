@@ -11,9 +11,9 @@ namespace dashpad::fit {
 namespace {
 
 /// Relative change of the coordinates at which a fit has converged: far below what noise moves.
-constexpr double least_change_of_place = 1e-9;
+constexpr double min_change_of_place = 1e-9;
 /// With impacts: of the coordinates, and of the misfit towards a coarse and a fine minimum.
-constexpr double least_change_with_impacts = 1e-5, coarse_with_impacts = 1e-4, fine_with_impacts = 1e-5;
+constexpr double min_change_with_impacts = 1e-5, coarse_with_impacts = 1e-4, fine_with_impacts = 1e-5;
 /// Up to this step, and with impacts, one-sided differences are good enough on the way to a coarse minimum,
 /// at half the evaluations.
 constexpr double longest_one_sided = 1e-3;
@@ -93,7 +93,7 @@ class Search {
     one_sided_ = tolerance >= coarse && (problem.takes_impacts || problem.step <= longest_one_sided);
     const double floor = tolerance >= coarse ? coarse_with_impacts : fine_with_impacts;
     tolerance_ = problem.takes_impacts ? std::max(tolerance, floor) : tolerance;
-    least_change_ = problem.takes_impacts ? least_change_with_impacts : least_change_of_place;
+    min_change_ = problem.takes_impacts ? min_change_with_impacts : min_change_of_place;
   }
 
   void run(int iterations) {
@@ -128,10 +128,10 @@ class Search {
     if (!is_fresh_ && !is_updated_ && !differentiate())
       return stop("a step beside the place makes no material");
     // Each try is damped more; after these nothing is left of a step, as where the search was stopped.
-    constexpr int most_tries = 30;
-    for (int tries = 0; tries < most_tries; ++tries) {
+    constexpr int max_tries = 30;
+    for (int tries = 0; tries < max_tries; ++tries) {
       const Vector step = step_from_here();
-      if (step.lpNorm<Eigen::Infinity>() < least_change_) return refresh_or_converge();
+      if (step.lpNorm<Eigen::Infinity>() < min_change_) return refresh_or_converge();
       const Vector expected = residuals_ + jacobian_ * step;
       std::vector<double> x = minimum_.x;
       for (Eigen::Index i = 0; i < columns(); ++i) {
@@ -142,7 +142,7 @@ class Search {
       const bool is_sound = residuals_at(x, residuals);
       const double misfit = is_sound ? residuals.squaredNorm() : 0;
       const double gain = (minimum_.misfit - misfit) / (minimum_.misfit - expected.squaredNorm());
-      if (is_sound && misfit < minimum_.misfit && gain > least_gain) {
+      if (is_sound && misfit < minimum_.misfit && gain > min_gain) {
         const bool is_last = minimum_.misfit - misfit <= tolerance_ * minimum_.misfit;
         take(std::move(x), step, std::move(residuals), expected, misfit, gain);
         if (is_last) refresh_or_converge();
@@ -219,8 +219,8 @@ class Search {
       target << -(residuals_ + jacobian_ * fixed), Vector::Zero(n);
       for (Eigen::Index k = 0; k < n; ++k) {
         system.col(k).head(rows()) = jacobian_.col(moving[static_cast<std::size_t>(k)]);
-        system(rows() + k, k) = std::sqrt(damping_) *
-                                std::max(scale_[moving[static_cast<std::size_t>(k)]], least_scale * largest);
+        system(rows() + k, k) =
+            std::sqrt(damping_) * std::max(scale_[moving[static_cast<std::size_t>(k)]], min_scale * largest);
       }
       const Vector found = system.householderQr().solve(target);
       std::vector<Eigen::Index> still;
@@ -235,16 +235,16 @@ class Search {
     return step;
   }
 
-  static constexpr double least_gain = 1e-4;  ///< of a step, actual over expected
-  static constexpr double good_gain = 0.3;    ///< how far from 1 it may be for an update
-  static constexpr double least_scale = 1e-6;
+  static constexpr double min_gain = 1e-4;  ///< of a step, actual over expected
+  static constexpr double good_gain = 0.3;  ///< how far from 1 it may be for an update
+  static constexpr double min_scale = 1e-6;
 
   const LeastSquares& problem_;
   Minimum& minimum_;
   std::vector<bool> held_;
   std::vector<std::size_t> free_;
   bool one_sided_ = false;
-  double tolerance_ = 0, least_change_ = 0;
+  double tolerance_ = 0, min_change_ = 0;
   Vector residuals_;
   Matrix jacobian_;
   bool is_fresh_ = false, is_updated_ = false;  ///< derivatives: of this place, or carried over to it
@@ -254,12 +254,12 @@ class Search {
 
 /// Of the root of the rise over the threshold; with impacts each refit costs hundreds of them.
 constexpr double close_enough = 5e-3, close_enough_with_impacts = 2e-2;
-constexpr int most_refits = 40, most_refits_with_impacts = 12;
+constexpr int max_refits = 40, max_refits_with_impacts = 12;
 constexpr int iterations_with_impacts = 12;  ///< of a refit
 /// A guess beyond this share of the room is tried at the bound first: most ends there are open.
 constexpr double near_bound = 0.6;
-constexpr double least_distance = 1e-7;  ///< of a coordinate
-constexpr double better_by = 1e-2;       ///< of the threshold
+constexpr double min_distance = 1e-7;  ///< of a coordinate
+constexpr double better_by = 1e-2;     ///< of the threshold
 
 /// Root of the rise of the misfit over the threshold: nearly even in the distance.
 struct Rise {
@@ -279,13 +279,13 @@ class Profiler {
     const double at = minimum_.x[request_.coordinate];
     const double room = request_.side > 0 ? 1 - at : at;
     ProfileEnd end;
-    if (room < least_distance) return end;
+    if (room < min_distance) return end;
     Rise low;
     std::optional<Rise> high;  // without a root: there is no material
     bool barrier = false;
-    double distance = std::clamp(request_.guess, least_distance, room);
+    double distance = std::clamp(request_.guess, min_distance, room);
     if (distance > near_bound * room) distance = room;
-    const int most = problem_.takes_impacts ? most_refits_with_impacts : most_refits;
+    const int most = problem_.takes_impacts ? max_refits_with_impacts : max_refits;
     int refit = 0;
     for (; refit < most; ++refit) {
       const std::optional<double> root = rise_at(distance);
@@ -301,7 +301,7 @@ class Profiler {
         high = Rise{distance, root.value_or(0)};
         barrier = !root;
       }
-      if (high && high->distance - low.distance < least_distance) break;
+      if (high && high->distance - low.distance < min_distance) break;
       distance = next(low, high, barrier, room);
     }
     end.is_rough = refit == most;
@@ -340,7 +340,7 @@ class Profiler {
     last_[request_.coordinate] = place;
     const auto refitted = [&](const std::vector<double>& from) {
       return minimise(problem_, from, coarse, held_,
-                      problem_.takes_impacts ? iterations_with_impacts : most_iterations);
+                      problem_.takes_impacts ? iterations_with_impacts : max_iterations);
     };
     Minimum found = refitted(guess);
     // The last place may be nearer, or the only one with a material.

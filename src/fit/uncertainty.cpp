@@ -32,9 +32,9 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 constexpr double strong_correlation = 0.95;
 /// Share of a unit vector from which on a coordinate belongs to a flat direction.
-constexpr double least_share = 0.3;
+constexpr double min_share = 0.3;
 /// Eigenvalues below this share of the largest are rounding of the differences.
-constexpr double least_eigenvalue = 1e-11;
+constexpr double min_eigenvalue = 1e-11;
 
 struct Curvature {
   Eigen::VectorXd values;  ///< of J'J, not below least_eigenvalue of the largest
@@ -49,7 +49,7 @@ Curvature curvature_of(const Matrix& hessian) {
   Curvature curvature;
   curvature.vectors = Eigen::Map<const Eigen::MatrixXd>(axes.directions.data(), n, n);
   curvature.values = Eigen::Map<const Eigen::VectorXd>(axes.values.data(), n);
-  const double least = least_eigenvalue * std::max(curvature.values.maxCoeff(), 1e-300);
+  const double least = min_eigenvalue * std::max(curvature.values.maxCoeff(), 1e-300);
   curvature.values = curvature.values.cwiseMax(least);
   curvature.inverse =
       curvature.vectors * curvature.values.cwiseInverse().asDiagonal() * curvature.vectors.transpose();
@@ -62,7 +62,7 @@ void find_flat_directions(const Curvature& curvature, const std::vector<std::siz
     if (curvature.values[k] >= scale) continue;
     std::vector<std::size_t> members;
     for (std::size_t i = 0; i < free.size(); ++i)
-      if (std::abs(curvature.vectors(static_cast<Eigen::Index>(i), k)) > least_share)
+      if (std::abs(curvature.vectors(static_cast<Eigen::Index>(i), k)) > min_share)
         members.push_back(free[i]);
     into.flat_directions.push_back(members);
   }

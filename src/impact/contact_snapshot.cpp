@@ -21,7 +21,7 @@ namespace {
 /// Resolution of the stations, finer than in most runs.
 constexpr double start_resolution = 0.02;
 /// Usual number of points of a snapshot, more than a picture shows.
-constexpr int most_points = 160;
+constexpr int max_points = 160;
 /// Change of the stress, as a share, from which on a point is kept in any case, as near the axis of a nearly
 /// closed pad.
 constexpr double largest_jump = 0.05;
@@ -80,7 +80,7 @@ void look_at(const ColumnField<Law>& field, double penetration, const Sections& 
              ContactSnapshot& snapshot) {
   const auto [pressing, edge] = field.stressed();
   if (pressing == 0) return;
-  const double spacing = nose.radius(edge) / most_points;
+  const double spacing = nose.radius(edge) / max_points;
   // Below a flat tip all columns are as on the axis.
   if (nose.tip > 0) add_point(snapshot, 0, field.column(0).strain, field.column(0).stress);
   for (std::size_t j = 0; j < pressing; ++j) {
@@ -134,8 +134,8 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   contact.start(start_resolution, thickness);
   const auto look = [&](double, ContactSnapshot& snapshot) {
     const double edge = contact.contact_radius();
-    for (int k = 0; k <= most_points && edge > 0; ++k) {
-      const double radius = edge * k / most_points;
+    for (int k = 0; k <= max_points && edge > 0; ++k) {
+      const double radius = edge * k / max_points;
       const auto column = contact.column(nose.depth_at(radius));
       add_point(snapshot, radius, std::max(column.strain, 0.0), column.stress);
     }
@@ -176,8 +176,8 @@ std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCa
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     const double share = snapshot.force / contact.force(penetration);
     snapshot.determined = std::abs(share - 1) < 1e-6;
-    for (int k = 0; k <= most_points; ++k) {
-      const double radius = nose.radius(penetration) * k / most_points;
+    for (int k = 0; k <= max_points; ++k) {
+      const double radius = nose.radius(penetration) * k / max_points;
       const double strain = std::max((penetration - nose.depth_at(radius)) / thickness, 0.0);
       add_point(snapshot, radius, strain,
                 share * curve.at(std::max(strain, std::numeric_limits<double>::min())));

@@ -276,12 +276,12 @@ class Equilibrium {
   /// Search over trials of a moving pad: the residual as a function of the advance, and when it is close
   /// enough to 0.
   struct MovingSearch {
-    MovingSearch(Equilibrium& of, double step, const Predictor& predictor) : of_(of) {
-      const State& now = of.now();
+    MovingSearch(Equilibrium& equilibrium, double step, const Predictor& predictor) : of_(equilibrium) {
+      const State& now = equilibrium.now();
       trial.step = step;
       trial.pad_stiffness = predictor.next_stiffness();
-      scale = std::max(std::abs(of.reach(now)), std::abs(of.farthest(step)));
-      slope = 1 + trial.pad_stiffness * of.motion_.flexibility(now.back, now.force, step);
+      scale = std::max(std::abs(equilibrium.reach(now)), std::abs(equilibrium.farthest(step)));
+      slope = 1 + trial.pad_stiffness * equilibrium.motion_.flexibility(now.back, now.force, step);
     }
 
     double residual(double advance) {
@@ -289,8 +289,8 @@ class Equilibrium {
       trial.pad = of_.contact_.trial(advance, of_.now().time, trial.step);
       const double force = trial.pad.force;
       const double distance = advance - before.advance;
-      if (trials_ > 0 && std::abs(distance) > numerics.least_change_of_advance * std::abs(advance) &&
-          std::abs(force - before.force) > numerics.least_change_of_force * std::abs(force))
+      if (trials_ > 0 && std::abs(distance) > numerics.min_change_of_advance * std::abs(advance) &&
+          std::abs(force - before.force) > numerics.min_change_of_force * std::abs(force))
         trial.pad_stiffness = std::max((force - before.force) / distance, force / of_.thickness_);
       ++trials_;
       return of_.motion_.residual(of_.now().penetration + advance, force, trial.step, trial.end);
@@ -311,12 +311,12 @@ class Equilibrium {
       if (std::abs(missing) > numerics.largest_take_up * of_.resolution_ * std::abs(trial.pad.advance))
         return is_rounding(left, scale) ||
                (std::abs(left) < numerics.solved_small_advance * allowed &&
-                std::abs(missing) < numerics.most_take_up * std::abs(trial.pad.advance));
+                std::abs(missing) < numerics.max_take_up * std::abs(trial.pad.advance));
       if (end.force <= 0) return true;
       // In a very short step the residual alone would determine the rate, and with it the force.
       const double taken_up = trial.pad_stiffness * missing;
       const double most =
-          numerics.most_force_taken_up * of_.resolution_ * std::max(end.force, of_.now().force);
+          numerics.max_force_taken_up * of_.resolution_ * std::max(end.force, of_.now().force);
       if (std::abs(taken_up) > most) return is_rounding(left, scale);
       of_.motion_.residual(end.penetration, end.force + taken_up, trial.step, end);
       return true;

@@ -25,7 +25,7 @@ struct Sight {
   double corner = 0;        ///< corner of the support: a force, N, or a deflection, m
   double joint = 0;         ///< penetration at which a pad struck before joins its first loading, m; 0: none
   bool is_pressed = false;  ///< in flight: a column is under pressure at the end
-  double least_return = 0;  ///< speed above which a return of the back is awaited, m/s
+  double min_return = 0;    ///< speed above which a return of the back is awaited, m/s
   bool is_closed = false;   ///< the pad is fully compressed at the start
   /// Rate of the pad at the end over the next tested rate below, less 1.
   double over_rate_corner = 1;
@@ -111,7 +111,7 @@ inline double speed_to_wait_for(const Foundation& foundation, const State& state
   return std::max(foundation.fastest_return(state.back) + state.velocity, state.back.rate) - least;
 }
 inline double left_to_wait_for(const Sight& s) {
-  return speed_to_wait_for(s.foundation, s.trial.end, s.least_return);
+  return speed_to_wait_for(s.foundation, s.trial.end, s.min_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
 /// Speed at which the nose leaves the pad in flight, m/s; columns follow it, and their law has a corner where

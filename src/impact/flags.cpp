@@ -134,9 +134,10 @@ Effect effect_of(Source source, const Intervals& intervals, const std::vector<st
   for (const std::string& key : decisive) {
     const FigureInterval* const figure = intervals.find(key);
     if (figure == nullptr || !(figure->nominal > 0)) continue;
-    for (const Contribution& of : figure->sources)
-      if (const Effect effect{key, 1 - of.low / figure->nominal, of.high / figure->nominal - 1};
-          of.source == source && effect.largest() > most.largest())
+    for (const Contribution& contribution : figure->sources)
+      if (const Effect effect{key, 1 - contribution.low / figure->nominal,
+                              contribution.high / figure->nominal - 1};
+          contribution.source == source && effect.largest() > most.largest())
         most = effect;
   }
   return most;
@@ -160,19 +161,21 @@ std::string words_of(const Effect& effect) {
 }
 
 /// The flag of an extrapolation; nothing if it moves no decisive figure.
-std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolation& of,
+std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolation& extrapolation,
                                        const std::vector<std::string>& decisive) {
-  const std::string name = name_of(of.beyond);
-  const Source source = of.beyond == Beyond::strain ? Source::continuation : Source::rate;
+  const std::string name = name_of(extrapolation.beyond);
+  const Source source = extrapolation.beyond == Beyond::strain ? Source::continuation : Source::rate;
   const auto& intervals = summary.intervals;
-  if (of.beyond == Beyond::other || !intervals || intervals->figures.empty() || !intervals->find(source))
-    return flag_of(name, of.text);
+  if (extrapolation.beyond == Beyond::other || !intervals || intervals->figures.empty() ||
+      !intervals->find(source))
+    return flag_of(name, extrapolation.text);
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
-  const char* const by = of.beyond == Beyond::strain ? " by how it goes on there, which is a guess"
-                                                     : " if the stress follows the rate otherwise there";
+  const char* const by = extrapolation.beyond == Beyond::strain
+                             ? " by how it goes on there, which is a guess"
+                             : " if the stress follows the rate otherwise there";
   return flag_of(
-      name, of.text + "; " + words_of(effect) + by,
+      name, extrapolation.text + "; " + words_of(effect) + by,
       {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}});
 }
 
@@ -272,8 +275,9 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (std::optional<Flag> flag = striking_through(summary)) all.push_back(*std::move(flag));
   if (!summary.softening_rates.empty())
     add("SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}});
-  for (const Extrapolation& of : summary.extrapolations)
-    if (std::optional<Flag> flag = extrapolation_flag(summary, of, decisive)) all.push_back(*std::move(flag));
+  for (const Extrapolation& extrapolation : summary.extrapolations)
+    if (std::optional<Flag> flag = extrapolation_flag(summary, extrapolation, decisive))
+      all.push_back(*std::move(flag));
   if (summary.intervals && !summary.intervals->warning.empty())
     all.push_back({"SMALL NOSE", summary.intervals->warning});
   return all;

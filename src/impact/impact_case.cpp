@@ -129,34 +129,34 @@ void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
 }
 
 /// Checks the parts of a support; those that are 0 are absent.
-void check_backing(std::vector<Violation>& broken, const Support& support, const Backing& of) {
+void check_backing(std::vector<Violation>& broken, const Support& support, const Backing& backing) {
   const std::size_t before = broken.size();
-  check_bounds(of, "support.", broken);
+  check_bounds(backing, "support.", broken);
   if (broken.size() > before) return;
   if (support.is_rigid()) {
     for (const Parameter<Backing>& parameter : Backing::parameters)
-      if (parameter.member != &Backing::body_mass && parameter.of(of) != 0)
-        broken.push_back({std::string("support.") + parameter.key, parameter.of(of),
+      if (parameter.member != &Backing::body_mass && parameter.of(backing) != 0)
+        broken.push_back({std::string("support.") + parameter.key, parameter.of(backing),
                           "a rigid support has none; only a free body may be behind it"});
     return;
   }
-  if (of.damping > 0 && of.loss_factor > 0)
-    broken.push_back({"support.loss_factor", of.loss_factor, "give damping or loss_factor, not both"});
-  if (of.gap > 0 && of.preload > 0)
-    broken.push_back({"support.gap", of.gap, "a support with a preload has no gap"});
-  if (of.gap > 0 && !(of.mass > 0))
-    broken.push_back({"support.gap", of.gap,
+  if (backing.damping > 0 && backing.loss_factor > 0)
+    broken.push_back({"support.loss_factor", backing.loss_factor, "give damping or loss_factor, not both"});
+  if (backing.gap > 0 && backing.preload > 0)
+    broken.push_back({"support.gap", backing.gap, "a support with a preload has no gap"});
+  if (backing.gap > 0 && !(backing.mass > 0))
+    broken.push_back({"support.gap", backing.gap,
                       "needs the mass of the panel, which nothing but its mass holds up in the gap"});
-  if (of.earlier_force > 0 && !(of.unloading_stiffness > 0))
-    broken.push_back({"support.earlier_force", of.earlier_force,
+  if (backing.earlier_force > 0 && !(backing.unloading_stiffness > 0))
+    broken.push_back({"support.earlier_force", backing.earlier_force,
                       "needs an unloading_stiffness: what an elastic support has carried leaves nothing"});
   double steepest = 0;
   for (double force : {0.0, support.points().back().force})
     steepest = std::max(steepest, 1 / support.compliance(force));
   for (const double corner : support.corners()) steepest = std::max(steepest, 1 / support.compliance(corner));
-  if (of.unloading_stiffness > 0 && of.unloading_stiffness < steepest)
+  if (backing.unloading_stiffness > 0 && backing.unloading_stiffness < steepest)
     broken.push_back(
-        {"support.unloading_stiffness", of.unloading_stiffness,
+        {"support.unloading_stiffness", backing.unloading_stiffness,
          fmt::format("must be at least the steepest slope of the support, {:.6g} N/m", steepest)});
 }
 
@@ -168,12 +168,12 @@ void add(std::vector<Violation>& broken, std::vector<Violation> more, const std:
 }
 
 /// Least thickness of a layer as a share of the pad's.
-constexpr double least_share = 1e-6;
+constexpr double min_share = 1e-6;
 
 void check_layers(std::vector<Violation>& broken, const Pad& pad) {
-  if (pad.layers.size() > most_layers)
+  if (pad.layers.size() > max_layers)
     broken.push_back(
-        {"pad.layers", double(pad.layers.size()), fmt::format("must be at most {}", most_layers)});
+        {"pad.layers", double(pad.layers.size()), fmt::format("must be at most {}", max_layers)});
   double sum = 0;
   for (const PadLayer& layer : pad.layers) sum += layer.thickness;
   if (std::abs(sum - pad.thickness) > 1e-9 * sum)
@@ -182,9 +182,9 @@ void check_layers(std::vector<Violation>& broken, const Pad& pad) {
     const PadLayer& layer = pad.layers[i];
     const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
     const std::size_t before = broken.size();
-    if (!(layer.thickness > 0) || layer.thickness < least_share * sum)
+    if (!(layer.thickness > 0) || layer.thickness < min_share * sum)
       broken.push_back({prefix + "thickness", layer.thickness,
-                        fmt::format("must be more than 0 and at least {} of the pad", least_share)});
+                        fmt::format("must be more than 0 and at least {} of the pad", min_share)});
     add(broken, violations(layer.material), prefix);
     add(broken, violations(layer.condition, layer.material), prefix);
     if (broken.size() == before) add(broken, violations_as_layer(layer.material.law), prefix);

@@ -57,13 +57,13 @@ class March {
   March& operator=(const March&) = delete;
 
   struct Bounds {
-    double expected = infinite;   ///< expected peak penetration, m
-    double most_work = infinite;  ///< work after which the run is given up, s
+    double expected = infinite;  ///< expected peak penetration, m
+    double max_work = infinite;  ///< work after which the run is given up, s
   };
   /// Runs the impact with steps of about `resolution` radians of the momentary oscillation.
   Figures run(double resolution, Track& track, Bounds bounds = {}) {
     double step = begin(resolution, bounds.expected, track);
-    most_work_ = bounds.most_work;
+    max_work_ = bounds.max_work;
     while (phase_ != Phase::over && !limit_is_reached(track)) {
       const double before = now_.time;
       const Phase phase_before = phase_;
@@ -121,8 +121,8 @@ class March {
     const auto force_of = [&](double y, double step) { return contact_.trial(y, 0, step).force - strength; };
     // A pad on a damper may give way, as to a shock, long before either has moved far.
     const bool gives_way_first = !memoryless && foundation_.kind() == Foundation::Kind::damper;
-    const double most_force = gives_way_first ? resolution * at_once : infinite;
-    const double step = control_.first_step(phase_, impactor_.speed, most_force, force_of, stiffness);
+    const double max_force = gives_way_first ? resolution * at_once : infinite;
+    const double step = control_.first_step(phase_, impactor_.speed, max_force, force_of, stiffness);
     predictor_.start(impactor_.speed, stiffness);
     control_.learn(phase_, now_, predictor_);
     return step;
@@ -132,12 +132,12 @@ class March {
     if (now_.time >= options_.time_limit) {
       // An impactor that will not meet the pad again is released, even if the panel is still in its gap.
       const bool has_left =
-          phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= least_return();
+          phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= min_return();
       figures_.ending = has_left ? Ending::released : Ending::time_limit;
       return true;
     }
-    return track.size() > options_.most_steps || work(track) > most_work_ ||
-           contact_.stations() >= most_stations || idle_ + moments_ > numerics.most_idle_events;
+    return track.size() > options_.max_steps || work(track) > max_work_ ||
+           contact_.stations() >= max_stations || idle_ + moments_ > numerics.max_idle_events;
   }
 
   /// Work of the run so far, s.
@@ -172,7 +172,7 @@ class March {
         (contact_.recovers() ? contact_.largest_stress(trial.pad) > 0
                              : trial.end.penetration > (1 + numerics.at_crater) * left_at_);
     Sight sight{phase_, now_, trial, foundation_, contact_.recovers(), corner, joint_, is_pressed};
-    sight.least_return = least_return();
+    sight.min_return = min_return();
     sight.is_closed = now_.penetration >= (1 - numerics.at_joint) * contact_.lock_penetration();
     if constexpr (HasRateCorners<Contact>) {
       // The force may peak there; elsewhere a step passes the corner without loss of order.
@@ -195,7 +195,7 @@ class March {
     FirstEvent first = first_event(sight(trial));
     const double shortest = numerics.shortest_step * std::max(now_.time, step);
     // A step far too long for its result, or with several events, is halved.
-    for (int i = 0; i < numerics.most_halvings && step > shortest; ++i) {
+    for (int i = 0; i < numerics.max_halvings && step > shortest; ++i) {
       const bool too_long =
           first.kind == nullptr && step > numerics.too_long * control_.longest(phase_, trial);
       const bool may_land =
@@ -212,7 +212,7 @@ class March {
   /// The step that ends at an event, which happens within the trial `beyond`.
   Stretch stretch_to(const FirstEvent& first, const Trial& beyond, double shortest) {
     const Event event = first.event();
-    const double too_short = numerics.least_step_to_branch_end * resolution_ * beyond.step;
+    const double too_short = numerics.min_step_to_branch_end * resolution_ * beyond.step;
     Trial trial = locate(first, beyond, is_corner(event));
     // On a branch with several forces for a rate the slower search is needed.
     if (is_corner(event) && !equilibrium_.is_solved(trial)) trial = locate(first, beyond, false);
@@ -326,7 +326,7 @@ class March {
     if (foundation_.stands_still(now_.back, now_.force)) return;
     // Holding would stop a pad that moves against a panel at once.
     const bool on_panel = foundation_.kind() == Foundation::Kind::panel;
-    if (on_panel && std::abs(now_.drive) > numerics.least_speed_to_stop * impactor_.speed) return;
+    if (on_panel && std::abs(now_.drive) > numerics.min_speed_to_stop * impactor_.speed) return;
     const double moment = numerics.held_moment * resolution_ * resolution_ * control_.usual();
     const Trial trial = equilibrium_.held(moment, predictor_);
     contact_.accept(trial.pad);
@@ -351,8 +351,7 @@ class March {
       left_at_ = now_.penetration;
     }
     if (event == Event::lock && !figures_.bottomed) figures_.bottomed = Moment{now_.time, now_.velocity};
-    if (event == Event::reloading && now_.drive > numerics.least_drive * impactor_.speed)
-      ++figures_.reloadings;
+    if (event == Event::reloading && now_.drive > numerics.min_drive * impactor_.speed) ++figures_.reloadings;
     const Phase next = phase_after(event, phase_, now_.drive, conditions());
     if constexpr (FollowsRate<Contact> && RemembersBlows<Contact>) {
       if (event == Event::turning) joint_ = std::max(joint_, now_.penetration);
@@ -382,10 +381,10 @@ class March {
     return {.pad_recovers = contact_.recovers(),
             .stops_hard = foundation_.stops_hard(),
             .rigid_support = foundation_.stands_still(now_.back, now_.force),
-            .back_is_waited_for = foundation_.swings() &&
-                                  event_rules::speed_to_wait_for(foundation_, now_, least_return()) > 0};
+            .back_is_waited_for =
+                foundation_.swings() && event_rules::speed_to_wait_for(foundation_, now_, min_return()) > 0};
   }
-  [[nodiscard]] double least_return() const { return numerics.least_return * impactor_.speed; }
+  [[nodiscard]] double min_return() const { return numerics.min_return * impactor_.speed; }
 
   void enter(Phase phase, Ending if_over) {
     const bool was_in_flight = phase_ == Phase::flight;
@@ -402,7 +401,7 @@ class March {
     // In a shorter step the rate is mostly the residual of the roots.
     const double rate = std::abs(predictor_.pad_rate());
     const double elapsed = track.history.time.back() - track.history.time[track.size() - 2];
-    if (elapsed > numerics.least_step_with_rate * resolution_ * control_.usual() &&
+    if (elapsed > numerics.min_step_with_rate * resolution_ * control_.usual() &&
         rate * elapsed >
             equilibrium_.allowed_residual(equilibrium_.reach(now_), now_.force, predictor_.pad_stiffness()))
       figures_.peak_pad_rate = std::max(figures_.peak_pad_rate, rate);
@@ -484,7 +483,7 @@ class March {
   Predictor predictor_;
   StepControl control_;
   double resolution_ = 0;
-  double most_work_ = 0;
+  double max_work_ = 0;
   Phase phase_ = Phase::loading;
   int idle_ = 0;                  ///< loops since time last advanced
   int moments_ = 0;               ///< moments the pad was held since the last step

@@ -29,16 +29,16 @@ struct Numerics {
   /// Largest such correction as a share of the advance, but for rounding: the next step makes up for it, and
   /// would have no other rate where the pad hardly moves. (Without this, steps near the turning point on a
   /// rigid support shrank to rounding.)
-  double most_take_up = 0.1;
+  double max_take_up = 0.1;
   /// Largest force taken up, in rho of the force: a step of a few roundings of the time has no stiffness.
   /// (With up to half of the force the next step resolved the jump back, and runs on a panel stalled in steps
   /// of 1e-16 s.)
-  double most_force_taken_up = 0.1;
+  double max_force_taken_up = 0.1;
   /// Relative rounding of a sum of a few terms, the accuracy of a residual without memory.
   double rounding = 4 * std::numeric_limits<double>::epsilon();
   /// Relative differences of advance and force below which two trials give no slope dF/dY.
-  double least_change_of_advance = 1e-9;
-  double least_change_of_force = 1e-12;
+  double min_change_of_advance = 1e-9;
+  double min_change_of_force = 1e-12;
   /// First stride of the search on unloading, in advances; of several roots the nearest belongs to the
   /// branch.
   double unloading_stride = 0.2;
@@ -51,11 +51,11 @@ struct Numerics {
   // --- The guess of the next step ---
 
   /// Largest factor of the pad's stiffness from one step to the next that a guess may assume.
-  double most_stiffening = 2;
+  double max_stiffening = 2;
   /// Number of consecutive steps whose stiffness may be only a guess; then it is limited to what the step
   /// shows. (Steps of a pad without memory shrank by a factor of 1.4 each, down to nothing; those of law 4 on
   /// a panel stayed at 3e-10 s.)
-  int most_guesses = 6;
+  int max_guesses = 6;
   /// Share of the gap by which a guess after an event may change it.
   double guess_of_gap = 0.1;
   /// Ratio of a rate to the last below which it breaks down towards the turning point: the stiffness over
@@ -71,7 +71,7 @@ struct Numerics {
   double turning_precision = 2e-2;
   /// Share of a step, in rho, within which the end of a branch counts as immediate: in so short a step only
   /// the residual of the last root moves anything.
-  double least_step_to_branch_end = 1e-2;
+  double min_step_to_branch_end = 1e-2;
   /// Shortest step, relative to the time: a few roundings of it.
   double shortest_step = 64 * std::numeric_limits<double>::epsilon();
   /// Relative distance of a force from a corner of the support below which it is at the corner.
@@ -82,20 +82,20 @@ struct Numerics {
   /// impactor that moves on with a panel without force would meet it by rounding.
   double at_crater = 1e-9;
   /// Largest number of halvings of a step with several events or far too long: down to rounding.
-  int most_halvings = 60;
+  int max_halvings = 60;
   /// Ratio of a step to the length allowed by its result above which it is halved.
   double too_long = 2;
   /// Largest number of changes of phase at one moment.
-  int most_idle_events = 16;
+  int max_idle_events = 16;
   /// Time for which the pad is held where neither phase has a solution, in rho^2 of a step.
   double held_moment = 0.1;
   /// Largest speed against a panel, in impact speeds, at which that is done, since both then move on as one
   /// body: rounding. (A quarter of the impact energy was lost at higher ones.)
-  double least_speed_to_stop = 1e-6;
+  double min_speed_to_stop = 1e-6;
   /// Largest speed of a back after an impactor that has left, in impact speeds, at which it is not awaited.
-  double least_return = 1e-6;
+  double min_return = 1e-6;
   /// Least drive (Eq. 26) of a reloading that counts, in impact speeds; smaller ones may come from rounding.
-  double least_drive = 1e-3;
+  double min_drive = 1e-3;
 
   // --- Step length ---
 
@@ -103,17 +103,17 @@ struct Numerics {
   double growth = 1.5;
   /// Largest share of the gap that closes in a step, in rho, and at most `most_closing`.
   double closing = 4;
-  double most_closing = 0.5;
+  double max_closing = 0.5;
   /// Closing always allowed, in rho^2 of the thickness, as a pad may lock. (With 1e-2 the last step into the
   /// lock passed over much of the work where the force has no bound.)
-  double least_closing = 1e-6;
-  double least_closing_if_bounded = 1e-2;
+  double min_closing = 1e-6;
+  double min_closing_if_bounded = 1e-2;
   /// Relative growth of the force over the gap below which it counts as bounded.
   double bounded = 0.1;
   /// Largest relative fall of the force in a step, in rho, before the end of contact, which is read between
   /// the entries; after it, and at most, `most_fall`.
   double fall = 7;
-  double most_fall = 0.7;
+  double max_fall = 0.7;
   /// Shortest step towards the release, in rho of a usual step, before and after the end of contact.
   double shortest_before_end = 0.25;
   double shortest_after_end = 1;
@@ -129,25 +129,25 @@ struct Numerics {
   double damped = 4;
   /// Largest ratio of the first step to the step that the stiffness in it allows.
   double first_step = 0.25;
-  int most_first_halvings = 400;
+  int max_first_halvings = 400;
   /// Shortest step with a meaningful rate, in rho of a usual step: in shorter ones it is the residual of the
   /// roots.
-  double least_step_with_rate = 1e-2;
+  double min_step_with_rate = 1e-2;
 
   // --- Refinement (Eq. 31) ---
 
   /// Resolution of the first run: some thirty steps and a dozen stations.
   double first_resolution = 0.2;
-  int most_fixed_runs = 10;
+  int max_fixed_runs = 10;
   /// Safety factor of the error estimates, since two runs may agree by chance.
   double safety_factor = 3;
   /// Least tolerance for which two runs may suffice: the first has some thirty steps and a dozen stations,
   /// and of 4,500 plausible cases three agreed by chance (the worst was 5e-3 off).
-  double least_tolerance_of_two_runs = 2e-3;
+  double min_tolerance_of_two_runs = 2e-3;
   /// Tolerance below which runs must agree to half of it once, or to all of it twice. Laws 4 and 5 have a
   /// small power of the rate, and their errors fall with scatter: with 1e-4 once, 34 of 26,603 figures of
   /// ordinary cases were off by more, at 0.5 to 1 times the printed estimate.
-  double least_tolerance_in_full = 1e-3;
+  double min_tolerance_in_full = 1e-3;
   /// Least ratio of the error of the rebound speed to the one before. The error depends on the places of
   /// events in their steps; below the ratio of its order it falls only by chance.
   double fastest_fall_of_error = 0.25;
@@ -157,10 +157,10 @@ struct Numerics {
   /// Relative rounding of an extrapolated figure.
   double rounding_of_figures = 1e-12;
   /// Share of the impact speed below which the tolerance of a speed is relative to that share.
-  double least_speed = 1e-3;
+  double min_speed = 1e-3;
   /// Share of the impactor's motion below which the tolerance of deflections and sets is relative to that
   /// share.
-  double least_deflection = 1e-3;
+  double min_deflection = 1e-3;
   /// Largest error of the time of the peak force, relative to the time at which contact ends.
   double loosest_time_of_peak = 0.01;
 
@@ -179,10 +179,10 @@ struct Numerics {
 
   /// Largest work of all runs of an impact, s, times (1e-3 / t)^(7/8) for a tolerance t below 1e-3, at most
   /// `most_patience`. A run that would exceed it is not started.
-  double most_work = 1.7;
-  double most_patience = 15;
+  double max_work = 1.7;
+  double max_patience = 15;
   /// Largest number of consecutive runs given up: some stall where finer ones get through.
-  int most_given_up = 2;
+  int max_given_up = 2;
   /// Work of a step, and of a column in a trial, s: rough times on a processor of 2024. It is counted, not
   /// timed, so that a case ends alike everywhere. A layered column in a root within a root counts twice.
   double work_of_step = 1.5e-6;

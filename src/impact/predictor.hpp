@@ -42,7 +42,7 @@ class RateTrend {
   [[nodiscard]] double over(double step) const {
     const double ahead = (step_ + step) / 2;
     const double change = ahead * (slope_ + bend_ * (ahead + (step_before_ + step_) / 2));
-    return rate_ * std::exp(std::clamp(change, -most_change, most_change));
+    return rate_ * std::exp(std::clamp(change, -max_change, max_change));
   }
   /// Time in which the rate changes by a factor of e, s; infinite while it is not known.
   [[nodiscard]] double time_scale() const { return slope_ != 0 ? 1 / std::abs(slope_) : infinite; }
@@ -50,7 +50,7 @@ class RateTrend {
   [[nodiscard]] double now() const { return rate_ * std::exp(std::clamp(slope_ * step_ / 2, -1.0, 1.0)); }
 
  private:
-  static constexpr double most_change = 2;
+  static constexpr double max_change = 2;
 
   double rate_ = 0;
   double log_rate_ = 0;
@@ -106,9 +106,9 @@ class Predictor {
     if (phase != Phase::held) {
       // The stiffness of a first trial is a guess, which must not grow by itself.
       guesses_ = trial.pad_stiffness == next_stiffness() ? guesses_ + 1 : 0;
-      const double least = 1 / numerics.most_stiffening;
-      const bool is_mere_guess = guesses_ > numerics.most_guesses;
-      const double most = is_mere_guess ? 1 : numerics.most_stiffening;
+      const double least = 1 / numerics.max_stiffening;
+      const bool is_mere_guess = guesses_ > numerics.max_guesses;
+      const double most = is_mere_guess ? 1 : numerics.max_stiffening;
       // A pad of constant force has no stiffness, and 0 / 0 is no trend.
       const bool has_trend = trend_.is_known() && pad_stiffness_ > 0;
       stiffening_ = has_trend ? std::clamp(trial.pad_stiffness / pad_stiffness_, least, most) : 1;

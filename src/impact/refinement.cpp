@@ -83,7 +83,7 @@ Refinement::Refinement(const Impactor& impactor, double tolerance)
     : speed_(impactor.speed),
       energy_(impactor.mass * impactor.speed * impactor.speed / 2),
       tolerance_(tolerance) {
-  for (double* of : all(errors_)) *of = unknown;
+  for (double* value : all(errors_)) *value = unknown;
 }
 
 bool Refinement::add(const Figures& run) {
@@ -139,7 +139,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     worst = std::max({worst, errors_.peak_motion, errors_.peak_penetration});
   const auto of_speed = [&](const Moment& m, const Moment& m_before, const Moment& m_run) {
     return error(m.velocity, m_before.velocity, m_run.velocity,
-                 std::max(std::abs(m.velocity), numerics.least_speed * speed_));
+                 std::max(std::abs(m.velocity), numerics.min_speed * speed_));
   };
   // The larger of the errors of time and velocity.
   const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
@@ -179,8 +179,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       of_support(now.peak_transmitted, before.peak_transmitted, run.peak_transmitted, now.peak_transmitted),
       of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_));
   errors_.support = std::max(of_others, of_ways(now.peak_deflection));
-  worst = std::max({worst, of_others,
-                    of_ways(std::max(now.peak_deflection, numerics.least_deflection * now.peak_motion))});
+  worst = std::max(
+      {worst, of_others, of_ways(std::max(now.peak_deflection, numerics.min_deflection * now.peak_motion))});
   // A small difference of large numbers has their rounding.
   errors_.energy_absorbed =
       std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
@@ -198,16 +198,16 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
   // A reloading that only one of two runs has may matter or not: one more run decides.
   const bool enough =
-      reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.least_tolerance_of_two_runs : runs_ > 3;
+      reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.min_tolerance_of_two_runs : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   const auto is_within = [&](double allowed) {
     return enough && worst <= allowed && of_energy <= (runs_ > 2 ? tolerance_ : allowed) &&
            errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
   };
-  const bool is_enough_once = runs_ > 2 && tolerance_ >= numerics.least_tolerance_in_full;
+  const bool is_enough_once = runs_ > 2 && tolerance_ >= numerics.min_tolerance_in_full;
   settled_ = is_within(is_enough_once || is_met_ ? tolerance_ : tolerance_ / 2);
   is_met_ = is_within(tolerance_);
-  for (double* of : all(errors_)) *of *= numerics.safety_factor;
+  for (double* value : all(errors_)) *value *= numerics.safety_factor;
 }
 
 }  // namespace dashpad

@@ -27,7 +27,7 @@ void refuse_unsound(const ImpactCase& impact, bool law_is_sound, const Options& 
     broken.push_back({"tolerance", options.tolerance, "must be from 1e-8 to 1e-2"});
   if (!(options.time_limit > 0 && std::isfinite(options.time_limit)))
     broken.push_back({"time_limit", options.time_limit, "must be greater than 0"});
-  if (options.fixed_runs < 0 || options.fixed_runs > numerics.most_fixed_runs)
+  if (options.fixed_runs < 0 || options.fixed_runs > numerics.max_fixed_runs)
     broken.push_back({"fixed_runs", double(options.fixed_runs), "must be from 0 to 10"});
   if (broken.empty()) return;
   std::string message = "invalid impact case";
@@ -52,8 +52,8 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
-  double left = numerics.most_work *
-                std::clamp(std::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.most_patience);
+  double left =
+      numerics.max_work * std::clamp(std::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.max_patience);
   double cost = 0;    // estimate for the next run, s
   double steps = 0;   // steps of the next run
   double before = 0;  // work of the last run that got through
@@ -62,7 +62,7 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   runs.coarser.time.clear();
   runs.coarser.acceleration.clear();
   for (double resolution = numerics.first_resolution;; resolution /= 2) {
-    const Figures run = march.run(resolution, runs.now, {.expected = expected, .most_work = left});
+    const Figures run = march.run(resolution, runs.now, {.expected = expected, .max_work = left});
     if (refinement.add(run)) {
       if (refinement.runs_compared()) {
         runs.coarser.time = runs.finest.history.time;
@@ -78,14 +78,14 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     left -= run.work;
     const double growth = before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0;
     if (run.ending == Ending::too_many_steps) {
-      if (++given_up > numerics.most_given_up) break;
+      if (++given_up > numerics.max_given_up) break;
       cost *= 4, steps *= 2;
     } else {
       given_up = 0;
       cost = run.work * growth, steps = 2.0 * double(run.steps);
       before = run.work;
     }
-    if (cost > left || steps > double(options.most_steps)) break;
+    if (cost > left || steps > double(options.max_steps)) break;
   }
   return refinement;
 }

@@ -42,14 +42,14 @@ class StepControl {
   /// The first step, short against what the pad's stiffness over it allows; sets `pad_stiffness` to that,
   /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `most_force`, N.
   template <class ForceOf>
-  [[nodiscard]] double first_step(Phase phase, double speed, double most_force, ForceOf&& force_of,
+  [[nodiscard]] double first_step(Phase phase, double speed, double max_force, ForceOf&& force_of,
                                   double& pad_stiffness) const {
     double y = resolution_ * std::min(thickness_, widening(0));
-    for (int i = 0; i < numerics.most_first_halvings; ++i, y /= 2) {
+    for (int i = 0; i < numerics.max_first_halvings; ++i, y /= 2) {
       const double step = y / speed;
       const double force = force_of(y, step);
       pad_stiffness = 2 * force / y;
-      if (force > most_force && i < numerics.most_halvings) continue;
+      if (force > max_force && i < numerics.max_halvings) continue;
       if (!(step > numerics.first_step * longest(phase, {}, pad_stiffness, speed))) return step;
     }
     return y / speed;
@@ -130,10 +130,10 @@ class StepControl {
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_stiffness, double pad_rate) const {
     const double gap = lock_ - state.penetration;
-    const double share = std::min(numerics.most_closing, numerics.closing * resolution_);
+    const double share = std::min(numerics.max_closing, numerics.closing * resolution_);
     // A bounded force grows over more than the remaining gap.
     const bool is_bounded = pad_stiffness * gap < numerics.bounded * state.force;
-    const double least = is_bounded ? numerics.least_closing_if_bounded : numerics.least_closing;
+    const double least = is_bounded ? numerics.min_closing_if_bounded : numerics.min_closing;
     return (share * gap + least * resolution_ * resolution_ * thickness_) / std::abs(pad_rate);
   }
   [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool follows_rate) const {
@@ -162,7 +162,7 @@ class StepControl {
   [[nodiscard]] double release_limit(const State& now, double force_rate, double step) const {
     const bool in_contact = now.force > contact_end_share * largest_force_;
     const double fall =
-        in_contact ? std::min(numerics.most_fall, numerics.fall * resolution_) : numerics.most_fall;
+        in_contact ? std::min(numerics.max_fall, numerics.fall * resolution_) : numerics.max_fall;
     const double shortest =
         (in_contact ? numerics.shortest_before_end : numerics.shortest_after_end) * resolution_ * step;
     return std::max(shortest, -fall * now.force / force_rate);

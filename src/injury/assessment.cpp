@@ -77,9 +77,9 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
   result.criterion = criterion;
   set_value(solution, figures, result);
   if (const auto& intervals = solution.summary.intervals)
-    if (const FigureInterval* of = intervals->find(
+    if (const FigureInterval* figure_interval = intervals->find(
             quantity_of(criterion.metric).key, criterion.metric == Metric::dwell_time ? criterion.level : 0))
-      result.interval = *of;
+      result.interval = *figure_interval;
   result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
   decide(result);
   result.reason = reason_of(result, solution.summary);
@@ -151,9 +151,10 @@ void add_reservations_about(const Summary& summary, std::vector<Flag>& reservati
         "NO INTERVALS", "how sure the figures are was not asked for; the verdict is of the values alone"));
     return;
   }
-  for (const OpenSource& of : summary.intervals->sources)
-    if (!of.why_not.empty())
-      reservations.push_back({"NO INTERVAL", fmt::format("NO INTERVAL for {}: {}", of.words, of.why_not)});
+  for (const OpenSource& open_source : summary.intervals->sources)
+    if (!open_source.why_not.empty())
+      reservations.push_back(
+          {"NO INTERVAL", fmt::format("NO INTERVAL for {}: {}", open_source.words, open_source.why_not)});
 }
 
 /// The keys of what the standard limits, by which flags are judged.

@@ -16,10 +16,10 @@ namespace {
 using Samples = std::vector<double>;
 
 constexpr double extension = 10e-3;             // s
-constexpr std::size_t least_extension = 100;    // samples, of mirrored ends
+constexpr std::size_t min_extension = 100;      // samples, of mirrored ends
 constexpr std::size_t samples_of_mean = 10;     // of mirrored_from_mean
 constexpr std::size_t outermost_extension = 9;  // samples, of negated_before: three filter lengths
-constexpr double most_samples = 10e6;           // of resampled()
+constexpr double max_samples = 10e6;            // of resampled()
 constexpr double evenness = 1e-3;               // of the interval
 
 double even_interval(const Pulse& pulse) {
@@ -62,7 +62,7 @@ std::size_t extend(Samples& samples, double interval, Ends ends) {
     case Ends::held: return 0;
     case Ends::mirrored:
     case Ends::mirrored_from_mean:
-      mirror(samples, std::max(count, least_extension));
+      mirror(samples, std::max(count, min_extension));
       return (samples.size() - size) / 2;
     case Ends::negated_before: {
       mirror_behind(samples, std::min(count + 1, size - 1));
@@ -151,7 +151,7 @@ Pulse resampled(const Pulse& pulse, double interval) {
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * latest;  // of both times
   const double intervals = (length + rounding) / interval;
   if (!(interval > 0)) throw std::invalid_argument("resampling: the interval must be positive");
-  if (!(intervals < most_samples)) throw std::invalid_argument("resampling: more than 10 million samples");
+  if (!(intervals < max_samples)) throw std::invalid_argument("resampling: more than 10 million samples");
   const auto last = static_cast<std::size_t>(intervals);
   if (last == 0) throw std::invalid_argument("resampling: the interval is longer than the pulse");
   Pulse even;

@@ -32,27 +32,38 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   return figures;
 }
 
-std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
-  const InjuryFigures::Errors& errors = of.errors;
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& injury_figures) {
+  const InjuryFigures::Errors& errors = injury_figures.errors;
   const auto hic = [](const char* key, const Hic& value, double error) {
     return InjuryValue{&result_quantity(key), value.value, error, {}, value.begin, value.end};
   };
   const auto clip = [](const char* key, const Clip& value, double error) {
     return InjuryValue{&result_quantity(key), value.level, error, {}, value.begin, value.end};
   };
-  return {{{&result_quantity("peak_acceleration"), of.peak.magnitude, errors.peak, of.peak.time, {}, {}},
-           hic("hic15", of.hic15, errors.hic15),
-           hic("hic36", of.hic36, errors.hic36),
-           hic("hic_unlimited", of.hic_unlimited, errors.hic_unlimited),
-           {&result_quantity("hic_d"), of.hic_d, errors.hic_d, {}, {}, {}},
-           clip("clip_3ms", of.clip_3ms, errors.clip_3ms),
-           clip("cumulative_3ms", of.cumulative_3ms, errors.cumulative_3ms),
-           {&result_quantity("severity_index"), of.severity_index, errors.severity_index, {}, {}, {}},
-           {&result_quantity("velocity_change"), of.velocity_change, errors.velocity_change, {}, {}, {}}}};
+  return {
+      {{&result_quantity("peak_acceleration"),
+        injury_figures.peak.magnitude,
+        errors.peak,
+        injury_figures.peak.time,
+        {},
+        {}},
+       hic("hic15", injury_figures.hic15, errors.hic15),
+       hic("hic36", injury_figures.hic36, errors.hic36),
+       hic("hic_unlimited", injury_figures.hic_unlimited, errors.hic_unlimited),
+       {&result_quantity("hic_d"), injury_figures.hic_d, errors.hic_d, {}, {}, {}},
+       clip("clip_3ms", injury_figures.clip_3ms, errors.clip_3ms),
+       clip("cumulative_3ms", injury_figures.cumulative_3ms, errors.cumulative_3ms),
+       {&result_quantity("severity_index"), injury_figures.severity_index, errors.severity_index, {}, {}, {}},
+       {&result_quantity("velocity_change"),
+        injury_figures.velocity_change,
+        errors.velocity_change,
+        {},
+        {},
+        {}}}};
 }
 
-std::optional<InjuryValue> injury_value(const InjuryFigures& of, const ResultQuantity& quantity) {
-  for (const InjuryValue& value : injury_values(of))
+std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, const ResultQuantity& quantity) {
+  for (const InjuryValue& value : injury_values(injury_figures))
     if (value.quantity == &quantity) return value;
   return std::nullopt;
 }

@@ -15,14 +15,14 @@ namespace dashpad::injury {
 
 namespace {
 
-constexpr double lowest_cut = 0.01;          // of the peak
-constexpr double cut_in_noise = 4;           // of the scatter
-constexpr double most_quiet_scatter = 0.02;  // of the peak, of a part that is quiet
-constexpr double worth_a_remark = 1e-3;      // of HIC15
-constexpr double surely = 3;                 // standard errors of a mean that is not 0
-constexpr double rounding_of_zero = 1e-9;    // of the peak
-constexpr double unlike = 0.01;              // of a speed or a height
-constexpr double samples_in_doubt = 4;       // at the beginning and at the end of a fall
+constexpr double lowest_cut = 0.01;         // of the peak
+constexpr double cut_in_noise = 4;          // of the scatter
+constexpr double max_quiet_scatter = 0.02;  // of the peak, of a part that is quiet
+constexpr double worth_a_remark = 1e-3;     // of HIC15
+constexpr double surely = 3;                // standard errors of a mean that is not 0
+constexpr double rounding_of_zero = 1e-9;   // of the peak
+constexpr double unlike = 0.01;             // of a speed or a height
+constexpr double samples_in_doubt = 4;      // at the beginning and at the end of a fall
 
 /// Root mean square of the samples in the quiet interval, m/s2; 0 where there is none.
 double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
@@ -34,7 +34,7 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
       ++count;
     }
   const double found = count > 0 ? std::sqrt(squares / count) : 0;
-  return found <= most_quiet_scatter * peak ? found : 0;
+  return found <= max_quiet_scatter * peak ? found : 0;
 }
 
 Flag cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
@@ -62,11 +62,11 @@ std::string way_out(const SpeedCheck& check, const Contact& contact, const char*
   const bool is_short = check.shortfall > 0;
   std::string text = fmt::format(
       "There is no restitution between 0 and 1. For a velocity change that agrees with the {}", stated);
-  if (check.least_scale && check.greatest_scale)
+  if (check.min_scale && check.greatest_scale)
     text += fmt::format(
         " the scale (unit, sensitivity) would have to be {}, or the sensor to show {:.2g} g "
         "too {} over contact",
-        other_scale(is_short ? *check.least_scale : *check.greatest_scale),
+        other_scale(is_short ? *check.min_scale : *check.greatest_scale),
         std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
         is_short ? "little" : "much");
   else
@@ -148,7 +148,7 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
   if (!effect.taken_off && is_more_than_noise && change > worth_a_remark * effect.hic15_without)
     remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto takes it off",
                                   each_in_g(offset.mean, peak), change_of_hic15(effect)));
-  if (effect.given && std::ranges::max(offset.scatter) > most_quiet_scatter * peak)
+  if (effect.given && std::ranges::max(offset.scatter) > max_quiet_scatter * peak)
     remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
                                   each_in_g(offset.scatter, peak), each_in_g({peak}, peak)));
   return remarks;
@@ -162,7 +162,7 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
   if (check.change < (1 - rounding_of_velocity) * speed) check.shortfall = speed - check.change;
   if (check.change > (1 + rounding_of_velocity) * 2 * speed) check.shortfall = 2 * speed - check.change;
   if (sensed > 0) {
-    check.least_scale = (speed + given) / sensed;
+    check.min_scale = (speed + given) / sensed;
     check.greatest_scale = (2 * speed + given) / sensed;
   }
   const char* stated = report.impact->drop_height ? "drop height" : "speed";
@@ -172,7 +172,7 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
                 "Velocity change and {} agree: {} lies between {} (a body that stays) and twice that. "
                 "So it would if all accelerations were {} to {} times these: a smaller error of the "
                 "scale does not show here.",
-                stated, shown(check.change), shown(speed), brief(*check.least_scale, 3),
+                stated, shown(check.change), shown(speed), brief(*check.min_scale, 3),
                 brief(*check.greatest_scale, 3))
           : way_out(check, report.contact, stated);
   return check;

@@ -53,9 +53,9 @@ Pulse finite_pulse(const History& history) {
   return pulse;
 }
 
-std::optional<double> time_to_peak(const PulseShape& of, Alignment alignment) {
-  if (alignment == Alignment::none) return of.peak.time;
-  return of.onset ? std::optional{of.peak.time - *of.onset} : std::nullopt;
+std::optional<double> time_to_peak(const PulseShape& pulse_shape, Alignment alignment) {
+  if (alignment == Alignment::none) return pulse_shape.peak.time;
+  return pulse_shape.onset ? std::optional{pulse_shape.peak.time - *pulse_shape.onset} : std::nullopt;
 }
 
 double shift_of(const PulseShape& measured, const std::optional<PulseShape>& computed, Alignment alignment) {
@@ -146,12 +146,15 @@ std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,
                           .computed = computed ? value(*computed) : std::nullopt};
   };
   using Value = std::optional<double>;
-  return {figure("peak_acceleration", [](const PulseShape& of) -> Value { return of.peak.magnitude; }),
-          figure("time_to_peak", [&](const PulseShape& of) { return time_to_peak(of, alignment); }),
-          figure("half_peak_width", [](const PulseShape& of) -> Value { return of.width; }),
-          figure("velocity_change", [](const PulseShape& of) -> Value { return of.contact.velocity_change; }),
-          figure("hic15", [](const PulseShape& of) -> Value { return of.hic15; }),
-          figure("restitution", [](const PulseShape& of) { return of.restitution; })};
+  return {figure("peak_acceleration",
+                 [](const PulseShape& pulse_shape) -> Value { return pulse_shape.peak.magnitude; }),
+          figure("time_to_peak",
+                 [&](const PulseShape& pulse_shape) { return time_to_peak(pulse_shape, alignment); }),
+          figure("half_peak_width", [](const PulseShape& pulse_shape) -> Value { return pulse_shape.width; }),
+          figure("velocity_change",
+                 [](const PulseShape& pulse_shape) -> Value { return pulse_shape.contact.velocity_change; }),
+          figure("hic15", [](const PulseShape& pulse_shape) -> Value { return pulse_shape.hic15; }),
+          figure("restitution", [](const PulseShape& pulse_shape) { return pulse_shape.restitution; })};
 }
 
 PulseComparison compare_pulses(const PulseReport& report, const Solution& solution,

@@ -36,7 +36,7 @@ Pulse processed(const Pulse& pulse, std::optional<double> interval,
 
 constexpr double of_the_width = 0.25;  // how long an interruption may be
 constexpr double goes_on = 1.01;       // of the velocity so far: the interruption was not the end
-constexpr double most_scatter = 0.05;  // of the peak: more is not quiet
+constexpr double max_scatter = 0.05;   // of the peak: more is not quiet
 constexpr double highest_level = 0.5;  // of the peak: an offset higher than that leaves no pulse
 constexpr double rounding = 1e-6;      // of the peak
 
@@ -53,7 +53,7 @@ double level_of(const Pulse& pulse, const std::optional<Stretch>& quiet, double 
   for (auto i = begin; i < end; ++i)
     squares += std::pow(side * pulse.acceleration[static_cast<std::size_t>(i)] - mean, 2);
   const double scatter = std::sqrt(squares / (count - 1)), level = mean + scatter + rounding * peak;
-  return scatter < most_scatter * peak && level < highest_level * peak ? level : 0;
+  return scatter < max_scatter * peak && level < highest_level * peak ? level : 0;
 }
 
 /// The time above half the peak, s, around the peak, to where the acceleration falls to `level` on either
@@ -92,14 +92,14 @@ std::size_t last_of_contact(const Pulse& pulse, std::size_t peak, bool forwards,
 }
 
 constexpr std::size_t fewest_samples = 10;
-constexpr double surely_impact = 0.1;     // of the largest deviation
-constexpr double least_departure = 5e-3;  // the same
-constexpr double departure = 5;           // of the scatter
-constexpr double left_out = 0.25;         // of the time from the beginning of the impact to its peak
-constexpr double near_gravity = 0.1;      // of it: the step from rest to fall
-constexpr double clear_split = 1.5;       // of the scatter in both; of a sine and its mean it is 1.41
-constexpr double surely_split = 5;        // of the standard error of the step
-constexpr double least_slope = 0.25;      // of the step: between the halves of what is no level but a rise
+constexpr double surely_impact = 0.1;   // of the largest deviation
+constexpr double min_departure = 5e-3;  // the same
+constexpr double departure = 5;         // of the scatter
+constexpr double left_out = 0.25;       // of the time from the beginning of the impact to its peak
+constexpr double near_gravity = 0.1;    // of it: the step from rest to fall
+constexpr double clear_split = 1.5;     // of the scatter in both; of a sine and its mean it is 1.41
+constexpr double surely_split = 5;      // of the standard error of the step
+constexpr double min_slope = 0.25;      // of the step: between the halves of what is no level but a rise
 
 using Directions = std::span<const std::vector<double>>;
 
@@ -170,7 +170,7 @@ SensorOffset offset_of_quiet_part(const MeasuredPulse& measured, std::size_t las
       std::sqrt(1.0 / static_cast<double>(rest.samples) + 1.0 / static_cast<double>(fall.samples));
   const double slope = step_between(offset_of(measured, split, middle), offset_of(measured, middle, last));
   if (std::abs(step - standard_gravity) > near_gravity * standard_gravity || step < clear_split * scatter ||
-      step < clear_step || slope > least_slope * step)
+      step < clear_step || slope > min_slope * step)
     return offset_of(measured, 0, last);
   fall.rest = {rest.end, rest.mean};
   return fall;
@@ -281,7 +281,7 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured) 
     const double noise = departure * length(offset.scatter);
     if (noise > surely_impact * largest) return std::nullopt;
     const std::size_t before = impact;
-    while (impact > 0 && deviation(all, offset.mean, impact - 1) > std::max(noise, least_departure * largest))
+    while (impact > 0 && deviation(all, offset.mean, impact - 1) > std::max(noise, min_departure * largest))
       --impact;
     if (impact == before) return offset;
   }

@@ -38,32 +38,32 @@ double gained(const Pulse& pulse, double begin, double end) {
 }
 
 /// HIC of a window where it is best: moving it a little changes nothing.
-double hic_within(const Pulse& pulse, const Hic& of) {
-  const double duration = of.end - of.begin;
+double hic_within(const Pulse& pulse, const Hic& hic) {
+  const double duration = hic.end - hic.begin;
   if (!(duration > 0)) return 0;
   return duration *
-         std::pow(std::abs(gained(pulse, of.begin, of.end)) / duration / standard_gravity, hic_power);
+         std::pow(std::abs(gained(pulse, hic.begin, hic.end)) / duration / standard_gravity, hic_power);
 }
 
 /// The figures of another version of the pulse of `report`, in its windows.
 Values values_of(const ProcessedPulse& processed, const PulseReport& report) {
   const Pulse& pulse = processed.pulse;
-  const InjuryFigures& of = report.figures;
+  const InjuryFigures& injury_figures = report.figures;
   return {peak(pulse).magnitude,
-          hic_within(pulse, of.hic15),
-          hic_within(pulse, of.hic36),
-          hic_within(pulse, of.hic_unlimited),
-          of.clip_3ms.level > 0 ? contiguous_clip(pulse, usual_clip).level : 0,
-          of.cumulative_3ms.level > 0 ? cumulative_clip(pulse, usual_clip).level : 0,
+          hic_within(pulse, injury_figures.hic15),
+          hic_within(pulse, injury_figures.hic36),
+          hic_within(pulse, injury_figures.hic_unlimited),
+          injury_figures.clip_3ms.level > 0 ? contiguous_clip(pulse, usual_clip).level : 0,
+          injury_figures.cumulative_3ms.level > 0 ? cumulative_clip(pulse, usual_clip).level : 0,
           std::abs(gained(processed.along(), report.contact.begin, report.contact.end))};
 }
 
 /// The samples around all that the figures are of, as measured but for the sensor's offset.
 MeasuredPulse around_the_figures(const PulseReport& report) {
-  const InjuryFigures& of = report.figures;
-  double begin = std::min(of.peak.time, report.contact.begin);
-  double end = std::max(of.peak.time, report.contact.end);
-  for (const InjuryValue& value : injury_values(of))
+  const InjuryFigures& injury_figures = report.figures;
+  double begin = std::min(injury_figures.peak.time, report.contact.begin);
+  double end = std::max(injury_figures.peak.time, report.contact.end);
+  for (const InjuryValue& value : injury_values(injury_figures))
     if (value.begin && value.end && *value.begin < *value.end) {
       begin = std::min(begin, *value.begin);
       end = std::max(end, *value.end);

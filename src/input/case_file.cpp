@@ -120,10 +120,11 @@ struct PadEntry {
 MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
                                   std::vector<std::filesystem::path>& cards) {
   MaterialEntry entry;
-  PadMaterial of = read_pad_material(table, folders);
-  if (of.card && !std::ranges::count(cards, *of.card)) cards.push_back(*of.card);
-  entry.to_check = of.is_in_line && of.material.has_value();
-  entry.material = std::move(of.material).value_or(Material());
+  PadMaterial pad_material = read_pad_material(table, folders);
+  if (pad_material.card && !std::ranges::count(cards, *pad_material.card))
+    cards.push_back(*pad_material.card);
+  entry.to_check = pad_material.is_in_line && pad_material.material.has_value();
+  entry.material = std::move(pad_material.material).value_or(Material());
   entry.condition = read_parameters<PadCondition>(table);
   return entry;
 }
@@ -143,8 +144,8 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
   refuse_beside_layers(table);
   const TomlNode* nodes = table.array("layers");
   if (!nodes) return;
-  if (nodes->children.empty() || nodes->children.size() > most_layers) {
-    table.fault("layers", fmt::format("must hold 1 to {} layers, each as [[pad.layers]]", most_layers));
+  if (nodes->children.empty() || nodes->children.size() > max_layers) {
+    table.fault("layers", fmt::format("must hold 1 to {} layers, each as [[pad.layers]]", max_layers));
     return;
   }
   std::vector<PadLayer> layers;

@@ -21,14 +21,14 @@ namespace dashpad::input {
 namespace {
 
 /// Two points or more; nothing after a fault.
-std::optional<Profile> read_points(TableReader& table, const std::string& key, Profile::Of of) {
+std::optional<Profile> read_points(TableReader& table, const std::string& key, Profile::Of kind) {
   const TomlNode* list = table.array(key);
   if (!list) return std::nullopt;
-  const bool has_radii = of == Profile::Of::radius;
+  const bool has_radii = kind == Profile::Of::radius;
   const char* const unit = has_radii ? "m" : "m2";
   const char* const rule = has_radii ? "a point is a depth and a radius, such as [\"10 mm\", \"35 mm\"]"
                                      : "a point is a depth and an area, such as [\"10 mm\", \"40 cm2\"]";
-  Profile profile{.of = of};
+  Profile profile{.of = kind};
   const std::size_t faults = table.faults().size();
   for (const TomlNode& node : list->children) {
     const std::string at = table.full_key(key) + node.key;
@@ -69,7 +69,7 @@ Profile read_profile(TableReader& table, const std::filesystem::path& folder, st
   return result;
 }
 
-constexpr std::size_t most_points = 10'000;
+constexpr std::size_t max_points = 10'000;
 
 Support read_linear(TableReader& table) {
   const double stiffness = table.quantity("stiffness", "N/m");
@@ -90,8 +90,8 @@ bool increases(double from, double to, const TomlNode& node, const std::string& 
 Support read_curve(TableReader& table) {
   const TomlNode* points = table.array("points");
   if (!points) return Support::rigid();
-  if (points->children.empty() || points->children.size() > most_points) {
-    table.fault("points", fmt::format("must have between 1 and {} points", most_points));
+  if (points->children.empty() || points->children.size() > max_points) {
+    table.fault("points", fmt::format("must have between 1 and {} points", max_points));
     return Support::rigid();
   }
   bool good = true;
@@ -124,7 +124,7 @@ constexpr std::array of_the_case{"law", "parameters", "curve", "rate", "unloadin
 /// Takes away what cannot stand beside an entry `name` of `table`, which is called `path`.
 void make_room(TomlNode& table, std::string_view path, std::string_view name) {
   const auto erase = [&](std::string_view key) {
-    std::erase_if(table.children, [&](const TomlNode& of) { return of.key == key; });
+    std::erase_if(table.children, [&](const TomlNode& toml_node) { return toml_node.key == key; });
   };
   if (name == "material")
     for (const char* key : of_the_case) erase(key);
@@ -264,8 +264,8 @@ Profile profile_in(const std::filesystem::path& file) {
   Profile profile{.of = columns.of};
   std::vector<std::size_t> lines;
   each_row(table, faults, [&](const CsvRow& row) {
-    if (profile.points.size() == Profile::most_points)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::most_points));
+    if (profile.points.size() == Profile::max_points)
+      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::max_points));
     const auto read = [&](const injury::MeasuredColumn& column, const char* unit) {
       return read_field(row, column, unit, table.separator, faults);
     };

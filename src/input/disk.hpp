@@ -19,9 +19,9 @@ bool is_there(const std::filesystem::path& file);
 /// larger. One fault for anything else: missing, a folder, a pipe or a device, unreadable.
 Reading<std::string> content_of(const std::filesystem::path& file, std::size_t most);
 
-/// The .toml files of a folder by name; `of`: what they hold, for the fault of one that is not readable.
+/// The .toml files of a folder by name; `content`: what they hold, for the fault of one that is not readable.
 Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& folder,
-                                                       std::string_view of);
+                                                       std::string_view content);
 
 /// Files that were named on the command line may be streams: standard input, a pipe, a FIFO. They are read
 /// once, to their end, before anything else is; readers of small files and of measurements then find the

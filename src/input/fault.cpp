@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t longest_key = 120, longest_value = 70;  // bytes that are quoted
 constexpr std::size_t most_of_a_kind = 5;
-constexpr std::size_t most_lines = 200;  // of a message, of however many kinds its faults are
+constexpr std::size_t max_lines = 200;  // of a message, of however many kinds its faults are
 
 /// The first line without its value, with # in the place of every number.
 std::string kind_of(std::string_view line) {
@@ -42,8 +42,8 @@ std::string message(const std::vector<Fault>& faults) {
   std::ranges::transform(faults, std::back_inserter(lines),
                          [](const Fault& fault) { return to_string(fault); });
   lines = abridged(lines);
-  if (lines.size() > most_lines) {
-    lines.resize(most_lines);
+  if (lines.size() > max_lines) {
+    lines.resize(max_lines);
     lines.emplace_back("...");
   }
   std::string text;
@@ -52,14 +52,14 @@ std::string message(const std::vector<Fault>& faults) {
 }
 
 /// Characters of a line that are shown, and of those before what is meant where the line is longer.
-constexpr std::size_t widest = 90, most_before = 30;
+constexpr std::size_t widest = 90, max_before = 30;
 
 /// So many characters of a text from the one with that number on, or what there is.
 std::string_view characters(std::string_view text, std::size_t first, std::size_t count) {
-  const auto without = [](std::string_view of, std::size_t so_many) {
-    for (; so_many > 0 && !of.empty(); --so_many)
-      of.remove_prefix(std::max<std::size_t>(character_length(of), 1));
-    return of;
+  const auto without = [](std::string_view rest, std::size_t so_many) {
+    for (; so_many > 0 && !rest.empty(); --so_many)
+      rest.remove_prefix(std::max<std::size_t>(character_length(rest), 1));
+    return rest;
   };
   const std::string_view from = without(text, first);
   return from.substr(0, from.size() - without(from, count).size());
@@ -111,7 +111,7 @@ std::string with_excerpt(const Fault& fault) {
   const std::string shown = one_line(line);
   const std::size_t begin = width_of(one_line(line.substr(0, fault.excerpt.begin)));
   const std::size_t length = width_of(one_line(line.substr(fault.excerpt.begin, fault.excerpt.length)));
-  const std::size_t left_out = begin + length > widest ? begin - std::min(begin, most_before) : 0;
+  const std::size_t left_out = begin + length > widest ? begin - std::min(begin, max_before) : 0;
   const std::string_view dots = "...", before = left_out > 0 ? dots : "";
   const std::string_view after = width_of(shown) > left_out + widest ? dots : "";
   const std::string number = fmt::format("{}", fault.line);

@@ -60,7 +60,7 @@ std::optional<RateEffect> read_curves_of_rates(TableReader& table) {
 }
 
 std::optional<RateEffect> read_factors(TableReader& table) {
-  auto rates = read_quantities(table, "rates", "1/s", most_rates);
+  auto rates = read_quantities(table, "rates", "1/s", max_rates);
   auto factors = read_numbers(table, "factors");
   if (!rates || !factors) return std::nullopt;
   return FactorRateEffect{*std::move(rates), *std::move(factors)};
@@ -144,9 +144,9 @@ std::optional<PadLaw> read_law(TableReader& table) {
     return std::nullopt;
   }
   const bool sound = std::visit(
-      [&]<class Law>(Law& of) {
+      [&]<class Law>(Law& held) {
         if constexpr (SharesSlip<Law>)
-          return read_foam_tables(table, of);
+          return read_foam_tables(table, held);
         else
           return true;
       },

@@ -79,8 +79,8 @@ std::vector<std::vector<double>> read_rows(TableReader& table, const std::string
   if (!list) return rows;
   for (const TomlNode& row : list->children) {
     rows.emplace_back();
-    const auto add_fault = [&](const TomlNode& of, const std::string& rule) {
-      table.faults().add(of, table.full_key(key) + row.key, rule);
+    const auto add_fault = [&](const TomlNode& toml_node, const std::string& rule) {
+      table.faults().add(toml_node, table.full_key(key) + row.key, rule);
     };
     if (row.kind != TomlNode::Kind::array) add_fault(row, "must be a list of numbers, one for each of keys");
     for (const TomlNode& entry : row.children)
@@ -102,15 +102,15 @@ PosteriorAxes read_posterior(TableReader& table, const PadLaw& law) {
   return axes;
 }
 
-constexpr std::size_t most_also_published = 100;
-constexpr std::size_t most_temperatures = 2000;
-constexpr double most_density = 20'000;  // kg/m3
+constexpr std::size_t max_also_published = 100;
+constexpr std::size_t max_temperatures = 2000;
+constexpr double max_density = 20'000;  // kg/m3
 
 std::vector<std::pair<std::string, std::string>> read_also_published(TableReader& card) {
   std::vector<std::pair<std::string, std::string>> values;
   auto table = card.table("also_published", Presence::optional);
   if (!table) return values;
-  if (table->node().children.size() > most_also_published) {
+  if (table->node().children.size() > max_also_published) {
     card.fault("also_published", "holds more than 100 values");
     return values;
   }
@@ -120,7 +120,7 @@ std::vector<std::pair<std::string, std::string>> read_also_published(TableReader
 
 std::optional<double> read_density(TableReader& card) {
   const double density = card.quantity("density", "kg/m3");
-  if (density > 0 && density <= most_density) return density;
+  if (density > 0 && density <= max_density) return density;
   if (density == density) card.fault("density", "must be more than 0 and at most 20000 kg/m3");
   return std::nullopt;
 }
@@ -128,7 +128,7 @@ std::optional<double> read_density(TableReader& card) {
 TemperatureTable read_temperatures(TableReader& table) {
   TemperatureTable result;
   result.temperature =
-      read_quantities(table, "temperatures", "K", most_temperatures).value_or(std::vector<double>());
+      read_quantities(table, "temperatures", "K", max_temperatures).value_or(std::vector<double>());
   result.factor = read_numbers(table, "factors").value_or(std::vector<double>());
   table.refuse_others();
   return result;
@@ -149,7 +149,7 @@ std::vector<std::string> read_reservations(TableReader& card) {
   const TomlNode* texts = card.array("reservations");
   if (!texts) return all;
   for (const TomlNode& text : texts->children)
-    if (text.kind == TomlNode::Kind::text && !text.text.empty() && all.size() < most_also_published)
+    if (text.kind == TomlNode::Kind::text && !text.text.empty() && all.size() < max_also_published)
       all.push_back(text.text);
     else
       card.faults().add(text, "reservations" + text.key, "must be a text, one of at most 100");
@@ -159,17 +159,17 @@ std::vector<std::string> read_reservations(TableReader& card) {
 }  // namespace
 
 Uncertainty read_uncertainty(TableReader& table, const PadLaw& law) {
-  auto of = table.table("uncertainty", Presence::optional);
-  if (!of) return {};
-  Uncertainty uncertainty{.recoil = read_range(*of, "recoil"),
-                          .unloading_factor = read_range(*of, "unloading_factor"),
-                          .lag_strain = read_range(*of, "lag_strain"),
-                          .rate_exponent = read_range(*of, "rate_exponent"),
+  auto node = table.table("uncertainty", Presence::optional);
+  if (!node) return {};
+  Uncertainty uncertainty{.recoil = read_range(*node, "recoil"),
+                          .unloading_factor = read_range(*node, "unloading_factor"),
+                          .lag_strain = read_range(*node, "lag_strain"),
+                          .rate_exponent = read_range(*node, "rate_exponent"),
                           .scatter = {},
-                          .misfit = read_misfit(*of),
-                          .posterior = read_posterior(*of, law)};
-  if (of->has("scatter")) uncertainty.scatter = of->number("scatter");
-  of->refuse_others();
+                          .misfit = read_misfit(*node),
+                          .posterior = read_posterior(*node, law)};
+  if (node->has("scatter")) uncertainty.scatter = node->number("scatter");
+  node->refuse_others();
   return uncertainty;
 }
 

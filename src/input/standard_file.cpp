@@ -92,8 +92,8 @@ double read_acceleration(TableReader& table, const std::string& key) {
   return finite(table, key, standard_gravity * positive(table, key, table.number(key)));
 }
 
-double read_limit(TableReader& table, const ResultQuantity& of) {
-  const std::string unit = of.si_unit;
+double read_limit(TableReader& table, const ResultQuantity& result_quantity) {
+  const std::string unit = result_quantity.si_unit;
   if (unit == "m/s2") return read_acceleration(table, "limit_g");
   return positive(table, "limit", unit == "1" ? table.number("limit") : table.quantity("limit", unit));
 }

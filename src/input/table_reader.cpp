@@ -36,7 +36,7 @@ constexpr const char* no_oblique_blow =
     "alone, friction on the pad, the turning of the head that it brings about, and the larger contact of a "
     "nose that slides are left out";
 
-constexpr std::size_t most_numbers = 2000;
+constexpr std::size_t max_numbers = 2000;
 
 /// Each by `read`.
 template <class Read>
@@ -56,7 +56,7 @@ std::optional<std::vector<double>> read_list(TableReader& table, const std::stri
 constexpr const char* option = "--set";  ///< by which a value was given that is in no file
 
 /// Faults that have one: more are not shown, and each costs a line of the file.
-constexpr std::size_t most_excerpts = 1000;
+constexpr std::size_t max_excerpts = 1000;
 
 }  // namespace
 
@@ -201,7 +201,7 @@ void TableReader::refuse_others() {
 }
 
 std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale) {
-  return read_list(table, key, most_numbers, [&](const TomlNode& entry, const std::string& full) {
+  return read_list(table, key, max_numbers, [&](const TomlNode& entry, const std::string& full) {
     const bool is_number = entry.kind == TomlNode::Kind::number;
     const std::string rule = is_number ? rule_of(stated_magnitudes, entry.number, "1") : "must be a number";
     if (rule.empty()) return scale * entry.number;
@@ -226,7 +226,7 @@ void FaultList::add(int line, TomlNode::Columns columns, std::string key, std::s
                      std::move(value),
                      std::move(rule),
                      {}});
-  if (faults_.size() <= most_excerpts) faults_.back().excerpt = excerpt_of(file_->text, line, columns);
+  if (faults_.size() <= max_excerpts) faults_.back().excerpt = excerpt_of(file_->text, line, columns);
 }
 
 void FaultList::add(int line, std::string key, std::string value, std::string rule) {

@@ -14,7 +14,7 @@ namespace dashpad::input {
 namespace {
 
 /// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
-constexpr std::ptrdiff_t most_dots = 64;
+constexpr std::ptrdiff_t max_dots = 64;
 
 /// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -54,7 +54,7 @@ int line_of_overlong_name(std::string_view text) {
       at = std::min(text.find('\n', at), text.size());
       continue;
     }
-    if (c == '.' && ++dots > most_dots)
+    if (c == '.' && ++dots > max_dots)
       return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
     if (std::string_view("=,{\n").find(c) != std::string_view::npos) dots = 0;
     ++at;
@@ -132,9 +132,9 @@ TomlNode toml_value(const std::string& value) {
   if (value.find('\n') == std::string::npos && line_of_overlong_name(value) == 0)
     if (const toml::parse_result read = toml::parse("value = " + value); read && read.table().size() == 1)
       node = convert(*read.table().get("value"), "");  // or else text
-  const auto mark = [](TomlNode& of, const auto& again) -> void {
-    of.line = set_by_option;
-    for (TomlNode& child : of.children) again(child, again);
+  const auto mark = [](TomlNode& toml_node, const auto& again) -> void {
+    toml_node.line = set_by_option;
+    for (TomlNode& child : toml_node.children) again(child, again);
   };
   mark(node, mark);
   return node;
@@ -145,7 +145,7 @@ Reading<TomlFile> read_toml_text(std::string name, std::string text) {
     return std::vector{Fault{name, line, "", "", std::move(rule), excerpt_of(text, line, columns)}};
   };
   if (const int line = line_of_overlong_name(text))
-    return fault_in(line, {}, fmt::format("a name holds more than {} dots; text needs quotes", most_dots));
+    return fault_in(line, {}, fmt::format("a name holds more than {} dots; text needs quotes", max_dots));
   const toml::parse_result read = toml::parse(text);
   if (!read) {
     const toml::parse_error& error = read.error();

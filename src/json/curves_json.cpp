@@ -56,10 +56,10 @@ Variant form_of(const Json& json) {
   if (!form) throw std::runtime_error("no such form of a curve");
   const Json& values = json.at("parameters");
   std::visit(
-      [&]<class Form>(Form& of) {
+      [&]<class Form>(Form& form) {
         if constexpr (requires { Form::parameters; })
           for (const auto& parameter : Form::parameters)
-            parameter.set(of, values.at(parameter.key).template get<double>());
+            parameter.set(form, values.at(parameter.key).template get<double>());
       },
       *form);
   return *std::move(form);
@@ -88,13 +88,13 @@ FoamCurves curves_of(const Json& json) {
 
 Json curves_json(const PadLaw& law) {
   return std::visit(
-      []<class Law>(const Law& of) -> Json {
+      []<class Law>(const Law& law) -> Json {
         if constexpr (SharesSlip<Law>) {
-          Json json{{"curve", base_json(of.curves)},
-                    {"rate", effect_json(of.curves.rate_effect)},
+          Json json{{"curve", base_json(law.curves)},
+                    {"rate", effect_json(law.curves.rate_effect)},
                     {"unloading", nullptr}};
-          if constexpr (requires { of.unloading_curve; })
-            if (of.unloading_curve) json["unloading"] = points_json(*of.unloading_curve);
+          if constexpr (requires { law.unloading_curve; })
+            if (law.unloading_curve) json["unloading"] = points_json(*law.unloading_curve);
           return json;
         } else {
           return nullptr;
@@ -105,11 +105,11 @@ Json curves_json(const PadLaw& law) {
 
 void set_curves(PadLaw& law, const Json& json) {
   std::visit(
-      [&]<class Law>(Law& of) {
+      [&]<class Law>(Law& law) {
         if constexpr (SharesSlip<Law>) {
-          of.curves = curves_of(json);
-          if constexpr (requires { of.unloading_curve; })
-            if (!json.at("unloading").is_null()) of.unloading_curve = points_of(json["unloading"]);
+          law.curves = curves_of(json);
+          if constexpr (requires { law.unloading_curve; })
+            if (!json.at("unloading").is_null()) law.unloading_curve = points_of(json["unloading"]);
         }
       },
       law);

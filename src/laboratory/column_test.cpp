@@ -86,17 +86,17 @@ double strain_at(const StrainHistory& history, double time) {
 
 namespace {
 
-constexpr int fewest_places = 2, most_places = 100000;
-constexpr double most_places_in_all = 1e7;
+constexpr int fewest_places = 2, max_places = 100000;
+constexpr double max_places_in_all = 1e7;
 
 void check(const PadLaw& law, const StrainHistory& history, int places) {
   Rules rules;
   rules.none_of(violations(law)).none_of(violations(history));
-  if (places < fewest_places || places > most_places)
-    rules.require(false, "places", places, fmt::format("must be {} to {}", fewest_places, most_places));
+  if (places < fewest_places || places > max_places)
+    rules.require(false, "places", places, fmt::format("must be {} to {}", fewest_places, max_places));
   else
-    rules.require(static_cast<double>(history.pieces.size()) * places <= most_places_in_all, "places", places,
-                  fmt::format("times pieces must be at most {}", most_places_in_all));
+    rules.require(static_cast<double>(history.pieces.size()) * places <= max_places_in_all, "places", places,
+                  fmt::format("times pieces must be at most {}", max_places_in_all));
   rules.done();
 }
 

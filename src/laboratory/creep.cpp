@@ -65,7 +65,7 @@ std::optional<ColumnTest> with_hold(ColumnTest loading, const CreepTest& test, i
 // Creep of foams by their curves and of slow foam: the strain at which a stress stays.
 
 /// Of the strains that are searched: the least stress that can be stated on the stiffest foam.
-constexpr double least_part = 1e-30;
+constexpr double min_part = 1e-30;
 
 /// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
 /// evenly solve to second order. The error is estimated by steps of twice the length.
@@ -111,7 +111,7 @@ std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const CreepTest&
   column.enter(loading);
   const auto missing = [&](double time) { return column.at(time).value - test.stress; };
   if (missing(loading.duration) < 0) return std::nullopt;
-  const double loaded_for = root_between(missing, least_part * loading.duration, loading.duration);
+  const double loaded_for = root_between(missing, min_part * loading.duration, loading.duration);
   const double strain = loaded_for * test.loading_rate;
   const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
     return crept(law, column, test.stress, loaded_for, strain, times, is_coarse ? 8 : 16);
@@ -155,7 +155,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
     return column.stress(strain_of(strain), 0, slip_at(strain)) - test.stress;
   };
   if (missing(farthest_strain) < 0) return std::nullopt;
-  const double strain = root_between(missing, least_part, farthest_strain);
+  const double strain = root_between(missing, min_part, farthest_strain);
   const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
     return crept(column, test.stress, strain, slip_at(strain), times, is_coarse ? 4 : 8);
   };

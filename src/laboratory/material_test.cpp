@@ -19,7 +19,7 @@
 namespace dashpad::laboratory {
 namespace {
 
-constexpr int most_steps_of_1984 = 100'000;
+constexpr int max_steps_of_1984 = 100'000;
 
 StrainHistory history_of(const MaterialTest& test, double rate) {
   switch (test.kind) {
@@ -37,11 +37,11 @@ StrainHistory history_of(const MaterialTest& test, double rate) {
 std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double step = end_of_first_loading(history) / steps;
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
-  if (!(count <= most_steps_of_1984))
+  if (!(count <= max_steps_of_1984))
     throw std::invalid_argument(
         fmt::format("the update of 1984 would take {:.3g} steps of {:.3g} s, and at most {} are on offer; "
                     "shorten the test, or take fewer --steps",
-                    count, step, most_steps_of_1984));
+                    count, step, max_steps_of_1984));
   std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(i * step);
   return times;
@@ -134,9 +134,9 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
   std::vector<Flag> flags;
   double fastest = 0;
   for (const double rate : run.column.rate) fastest = std::max(fastest, std::abs(rate));
-  for (const Extrapolation& of :
+  for (const Extrapolation& extrapolation :
        extrapolations(material, without_rounding(run.column.largest_strain), without_rounding(fastest)))
-    flags.push_back(flag_of(name_of(of.beyond), of.text));
+    flags.push_back(flag_of(name_of(extrapolation.beyond), extrapolation.text));
   if (!has_curves(material.law) && std::ranges::any_of(run.column.events, [](const ColumnEvent& event) {
         return event.kind == ColumnEvent::Kind::contact_taken_up;
       }))

@@ -70,7 +70,7 @@ class ViscousStress {
  private:
   static constexpr double rounding = 4e-16;
   /// Strains below it are not told from zero.
-  static constexpr double least_strain = 1e-300;
+  static constexpr double min_strain = 1e-300;
 
   [[nodiscard]] double envelope(Motion motion, double largest) const {
     return dashpad::envelope(law_, power_, strain_of(motion.strain), law_.rate_part(motion.rate), largest);
@@ -78,7 +78,7 @@ class ViscousStress {
 
   /// exp(-H(t)) (dG/de de/dt + h G), `x` s after the start of the stretch.
   [[nodiscard]] double integrand(const Stretch& stretch, double x, Motion motion, double largest) const {
-    if (motion.strain < least_strain) return 0;
+    if (motion.strain < min_strain) return 0;
     const Strain strain = strain_of(motion.strain);
     const auto rate = law_.rate_part(motion.rate);
     const double slope = envelope_slope(law_, power_, strain, rate, largest);

@@ -40,11 +40,11 @@ void check_bounds(const Owner& owner, const std::string& prefix, std::vector<Vio
 template <class... Alternatives>
 std::vector<ParameterValue> parameter_values(const std::variant<Alternatives...>& variant) {
   return std::visit(
-      []<class Of>(const Of& of) {
+      []<class Of>(const Of& owner) {
         std::vector<ParameterValue> values;
         for (const Parameter<Of>& parameter : Of::parameters)
           values.push_back(
-              {parameter.key, parameter.symbol, parameter.unit, parameter.of(of), parameter.meaning});
+              {parameter.key, parameter.symbol, parameter.unit, parameter.of(owner), parameter.meaning});
         return values;
       },
       variant);
@@ -62,7 +62,7 @@ void for_each_alternative(Visit&& visit) {
 template <class Variant>
 std::vector<std::string> names_of_alternatives() {
   std::vector<std::string> names;
-  for_each_alternative<Variant>([&](const auto& of) { names.emplace_back(of.name); });
+  for_each_alternative<Variant>([&](const auto& given) { names.emplace_back(given.name); });
   return names;
 }
 
@@ -70,8 +70,8 @@ std::vector<std::string> names_of_alternatives() {
 template <class Variant>
 std::optional<Variant> alternative_named(std::string_view name) {
   std::optional<Variant> result;
-  for_each_alternative<Variant>([&](const auto& of) {
-    if (name == of.name) result = of;
+  for_each_alternative<Variant>([&](const auto& given) {
+    if (name == given.name) result = given;
   });
   return result;
 }

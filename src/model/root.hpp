@@ -15,16 +15,16 @@ namespace dashpad {
 
 /// Limits of the searches. None of them affects the root found, except those of the last secant.
 struct RootNumerics {
-  std::uintmax_t most_calls = 200;  ///< function calls by TOMS 748
-  int most_secants_by_value = 10;   ///< secants of find_root()
-  int most_secants = 12;            ///< secants of increasing_root()
-  int most_strides = 200;           ///< evaluations while the sign on one side is not known
-  double probe = 1e4;               ///< least step over the precision until the slope is known
+  std::uintmax_t max_calls = 200;  ///< function calls by TOMS 748
+  int max_secants_by_value = 10;   ///< secants of find_root()
+  int max_secants = 12;            ///< secants of increasing_root()
+  int max_strides = 200;           ///< evaluations while the sign on one side is not known
+  double probe = 1e4;              ///< least step over the precision until the slope is known
   /// Longest chord over the precision with a slope usable at the root; a longer one may contain a steep place
   /// elsewhere. And largest step times chord over the precision squared: the error after a last step is
   /// proportional to both.
   double longest_chord = 1e8;
-  double most_left = 1e10;
+  double max_left = 1e10;
   int usual_bits = 50;  ///< precision of root_between(), bits
 };
 inline constexpr RootNumerics root_numerics;
@@ -64,7 +64,7 @@ struct RootBracket {
 /// Narrows a bracket whose ends have values of different signs, or 0, until is_narrow(low, high).
 template <class F, class Narrow>
 void narrow(RootBracket& bracket, F&& f, Narrow&& is_narrow) {
-  std::uintmax_t most = root_numerics.most_calls;
+  std::uintmax_t most = root_numerics.max_calls;
   std::tie(bracket.low, bracket.high) = boost::math::tools::toms748_solve(
       f, bracket.low, bracket.high, bracket.f_low, bracket.f_high, is_narrow, most);
 }
@@ -113,7 +113,7 @@ Root find_root(F&& f, Near&& near, RootSearch s) {
   double f_before = 0;
   double x = std::clamp(s.guess, s.low, s.high);
   double value = f(x);
-  for (int i = 0; i < root_numerics.most_secants_by_value; ++i) {
+  for (int i = 0; i < root_numerics.max_secants_by_value; ++i) {
     if (i > 0 && x != before) slope = (value - f_before) / (x - before);
     if (near(value)) return {x};
     bracket.note(x, value);
@@ -184,7 +184,7 @@ struct IncreasingRoot {
 inline bool is_close_to_root(double step, double chord, double precision) {
   return chord <= root_numerics.longest_chord * precision &&
          (std::abs(step) <= precision ||
-          std::abs(step) * chord <= root_numerics.most_left * precision * precision);
+          std::abs(step) * chord <= root_numerics.max_left * precision * precision);
 }
 
 template <class F>
@@ -198,8 +198,8 @@ IncreasingRoot increasing_root(F&& f, const IncreasingRootSearch& s) {
   double chord = infinite;
   const auto is_narrow = [&](double a, double b) { return std::abs(b - a) <= s.precision; };
   const auto goes_on = [&](int i) {
-    return i < root_numerics.most_secants ||
-           (i < root_numerics.most_strides && !(bracket.low_known && bracket.high_known));
+    return i < root_numerics.max_secants ||
+           (i < root_numerics.max_strides && !(bracket.low_known && bracket.high_known));
   };
   for (int i = 0; goes_on(i); ++i) {
     const double value = f(x);

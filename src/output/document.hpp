@@ -44,7 +44,7 @@ std::vector<std::string> by_severity(std::vector<Flag> flags);
 std::size_t capitals_in_front(std::string_view text);
 
 /// More are no longer the few that matter.
-inline constexpr std::size_t most_key_figures = 6;
+inline constexpr std::size_t max_key_figures = 6;
 
 /// Whether a section is shown where people see that much.
 bool is_seen(const Section& section, Detail detail);

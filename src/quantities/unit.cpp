@@ -79,9 +79,9 @@ std::optional<Unit> product(const Unit& a, const Unit& by, int power) {
     return exponent;
   };
   result.ten = sum(a.ten, by.ten);
-  for (int UnitDimension::*const of :
+  for (int UnitDimension::*const each :
        {&UnitDimension::m, &UnitDimension::kg, &UnitDimension::s, &UnitDimension::K, &UnitDimension::A})
-    result.dimension.*of = sum(a.dimension.*of, by.dimension.*of);
+    result.dimension.*each = sum(a.dimension.*each, by.dimension.*each);
   return is_sound ? std::optional(result) : std::nullopt;
 }
 

@@ -171,15 +171,15 @@ Comparison compare(const ImpactCase& impact, const Options& options, double time
   const std::size_t expected =
       expected_steps(comparison.runs[Comparison::reference], time_step, comparison.dimension);
   std::size_t runs_done = 0;
-  const auto add = [&](std::string name, const Settings& of) {
-    comparison.runs.push_back(historical(std::move(name), deck, of, [&](int step) {
+  const auto add = [&](std::string name, const Settings& settings) {
+    comparison.runs.push_back(historical(std::move(name), deck, settings, [&](int step) {
       if (progress)
         progress(runs_done * expected + std::min(static_cast<std::size_t>(step), expected), runs * expected);
     }));
     ++runs_done;
   };
   Settings settings;
-  settings.most_steps = settings.most_stations = comparison.dimension;
+  settings.max_steps = settings.max_stations = comparison.dimension;
   for (const Arithmetic arithmetic : {Arithmetic::pdp10, Arithmetic::binary32, Arithmetic::binary64}) {
     settings.arithmetic = arithmetic;
     add(fmt::format("1984, {}", to_string(arithmetic)), settings);

@@ -21,10 +21,11 @@ const FittedConstant* fitted(const Study& study, const std::string& name) {
 }
 
 /// A fitted constant as a band over speed: its 95 % interval.
-Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t turn,
+Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t palette_index,
                      const std::function<double(double, double)>& value) {
   Series band = speed_line(
-      label, turn, [&](double speed) { return value(constant.confidence.low, speed); }, SeriesStyle::band);
+      label, palette_index, [&](double speed) { return value(constant.confidence.low, speed); },
+      SeriesStyle::band);
   for (const double speed : band.x) band.y2.push_back(value(constant.confidence.high, speed));
   return band;
 }
@@ -36,41 +37,43 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
   // T = travel / V, in ms for in and mph.
   const double inch_per_s = study.data.constant("inch_per_s_of_mph");
   const auto travel_time = [&](double travel, double speed) { return 1e3 * travel / (inch_per_s * speed); };
-  const auto line_of = [&](const std::string& label, std::size_t turn, double travel,
+  const auto line_of = [&](const std::string& label, std::size_t palette_index, double travel,
                            SeriesStyle style = SeriesStyle::line) {
     panel.series.push_back(speed_line(
-        label, turn, [&](double speed) { return travel_time(travel, speed); }, style));
+        label, palette_index, [&](double speed) { return travel_time(travel, speed); }, style));
   };
   if (const FittedConstant* refit = fitted(study, "travel_in")) {
     panel.series.push_back(
-        interval_band(*refit, "fitted again: 95 % interval", turn::mended_1984, travel_time));
-    line_of(fmt::format("fitted again: VT = {:.2f} in", refit->value), turn::mended_1984, refit->value,
-            SeriesStyle::solid_line);
+        interval_band(*refit, "fitted again: 95 % interval", palette_index::mended_1984, travel_time));
+    line_of(fmt::format("fitted again: VT = {:.2f} in", refit->value), palette_index::mended_1984,
+            refit->value, SeriesStyle::solid_line);
   }
-  for (const auto& [name, words, turn] :
-       {std::tuple{"travel_in", "report's fit", turn::report},
-        std::tuple{"expected_travel_in", "report's expectation", turn::second}}) {
+  for (const auto& [name, words, palette_index] :
+       {std::tuple{"travel_in", "report's fit", palette_index::report},
+        std::tuple{"expected_travel_in", "report's expectation", palette_index::second}}) {
     const double travel = study.data.constant(name);
-    line_of(fmt::format("{}: VT = {} in", words, brief(travel)), turn, travel);
+    line_of(fmt::format("{}: VT = {} in", words, brief(travel)), palette_index, travel);
   }
-  panel.series.push_back(measured_points(study, group, Quantity::time_to_peak, "measured", turn::measured));
+  panel.series.push_back(
+      measured_points(study, group, Quantity::time_to_peak, "measured", palette_index::measured));
   return panel;
 }
 
-constexpr double least_force = 100, greatest_force = 10'000;  // lb
+constexpr double min_force = 100, greatest_force = 10'000;  // lb
 
 /// Energy over force, with the energy on the horizontal axis.
-Series energy_line(const std::string& label, std::size_t turn, SeriesStyle style, double low,
+Series energy_line(const std::string& label, std::size_t palette_index, SeriesStyle style, double low,
                    const std::function<double(double)>& energy_of_force) {
   Series line = function_line(
-      label, turn, std::log(low), std::log(greatest_force),
+      label, palette_index, std::log(low), std::log(greatest_force),
       [](double log_force) { return std::exp(log_force); }, style);
   for (std::size_t i = 0; i < line.y.size(); ++i) line.x[i] = energy_of_force(line.y[i]);
   return line;
 }
 
-Series energy_points(const Study& study, Projectile projectile, const char* label, std::size_t turn) {
-  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
+Series energy_points(const Study& study, Projectile projectile, const char* label,
+                     std::size_t palette_index) {
+  Series points{.label = label, .style = SeriesStyle::points, .palette_index = palette_index};
   for (const MeasuredTest& test : study.data.measured.tests) {
     if (test.projectile != projectile || !test.peak_force_lb) continue;
     points.add(test.energy_in_lb, *test.peak_force_lb);
@@ -85,16 +88,16 @@ Drawing support_curves(const Study& study) {
                    .style = SeriesStyle::solid_line,
                    .x = {0},
                    .y = {0},
-                   .turn = turn::accurate};
+                   .palette_index = palette_index::accurate};
   for (const StaticPoint& point : study.data.load_cell) load_cell.add(point.deflection_in, point.force_lb);
   constexpr double farthest = 0.6;
   const double stiffness = study.data.plate_stiffness_lb_per_in;
-  Panel panel{
-      .x = {.label = "Deflection (in)", .low = 0, .high = farthest},
-      .y = {.label = "Force (lb)", .low = 0, .high = 6000},
-      .series = {load_cell,
-                 function_line(fmt::format("flexible plate: {} lb/in (calculated)", brief(stiffness)),
-                               turn::printed_1984, 0, farthest, [&](double x) { return stiffness * x; })}};
+  Panel panel{.x = {.label = "Deflection (in)", .low = 0, .high = farthest},
+              .y = {.label = "Force (lb)", .low = 0, .high = 6000},
+              .series = {load_cell,
+                         function_line(fmt::format("flexible plate: {} lb/in (calculated)", brief(stiffness)),
+                                       palette_index::printed_1984, 0, farthest,
+                                       [&](double x) { return stiffness * x; })}};
   return {{panel},
           "The report's figure is lost. The load cell's curve is reconstructed from the slopes and the "
           "stored energies that the report prints; every prediction on the load cell rests on it."};
@@ -108,10 +111,12 @@ Drawing time_to_peak(const Study& study) {
 
 Drawing nominal_stress(const Study& study) {
   const NominalStressFit& fit = study.nominal_stress;
-  Series certain{.label = "strain of the same test", .style = SeriesStyle::points, .turn = turn::measured};
+  Series certain{.label = "strain of the same test",
+                 .style = SeriesStyle::points,
+                 .palette_index = palette_index::measured};
   Series placed{.label = "strain whose test is lost, in the placing of least scatter",
                 .style = SeriesStyle::points,
-                .turn = turn::mended_1984};
+                .palette_index = palette_index::mended_1984};
   Interval forces = nowhere;
   for (const NominalStressPoint& point : fit.points) {
     Series& series = point.test == 0 ? placed : certain;
@@ -127,12 +132,12 @@ Drawing nominal_stress(const Study& study) {
                      .x = {low, high},
                      .y = {low / fit.area_over_placings.high, high / fit.area_over_placings.high},
                      .y2 = {low / fit.area_over_placings.low, high / fit.area_over_placings.low},
-                     .turn = turn::accurate},
+                     .palette_index = palette_index::accurate},
                     {.label = fmt::format("unit slope: force = {:.3g} in² x stress", fit.area_in2),
                      .style = SeriesStyle::solid_line,
                      .x = {low, high},
                      .y = {low / fit.area_in2, high / fit.area_in2},
-                     .turn = turn::accurate},
+                     .palette_index = palette_index::accurate},
                     certain,
                     placed};
   }
@@ -141,15 +146,16 @@ Drawing nominal_stress(const Study& study) {
 
 Drawing force_over_speed(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
-  for (const auto& [group, name, turn] : {std::tuple{test_group::aluminium, "aluminium", turn::accurate},
-                                          std::tuple{test_group::steel, "steel", turn::printed_1984}}) {
+  for (const auto& [group, name, palette_index] :
+       {std::tuple{test_group::aluminium, "aluminium", palette_index::accurate},
+        std::tuple{test_group::steel, "steel", palette_index::printed_1984}}) {
     for (Series& series : predicted_lines(study, {Program::accurate}, group, Quantity::peak_force)) {
       series.label += std::string{", "} + name;
-      series.turn = turn;
+      series.palette_index = palette_index;
       panel.series.push_back(std::move(series));
     }
     panel.series.push_back(
-        measured_points(study, group, Quantity::peak_force, std::string{"measured, "} + name, turn));
+        measured_points(study, group, Quantity::peak_force, std::string{"measured, "} + name, palette_index));
   }
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) +
@@ -158,22 +164,23 @@ Drawing force_over_speed(const Study& study) {
 
 Drawing rebound_over_speed(const Study& study) {
   Panel panel = speed_panel("", Quantity::rebound_speed);
-  for (const auto& [name, support, turn] :
-       {std::tuple{"rebound_ratio_load_cell", "load cell", turn::accurate},
-        std::tuple{"rebound_ratio_plate", "plate", turn::printed_1984}}) {
+  for (const auto& [name, support, palette_index] :
+       {std::tuple{"rebound_ratio_load_cell", "load cell", palette_index::accurate},
+        std::tuple{"rebound_ratio_plate", "plate", palette_index::printed_1984}}) {
     const auto times_speed = [](double ratio, double speed) { return ratio * speed; };
     if (const FittedConstant* refit = fitted(study, name))
-      panel.series.push_back(interval_band(
-          *refit, fmt::format("fitted again: {:.3f} V, {}", refit->value, support), turn, times_speed));
+      panel.series.push_back(interval_band(*refit,
+                                           fmt::format("fitted again: {:.3f} V, {}", refit->value, support),
+                                           palette_index, times_speed));
     const double ratio = study.data.constant(name);
-    panel.series.push_back(speed_line(fmt::format("report: {} V, {}", brief(ratio), support), turn,
+    panel.series.push_back(speed_line(fmt::format("report: {} V, {}", brief(ratio), support), palette_index,
                                       [&](double speed) { return ratio * speed; }));
   }
-  for (const auto& [group, label, turn] :
-       {std::tuple{test_group::aluminium, "aluminium on load cell", turn::accurate},
-        std::tuple{test_group::steel, "steel on load cell", turn::second},
-        std::tuple{test_group::on_plate, "aluminium on plate", turn::printed_1984}})
-    panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, label, turn));
+  for (const auto& [group, label, palette_index] :
+       {std::tuple{test_group::aluminium, "aluminium on load cell", palette_index::accurate},
+        std::tuple{test_group::steel, "steel on load cell", palette_index::second},
+        std::tuple{test_group::on_plate, "aluminium on plate", palette_index::printed_1984}})
+    panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, label, palette_index));
   return {{panel},
           lost_readings(study, "rebound_mph", "rebound speed") +
               "Bands: 95 % intervals of the ratios, fitted again to the certain rows. The predictions are "
@@ -188,27 +195,29 @@ Drawing force_over_energy(const Study& study) {
   Panel panel{.x = {.label = "Energy (in·lb)", .logarithmic = true, .low = 5, .high = 1000},
               .y = {.label = axis_label(Quantity::peak_force),
                     .logarithmic = true,
-                    .low = least_force,
+                    .low = min_force,
                     .high = greatest_force}};
   panel.series = {
-      energy_line("stored in the load cell", turn::report, SeriesStyle::line, least_force,
+      energy_line("stored in the load cell", palette_index::report, SeriesStyle::line, min_force,
                   [&](double force) { return support_energy_in_lb(data.load_cell, force); }),
-      energy_line("stored in the plate", turn::second, SeriesStyle::line, least_force,
+      energy_line("stored in the plate", palette_index::second, SeriesStyle::line, min_force,
                   [&](double force) { return force * force / (2 * data.plate_stiffness_lb_per_in); }),
       energy_line(fmt::format("report, Eq. 36: U = ({} F)^{}", brief(factor), brief(exponent)),
-                  turn::accurate, SeriesStyle::solid_line, trend_force_lb(begin, factor, exponent),
+                  palette_index::accurate, SeriesStyle::solid_line, trend_force_lb(begin, factor, exponent),
                   [&](double force) { return trend_energy_in_lb(force, factor, exponent); })};
   const FittedConstant* new_factor = fitted(study, "energy_trend_factor");
   const FittedConstant* new_exponent = fitted(study, "energy_trend_exponent");
   if (new_factor != nullptr && new_exponent != nullptr) {
     const double f = new_factor->value, e = new_exponent->value;
     panel.series.push_back(energy_line(fmt::format("fitted again: U = ({:.4g} F)^{:.3f}", f, e),
-                                       turn::printed_1984, SeriesStyle::dashed_line,
+                                       palette_index::printed_1984, SeriesStyle::dashed_line,
                                        trend_force_lb(begin, f, e),
                                        [&](double force) { return trend_energy_in_lb(force, f, e); }));
   }
-  panel.series.push_back(energy_points(study, Projectile::aluminium, "aluminium, measured", turn::measured));
-  panel.series.push_back(energy_points(study, Projectile::steel, "steel, measured", turn::mended_1984));
+  panel.series.push_back(
+      energy_points(study, Projectile::aluminium, "aluminium, measured", palette_index::measured));
+  panel.series.push_back(
+      energy_points(study, Projectile::steel, "steel, measured", palette_index::mended_1984));
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") +
               "The trends are drawn for energies above 300 in·lb, for which the report fitted them. What "
@@ -218,10 +227,10 @@ Drawing force_over_energy(const Study& study) {
 Drawing curves_a_and_b(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
   panel.y.high = 6000;
-  panel.add(curve_a(study, Projectile::aluminium, turn::accurate));
-  panel.add(curve_b(study, Projectile::aluminium, turn::printed_1984));
+  panel.add(curve_a(study, Projectile::aluminium, palette_index::accurate));
+  panel.add(curve_b(study, Projectile::aluminium, palette_index::printed_1984));
   panel.series.push_back(measured_points(study, test_group::aluminium, Quantity::peak_force,
-                                         "measured on the load cell", turn::measured));
+                                         "measured on the load cell", palette_index::measured));
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") + curve_note +
               "No force was measured on the plate."};

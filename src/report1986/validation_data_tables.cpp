@@ -47,9 +47,9 @@ output::Table radius_table(const Study& study) {
   output::Table table{
       .columns = {"criterion", "readings", "favoured radius (in)", "95 % range (in)", "remark"}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
-    const char* bound = !criterion.at_an_end                                                 ? ""
-                        : criterion.favoured_in < (least_radius_in + greatest_radius_in) / 2 ? "at most "
-                                                                                             : "at least ";
+    const char* bound = !criterion.at_an_end                                               ? ""
+                        : criterion.favoured_in < (min_radius_in + greatest_radius_in) / 2 ? "at most "
+                                                                                           : "at least ";
     const bool has_one = std::isfinite(criterion.favoured_in);
     table.rows.push_back(
         {criterion.name, std::to_string(criterion.readings),
@@ -125,10 +125,10 @@ output::Table fitted_foam_table(const Study& study) {
                              {"unloading shape SHAPE", &FittedFoam::unloading_shape}};
   output::Table table{.columns = {"number", "all readings", "without a fold"}};
   if (study.held_out.folds.empty()) return table;
-  for (const auto& [name, of] : rows) {
-    const auto [least, greatest] = std::ranges::minmax(study.held_out.folds, {}, of);
-    table.rows.push_back({name, fmt::format("{:.1f}", study.held_out.foam.*of),
-                          fmt::format("{:.1f} to {:.1f}", least.*of, greatest.*of)});
+  for (const auto& [name, number] : rows) {
+    const auto [least, greatest] = std::ranges::minmax(study.held_out.folds, {}, number);
+    table.rows.push_back({name, fmt::format("{:.1f}", study.held_out.foam.*number),
+                          fmt::format("{:.1f} to {:.1f}", least.*number, greatest.*number)});
   }
   return table;
 }

@@ -40,10 +40,10 @@ Drawing predicted_rebound_on_plate(const Study& study);      // 4-5
 // --- Shared by them ---
 
 /// Colours and shapes that mean the same in all figures.
-namespace turn {
+namespace palette_index {
 inline constexpr std::size_t accurate = 0, printed_1984 = 1, report = 2, second = 3, mended_1984 = 4,
                              first_slope = 5, measured = 6;
-}  // namespace turn
+}  // namespace palette_index
 
 /// The tests of a projectile on a support.
 struct TestGroup {
@@ -58,7 +58,7 @@ inline constexpr TestGroup on_plate{Projectile::aluminium, TestSupport::plate};
 }  // namespace test_group
 
 /// Speeds that the figures show, mph.
-inline constexpr double least_speed = 9, greatest_speed = 21;
+inline constexpr double min_speed = 9, greatest_speed = 21;
 
 /// A panel over the initial speed, from zero.
 Panel speed_panel(const std::string& title, const std::string& label);
@@ -68,7 +68,7 @@ std::vector<Panel> both_projectiles(const std::function<Panel(const char* title,
 
 /// The certain readings over speed.
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
-                       std::size_t turn);
+                       std::size_t palette_index);
 
 /// The predictions of programs over speed at the radius that the report simulated with, a line, for the
 /// program of 1984 points; for the accurate solver also at the favoured radius, dashed, and with a band over
@@ -77,16 +77,16 @@ std::vector<Series> predicted_lines(const Study& study, const std::vector<Progra
                                     Quantity quantity);
 
 /// A function over an even grid.
-Series function_line(const std::string& label, std::size_t turn, double low, double high,
+Series function_line(const std::string& label, std::size_t palette_index, double low, double high,
                      const std::function<double(double)>& value, SeriesStyle style = SeriesStyle::line);
 /// The same over all speeds.
-Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
-                  SeriesStyle style = SeriesStyle::line);
+Series speed_line(const std::string& label, std::size_t palette_index,
+                  const std::function<double(double)>& value, SeriesStyle style = SeriesStyle::line);
 
 /// The trend of Eq. 36 as peak force over speed (curve "A") or its estimate for the plate (curve "B"); dashed
 /// below the energies for which the trend was fitted.
-std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn);
-std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn);
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t palette_index);
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t palette_index);
 inline constexpr const char* curve_note =
     "Curves A and B are dashed below 300 in·lb, where Eq. 36 was not fitted; curve A of the aluminium "
     "projectile has a tail through tests 1 and 24 there. ";

@@ -11,7 +11,9 @@ namespace dashpad::report1986 {
 
 namespace {
 
-Json interval(const Interval& of) { return {{"low", number(of.low)}, {"high", number(of.high)}}; }
+Json interval(const Interval& interval) {
+  return {{"low", number(interval.low)}, {"high", number(interval.high)}};
+}
 
 Json measured_test_json(const MeasuredTest& test) {
   Json result{{"test", test.number},

@@ -74,8 +74,8 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
 }
 
 /// Predicted over measured of each test, in one colour.
-Series compared(const std::string& label, std::size_t turn, const std::vector<TestError>& errors) {
-  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
+Series compared(const std::string& label, std::size_t palette_index, const std::vector<TestError>& errors) {
+  Series points{.label = label, .style = SeriesStyle::points, .palette_index = palette_index};
   for (const TestError& error : errors) points.add(error.measured, error.predicted);
   return points;
 }
@@ -88,12 +88,12 @@ void add_equality(Panel& panel, double low, double high) {
                           .x = {low, high},
                           .y = {(1 + rule.low) * low, (1 + rule.low) * high},
                           .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
-                          .turn = turn::measured});
+                          .palette_index = palette_index::measured});
   panel.series.push_back({.label = "as measured",
                           .style = SeriesStyle::dashed_line,
                           .x = {low, high},
                           .y = {low, high},
-                          .turn = turn::measured});
+                          .palette_index = palette_index::measured});
 }
 
 /// Peak forces on the load cell: most readings are of them.
@@ -103,10 +103,10 @@ output::Plot predicted_over_measured(const Study& study) {
   std::vector<Series> points;
   for (const HeldOutScore& score : study.held_out.scores)
     if (score.quantity == Quantity::peak_force && score.support == TestSupport::load_cell)
-      points.push_back(compared("foam fitted to the other tests", turn::accurate, score.errors));
+      points.push_back(compared("foam fitted to the other tests", palette_index::accurate, score.errors));
   if (const Score* const score = score_by_law(study, TestSupport::load_cell, Quantity::peak_force))
     points.push_back(compared(fmt::format("report's law, {:.2f} in", study.radius.favoured_in()),
-                              turn::printed_1984, score->errors));
+                              palette_index::printed_1984, score->errors));
   Interval forces = nowhere;
   for (const Series& series : points)
     for (const std::vector<double>* const values : {&series.x, &series.y})
@@ -140,7 +140,7 @@ output::Lead validation_lead(const Study& study, output::Pictures pictures) {
                       fitted_numbers, brief(held_out_radius_in))}};
   if (pictures == output::Pictures::drawn) lead.curve = predicted_over_measured(study);
   for (const HeldOutScore& score : study.held_out.scores)
-    if (lead.figures.size() + 1 < output::most_key_figures) lead.figures.push_back(bias_figure(study, score));
+    if (lead.figures.size() + 1 < output::max_key_figures) lead.figures.push_back(bias_figure(study, score));
   lead.figures.push_back(
       {.label = "Rules passed by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),

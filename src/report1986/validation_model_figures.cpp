@@ -19,11 +19,11 @@ const std::vector<Program> programs_on_plate{Program::accurate, Program::printed
 Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::time_to_peak);
   panel.add(predicted_lines(study, programs, group, Quantity::time_to_peak));
-  for (const auto& [name, turn] :
-       {std::pair{"travel_in", turn::report}, std::pair{"expected_travel_in", turn::second}}) {
+  for (const auto& [name, palette_index] : {std::pair{"travel_in", palette_index::report},
+                                            std::pair{"expected_travel_in", palette_index::second}}) {
     const double travel = study.data.constant(name);
     const double travel_ms = 1e3 * travel / study.data.constant("inch_per_s_of_mph");
-    panel.series.push_back(speed_line(fmt::format("report: VT = {} in", brief(travel)), turn,
+    panel.series.push_back(speed_line(fmt::format("report: VT = {} in", brief(travel)), palette_index,
                                       [&](double speed) { return travel_ms / speed; }));
   }
   return panel;
@@ -33,8 +33,9 @@ Panel force_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, Quantity::peak_force);
   panel.y.high = 10'000;
   panel.add(predicted_lines(study, programs, group, Quantity::peak_force));
-  panel.add(curve_a(study, group.projectile, turn::report));
-  panel.series.push_back(measured_points(study, group, Quantity::peak_force, "measured", turn::measured));
+  panel.add(curve_a(study, group.projectile, palette_index::report));
+  panel.series.push_back(
+      measured_points(study, group, Quantity::peak_force, "measured", palette_index::measured));
   return panel;
 }
 
@@ -45,7 +46,7 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
       projectile == Projectile::steel ? 16 : greatest_speed;  // beyond, Eq. 36 says nothing
-  return function_line("expected at most (Table 3-2)", turn::second, least_speed, greatest,
+  return function_line("expected at most (Table 3-2)", palette_index::second, min_speed, greatest,
                        [&](double speed) {
                          const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
                          if (energy < from) return std::nan("");
@@ -59,7 +60,7 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
 Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
-  Series line = curve_b(study, Projectile::aluminium, turn::second).front();
+  Series line = curve_b(study, Projectile::aluminium, palette_index::second).front();
   line.label = "expected at most (Table 3-2)";
   line.style = SeriesStyle::line;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -71,7 +72,9 @@ Series expected_on_plate(const Study& study) {
 }
 
 Series printed_expectation(const Study& study, Projectile projectile) {
-  Series points{.label = "example printed in Table 3-2", .style = SeriesStyle::points, .turn = turn::second};
+  Series points{.label = "example printed in Table 3-2",
+                .style = SeriesStyle::points,
+                .palette_index = palette_index::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
     if (example.projectile != projectile) continue;
     points.add(example.speed_mph, example.rebound_mph);
@@ -84,11 +87,12 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   const bool plate = group.support == TestSupport::plate;
   panel.add(predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
-  panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), turn::report,
+  panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), palette_index::report,
                                     [&](double speed) { return ratio * speed; }));
   panel.series.push_back(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
   if (!plate) panel.series.push_back(printed_expectation(study, group.projectile));
-  panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, "measured", turn::measured));
+  panel.series.push_back(
+      measured_points(study, group, Quantity::rebound_speed, "measured", palette_index::measured));
   return panel;
 }
 
@@ -109,7 +113,7 @@ Drawing predicted_force_on_load_cell(const Study& study) {
 Drawing predicted_force_on_plate(const Study& study) {
   Panel panel = speed_panel("", Quantity::peak_force);
   panel.add(predicted_lines(study, programs_on_plate, test_group::on_plate, Quantity::peak_force));
-  panel.add(curve_b(study, Projectile::aluminium, turn::report));
+  panel.add(curve_b(study, Projectile::aluminium, palette_index::report));
   return {{panel},
           radius_note(study) + curve_note +
               "No force was measured on the plate: curve B is the report's estimate."};

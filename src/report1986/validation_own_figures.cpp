@@ -13,8 +13,8 @@ namespace dashpad::report1986 {
 namespace {
 
 /// Predicted over measured force of each test, at the report's radius.
-Series ratios(const Study& study, Program program, Projectile projectile, std::size_t turn) {
-  Series points{.label = to_string(program), .style = SeriesStyle::points, .turn = turn};
+Series ratios(const Study& study, Program program, Projectile projectile, std::size_t palette_index) {
+  Series points{.label = to_string(program), .style = SeriesStyle::points, .palette_index = palette_index};
   for (const Verdict& verdict : study.at_the_reports_radius) {
     const Score& score = verdict.score;
     if (score.program != program || score.support != TestSupport::load_cell ||
@@ -36,22 +36,23 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile) 
   // What it found: from the low end of its speeds to the high end.
   Series report{.label = "report: predictions over its trend",
                 .style = SeriesStyle::dashed_line,
-                .turn = turn::measured};
+                .palette_index = palette_index::measured};
   for (const PrintedRatio& printed : printed_ratios)
     if (printed.projectile == projectile)
       report.add(printed.speed_mph, study.data.constant(printed.constant));
   panel.series = {{.label = "bias that the rule admits",
                    .style = SeriesStyle::band,
-                   .x = {least_speed, greatest_speed},
+                   .x = {min_speed, greatest_speed},
                    .y = {1 + rule.low, 1 + rule.low},
                    .y2 = {1 + rule.high, 1 + rule.high},
-                   .turn = turn::measured},
+                   .palette_index = palette_index::measured},
                   std::move(report)};
-  for (const auto& [program, turn] : {std::pair{Program::printed_1984, turn::printed_1984},
-                                      std::pair{Program::mended_support_1984, turn::mended_1984},
-                                      std::pair{Program::accurate_first_slope, turn::first_slope},
-                                      std::pair{Program::accurate, turn::accurate}})
-    panel.series.push_back(ratios(study, program, projectile, turn));
+  for (const auto& [program, palette_index] :
+       {std::pair{Program::printed_1984, palette_index::printed_1984},
+        std::pair{Program::mended_support_1984, palette_index::mended_1984},
+        std::pair{Program::accurate_first_slope, palette_index::first_slope},
+        std::pair{Program::accurate, palette_index::accurate}})
+    panel.series.push_back(ratios(study, program, projectile, palette_index));
   return panel;
 }
 
@@ -64,7 +65,7 @@ std::string program_of(const RadiusCriterion& criterion) {
 }
 
 Drawing misfit_over_radius(const Study& study) {
-  Panel panel{.x = {.label = "Nose radius (in)", .low = least_radius_in, .high = greatest_radius_in},
+  Panel panel{.x = {.label = "Nose radius (in)", .low = min_radius_in, .high = greatest_radius_in},
               .y = {.label = "Misfit / least misfit", .low = 0, .high = 5}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;

@@ -118,7 +118,7 @@ std::vector<std::string> warnings(const Study& study) {
       "simulations point to; spans are over {} to {} in.",
       study.radius.favoured_in(),
       study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
-      study.radius.of_the_report_in(), brief(least_radius_in), brief(greatest_radius_in)));
+      study.radius.of_the_report_in(), brief(min_radius_in), brief(greatest_radius_in)));
   texts.emplace_back(
       "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; ours follows from slopes and "
       "energies that the report prints. The form of the fitted foam was chosen with all tests in sight.");

@@ -15,19 +15,19 @@ namespace dashpad::report1986 {
 namespace {
 
 struct Look {
-  std::size_t turn;
+  std::size_t palette_index;
   SeriesStyle style;
 };
 /// In the order of Program. Points for the program of 1984: many of its runs end in an ABEND.
-constexpr Look looks[] = {{turn::printed_1984, SeriesStyle::points},
-                          {turn::mended_1984, SeriesStyle::points},
-                          {turn::accurate, SeriesStyle::solid_line},
-                          {turn::first_slope, SeriesStyle::line}};
+constexpr Look looks[] = {{palette_index::printed_1984, SeriesStyle::points},
+                          {palette_index::mended_1984, SeriesStyle::points},
+                          {palette_index::accurate, SeriesStyle::solid_line},
+                          {palette_index::first_slope, SeriesStyle::line}};
 
 /// The lines of one program.
 std::vector<Series> lines_of(const Study& study, Program program, TestGroup group, Quantity quantity) {
   const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
-  const auto [turn, style] = looks[static_cast<std::size_t>(program)];
+  const auto [palette_index, style] = looks[static_cast<std::size_t>(program)];
   std::map<double, double> at_the_reports_radius, at_the_favoured_radius;
   std::map<double, Interval> over_radii;
   for (const Prediction& prediction : study.on_curves) {
@@ -41,8 +41,9 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
     over_radii.emplace(setup.speed_mph, nowhere).first->second.include(*value);
   }
   const auto line_of = [&](const std::map<double, double>& values, double radius, SeriesStyle drawn) {
-    Series line{
-        .label = fmt::format("{}, {:.2f} in", to_string(program), radius), .style = drawn, .turn = turn};
+    Series line{.label = fmt::format("{}, {:.2f} in", to_string(program), radius),
+                .style = drawn,
+                .palette_index = palette_index};
     for (const auto& [speed, value] : values) line.add(speed, value);
     return line;
   };
@@ -51,7 +52,7 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
 
   Series band{.label = std::string{to_string(program)} + ", over the nose radii",
               .style = SeriesStyle::band,
-              .turn = turn};
+              .palette_index = palette_index};
   for (const auto& [speed, span] : over_radii) {
     band.add(speed, span.low);
     band.y2.push_back(span.high);
@@ -61,20 +62,21 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
 }
 
 /// A force over speed: solid for energies at which the trend was fitted, dashed below.
-std::vector<Series> curve(const Study& study, const std::string& label, std::size_t turn,
+std::vector<Series> curve(const Study& study, const std::string& label, std::size_t palette_index,
                           Projectile projectile, const std::function<double(double)>& force_of_speed) {
   const double fitted_from = study.data.constant("energy_trend_from_in_lb");
   const double unit_energy = impact_energy_in_lb(weight_of(study.data, projectile), 1);
-  const double middle = std::clamp(std::sqrt(fitted_from / unit_energy), least_speed, greatest_speed);
-  return {function_line(label, turn, middle, greatest_speed, force_of_speed, SeriesStyle::solid_line),
-          function_line("", turn, least_speed, middle, force_of_speed, SeriesStyle::dashed_line)};
+  const double middle = std::clamp(std::sqrt(fitted_from / unit_energy), min_speed, greatest_speed);
+  return {
+      function_line(label, palette_index, middle, greatest_speed, force_of_speed, SeriesStyle::solid_line),
+      function_line("", palette_index, min_speed, middle, force_of_speed, SeriesStyle::dashed_line)};
 }
 
 }  // namespace
 
 Panel speed_panel(const std::string& title, const std::string& label) {
   return {.title = title,
-          .x = {.label = "Initial speed (mph)", .low = least_speed, .high = greatest_speed},
+          .x = {.label = "Initial speed (mph)", .low = min_speed, .high = greatest_speed},
           .y = {.label = label, .low = 0}};
 }
 
@@ -89,8 +91,8 @@ std::vector<Panel> both_projectiles(
 }
 
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
-                       std::size_t turn) {
-  Series points{.label = label, .style = SeriesStyle::points, .turn = turn};
+                       std::size_t palette_index) {
+  Series points{.label = label, .style = SeriesStyle::points, .palette_index = palette_index};
   for (const MeasuredTest& test : study.data.measured.tests) {
     const std::optional<double> value = measured(test, quantity);
     if (!value || test.projectile != group.projectile || test.support != group.support) continue;
@@ -107,10 +109,10 @@ std::vector<Series> predicted_lines(const Study& study, const std::vector<Progra
   return all;
 }
 
-Series function_line(const std::string& label, std::size_t turn, double low, double high,
+Series function_line(const std::string& label, std::size_t palette_index, double low, double high,
                      const std::function<double(double)>& value, SeriesStyle style) {
   constexpr int steps = 100;
-  Series line{.label = label, .style = style, .turn = turn};
+  Series line{.label = label, .style = style, .palette_index = palette_index};
   for (int i = 0; i <= steps; ++i) {
     const double x = low + (high - low) * i / steps;
     line.add(x, value(x));
@@ -118,18 +120,18 @@ Series function_line(const std::string& label, std::size_t turn, double low, dou
   return line;
 }
 
-Series speed_line(const std::string& label, std::size_t turn, const std::function<double(double)>& value,
-                  SeriesStyle style) {
-  return function_line(label, turn, least_speed, greatest_speed, value, style);
+Series speed_line(const std::string& label, std::size_t palette_index,
+                  const std::function<double(double)>& value, SeriesStyle style) {
+  return function_line(label, palette_index, min_speed, greatest_speed, value, style);
 }
 
-std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t turn) {
-  return curve(study, "curve A: the report's trend, Eq. 36", turn, projectile,
+std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t palette_index) {
+  return curve(study, "curve A: the report's trend, Eq. 36", palette_index, projectile,
                [&](double speed) { return curve_a_force_lb(study.data, projectile, speed); });
 }
 
-std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t turn) {
-  return curve(study, "curve B: the report's estimate for the plate, Eq. 37", turn, projectile,
+std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t palette_index) {
+  return curve(study, "curve B: the report's estimate for the plate, Eq. 37", palette_index, projectile,
                [&](double speed) { return curve_b_force_lb(study.data, projectile, speed); });
 }
 
@@ -153,7 +155,7 @@ std::string radius_note(const Study& study) {
   std::string note = fmt::format(
       "The nose radius is lost: {:.2f} in is what the report's own simulations point to, {:.2f} in what the "
       "strains on the plate favour; the band spans {} to {} in. ",
-      study.radius.of_the_report_in(), study.radius.favoured_in(), brief(least_radius_in),
+      study.radius.of_the_report_in(), study.radius.favoured_in(), brief(min_radius_in),
       brief(greatest_radius_in));
   const auto without_figures = std::ranges::count_if(study.on_curves, [&](const Prediction& prediction) {
     return prediction.program == Program::printed_1984 && !prediction.peak_force_lb &&

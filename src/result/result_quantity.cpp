@@ -242,7 +242,8 @@ const std::vector<ResultQuantity>& result_quantities() {
 const ResultQuantity* find_result_quantity(std::string_view key) {
   static const std::unordered_map<std::string_view, const ResultQuantity*> by_key = [] {
     std::unordered_map<std::string_view, const ResultQuantity*> all;
-    for (const ResultQuantity& of : result_quantities()) all.emplace(of.key, &of);
+    for (const ResultQuantity& result_quantity : result_quantities())
+      all.emplace(result_quantity.key, &result_quantity);
     return all;
   }();
   const auto found = by_key.find(key);
@@ -255,15 +256,15 @@ const ResultQuantity& result_quantity(std::string_view key) {
   return *found;
 }
 
-std::string title_in_sentence(const ResultQuantity& of) {
-  std::string title = of.title;
+std::string title_in_sentence(const ResultQuantity& result_quantity) {
+  std::string title = result_quantity.title;
   const auto is_capital = [&](std::size_t i) { return title[i] >= 'A' && title[i] <= 'Z'; };
   if (title.size() > 1 && is_capital(0) && !is_capital(1)) title[0] = static_cast<char>(title[0] - 'A' + 'a');
   return title;
 }
 
-std::string key_with_unit(const ResultQuantity& of, const UnitSystem& units) {
-  return name_with_unit(of.key, scaled_unit(of.si_unit, units).unit);
+std::string key_with_unit(const ResultQuantity& result_quantity, const UnitSystem& units) {
+  return name_with_unit(result_quantity.key, scaled_unit(result_quantity.si_unit, units).unit);
 }
 
 }  // namespace dashpad

@@ -13,12 +13,12 @@ class Contact {
   Contact(const Deck& deck, const Settings& settings)
       : law_(deck.pad),
         defects_(settings.defects),
-        dimension_(settings.most_stations),
+        dimension_(settings.max_stations),
         radius_(static_cast<Real>(deck.radius_in)),
         thickness_(static_cast<Real>(deck.thickness_in)),
         station_spacing_(radius_ / Real(100)),
         parameters_(converted<Real>(deck.pad_parameters)),
-        field_(static_cast<std::size_t>(settings.most_stations)) {}
+        field_(static_cast<std::size_t>(settings.max_stations)) {}
 
   /// Every trial of a step goes back to here where the bookkeeping is mended.
   void start_step() {
@@ -51,7 +51,7 @@ class Contact {
   /// TIME on return from PAD: the residual strain on the axis, projected by the last trial.
   [[nodiscard]] Real residual_strain() const { return residual_strain_; }
   /// That the field ever held.
-  [[nodiscard]] int most_stations() const { return most_stations_; }
+  [[nodiscard]] int max_stations() const { return max_stations_; }
 
  private:
   /// 110 to 140: stations at equal distances up to the contact radius, and one on it unless another is close.
@@ -74,7 +74,7 @@ class Contact {
   bool add_station(Real radius) {
     if (stations_ == dimension_) return false;
     field_.radius[stations_++] = radius;
-    if (stations_ > most_stations_) most_stations_ = stations_;
+    if (stations_ > max_stations_) max_stations_ = stations_;
     return true;
   }
 
@@ -126,7 +126,7 @@ class Contact {
   Real edge_before_{};       ///< RL
   Real trial_edge_{};        ///< RMAX
   Real residual_strain_{};
-  int most_stations_ = 1;
+  int max_stations_ = 1;
 };
 
 }  // namespace dashpad::spit1984

@@ -30,7 +30,7 @@ class Spit {
         contact_(deck, settings),
         stiffness_(support_.initial()) {
     // Index 0 is not used.
-    const auto size = static_cast<std::size_t>(settings.most_steps) + 1;
+    const auto size = static_cast<std::size_t>(settings.max_steps) + 1;
     for (std::vector<Real>* history : {&acceleration_, &force_, &time_, &speed_, &motion_, &penetration_})
       history->resize(size);
     const Real speed = mph_ * Real(deck.speed_mph);
@@ -100,7 +100,7 @@ class Spit {
         result_.precision_stops.push_back({step_, to_double(force_[step_]), to_double(error)});
         break;
       }
-      if (++iterations_ > settings_.most_iterations) return end(Abend::too_many_iterations);  // 230
+      if (++iterations_ > settings_.max_iterations) return end(Abend::too_many_iterations);  // 230
 
       const Real primary = f2_ * f3_;
       if (primary == zero) {  // 232: no change of penetration
@@ -168,7 +168,7 @@ class Spit {
   /// False when the time history is full.
   bool update_motion() {
     const int last = step_ - 1, next = step_ + 1;
-    if (next > settings_.most_steps) {
+    if (next > settings_.max_steps) {
       end(Abend::too_many_time_steps);
       return false;
     }
@@ -201,7 +201,7 @@ class Spit {
       run.history.push_back({to_double(milliseconds * time_[k]), to_double(force_[k]),
                              to_double(acceleration_[k] / gravity_), to_double(speed_[k]),
                              to_double(motion_[k]), to_double(penetration_[k])});
-    run.most_stations = contact_.most_stations();
+    run.max_stations = contact_.max_stations();
     run.rebound_speed_mph = to_double(speed_[step_] / mph_);
     run.duration_ms = to_double(milliseconds * time_[step_]);
     run.time_of_peak_force_ms = to_double(time_of_peak_force_);
@@ -282,7 +282,7 @@ double longest_time_step_ms(const Deck& deck) {
 Run run(const Deck& deck, const Settings& settings, const Progress& progress) {
   if (const auto broken = violations(deck); !broken.empty())
     throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
-  if (settings.most_steps < 3 || settings.most_stations < 2)
+  if (settings.max_steps < 3 || settings.max_stations < 2)
     throw std::invalid_argument("dimensions: three time steps and two stations at least");
   switch (settings.arithmetic) {
     case Arithmetic::binary32: return Spit<float>(deck, settings).run(progress);

@@ -112,9 +112,9 @@ void print_history(PrintedRecords& out, const Deck& deck, const Run& run) {
     print_step(out, run.history[static_cast<std::size_t>(step)]);
 }
 
-Json defects_json(const Defects& of) {
+Json defects_json(const Defects& given) {
   Json table = Json::object();
-  for (const Defect& defect : defects) table[defect.name] = of.*defect.present ? "as printed" : "mended";
+  for (const Defect& defect : defects) table[defect.name] = given.*defect.present ? "as printed" : "mended";
   return table;
 }
 
@@ -171,13 +171,13 @@ std::string run_json(const Deck& deck, const Settings& settings, const Run& run)
                     {"abend", abend_json(run)},
                     {"precision_stops", precision_stops_json(run)},
                     {"steps", run.history.size()},
-                    {"most_stations", run.most_stations},
+                    {"most_stations", run.max_stations},
                     {"trials", run.trials},
                     {"halvings", run.halvings},
                     {"settings",
-                     {{"most_steps", settings.most_steps},
-                      {"most_stations", settings.most_stations},
-                      {"most_iterations", settings.most_iterations},
+                     {{"most_steps", settings.max_steps},
+                      {"most_stations", settings.max_stations},
+                      {"most_iterations", settings.max_iterations},
                       {"equilibrium_tolerance", settings.equilibrium_tolerance},
                       {"precision_tolerance", settings.precision_tolerance}}},
                     {"deck", deck_json(deck)},

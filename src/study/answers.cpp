@@ -28,7 +28,7 @@ std::vector<double> sorted_values(std::span<const double> values) {
 }
 
 /// Two passes: the first one's mean keeps the squares small. `values` are finite.
-void set_moments(Distribution& of, const std::vector<double>& values, bool drawn) {
+void set_moments(Distribution& distribution, const std::vector<double>& values, bool drawn) {
   const auto count = static_cast<double>(values.size());
   double sum = 0;
   for (const double value : values) sum += value / count;
@@ -38,16 +38,16 @@ void set_moments(Distribution& of, const std::vector<double>& values, bool drawn
     rest += value - sum;
   }
   const double mean = sum + rest / count;
-  of.mean = {mean, no_value, no_value};
-  of.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : no_value;
+  distribution.mean = {mean, no_value, no_value};
+  distribution.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : no_value;
   if (!drawn || values.size() < 2) return;
-  const double half = uncertainty::student_95(count - 1) * of.deviation / std::sqrt(count);
-  of.mean.low = mean - half;
-  of.mean.high = mean + half;
+  const double half = uncertainty::student_95(count - 1) * distribution.deviation / std::sqrt(count);
+  distribution.mean.low = mean - half;
+  distribution.mean.high = mean + half;
 }
 
 /// The least k with P(at most k of `count`) >= `share`.
-std::uint64_t least_count(const Binomial& binomial, double share) {
+std::uint64_t min_count(const Binomial& binomial, double share) {
   auto k = static_cast<std::uint64_t>(boost::math::quantile(binomial, share));  // within one of it
   while (k > 0 && cdf(binomial, static_cast<double>(k - 1)) >= share) --k;
   while (cdf(binomial, static_cast<double>(k)) < share) ++k;
@@ -62,7 +62,7 @@ Estimate quantile_of(const std::vector<double>& values, double probability, bool
   Estimate estimate{values[std::clamp<std::size_t>(rank, 1, count) - 1], no_value, no_value};
   if (!drawn) return estimate;
   const Binomial binomial{static_cast<double>(count), probability};
-  const std::uint64_t low = least_count(binomial, tail), high = least_count(binomial, 1 - tail) + 1;
+  const std::uint64_t low = min_count(binomial, tail), high = min_count(binomial, 1 - tail) + 1;
   estimate.low = low == 0 ? -infinite : values[low - 1];
   estimate.high = infinite;
   if (high <= count) estimate.high = values[high - 1];
@@ -141,9 +141,10 @@ Estimate estimate(double value, double standard_error) {
 
 }  // namespace
 
-std::optional<Estimate> quantile(const Distribution& of, double probability) {
-  const auto found = std::ranges::find(of.quantiles, probability, &Distribution::Quantile::probability);
-  if (found == of.quantiles.end() || std::isnan(found->value.value)) return {};
+std::optional<Estimate> quantile(const Distribution& distribution, double probability) {
+  const auto found =
+      std::ranges::find(distribution.quantiles, probability, &Distribution::Quantile::probability);
+  if (found == distribution.quantiles.end() || std::isnan(found->value.value)) return {};
   return found->value;
 }
 

@@ -33,12 +33,12 @@ std::string rule_for_curves(const std::string& table, const PadLaw& law,
     return names.empty() ? ", which has no numbers that can vary" : "; there are " + input::listing(names);
   };
   return std::visit(
-      [&]<class Law>(const Law& of) {
+      [&]<class Law>(const Law& held) {
         if constexpr (SharesSlip<Law>)
           return (table == "pad.curve."
-                      ? fmt::format("the curve of the pad has the form {}", form_of(of.curves.base))
+                      ? fmt::format("the curve of the pad has the form {}", form_of(held.curves.base))
                       : fmt::format("the rate effect of the pad has the form {}",
-                                    form_of(of.curves.rate_effect))) +
+                                    form_of(held.curves.rate_effect))) +
                  there_are(table);
         else
           return fmt::format("the law of the pad, {}, is not made of curves", Law::name) +
@@ -53,7 +53,8 @@ std::uint64_t blocks_of(const Study& study) { return study.indices ? 2 + sampled
 
 std::vector<FactorKey> factor_keys(const ImpactCase& base) {
   std::vector<FactorKey> keys;
-  for (const CaseQuantity& of : quantities_of(base)) keys.push_back({of.key, of.unit});
+  for (const CaseQuantity& case_quantity : quantities_of(base))
+    keys.push_back({case_quantity.key, case_quantity.unit});
   if (base.pad.layers.empty()) keys.push_back({"pad.material", ""});
   return keys;
 }
@@ -64,7 +65,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
                ? "the support of the case is rigid"
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
   std::vector<std::string> known;
-  for (const FactorKey& of : factor_keys(base)) known.push_back(of.key);
+  for (const FactorKey& factor_key : factor_keys(base)) known.push_back(factor_key.key);
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);

@@ -16,7 +16,7 @@ namespace dashpad::study {
 
 namespace {
 
-constexpr std::size_t most_values = 1'000'000;
+constexpr std::size_t max_values = 1'000'000;
 
 /// That of the header: a semicolon, a tab, or else a comma.
 char separator_of(std::string_view text) {
@@ -83,7 +83,7 @@ Column choose(const input::CsvRow& header, const std::string& wanted, const std:
   return column;
 }
 
-constexpr double most_levels = 1e6;
+constexpr double max_levels = 1e6;
 
 Levels read_values(input::TableReader& table, const std::string& unit) {
   Levels levels;
@@ -99,7 +99,7 @@ Levels read_values(input::TableReader& table, const std::string& unit) {
 /// Both ends are exact.
 Levels read_range(input::TableReader& table, const std::string& unit) {
   const double from = table.value("from", unit), to = table.value("to", unit);
-  const auto count = static_cast<std::size_t>(table.whole_number("count", 2, most_levels).value_or(0));
+  const auto count = static_cast<std::size_t>(table.whole_number("count", 2, max_levels).value_or(0));
   const bool logarithmic =
       table.has("spacing") && table.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   if (from == to) table.fault("to", "must differ from the value of from");
@@ -179,8 +179,8 @@ input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& 
         faults.add(row.line, chosen.name, field, input::rule_for(read.kind));
       else
         values.push_back(read.value * chosen.factor);
-      if (values.size() > most_values)
-        faults.refuse(row.line, "", "", fmt::format("has more than {} values", most_values));
+      if (values.size() > max_values)
+        faults.refuse(row.line, "", "", fmt::format("has more than {} values", max_values));
     }
     faults.throw_if_any();
     std::ranges::sort(values);

@@ -90,7 +90,7 @@ std::vector<std::vector<double>> sorted_levels(const Study& study) {
 
 }  // namespace
 
-std::optional<std::size_t> least_peak(const CushionCurve& curve) {
+std::optional<std::size_t> min_peak(const CushionCurve& curve) {
   const std::vector<double>& peaks = curve.peak_deceleration;
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < peaks.size(); ++i)

@@ -43,7 +43,9 @@ class PulseFigures {
   [[nodiscard]] bool whole() const { return whole_; }
   /// A window longer than the pulse is none: HIC15 of a short pulse is its HIC36, and computed once.
   EstimatedValue hic(double longest_window) {
-    const auto figure = [](double window) { return [window](Sampled& of) { return of.hic(window); }; };
+    const auto figure = [](double window) {
+      return [window](Sampled& sampled) { return sampled.hic(window); };
+    };
     if (fine_.pulse.time.back() - fine_.pulse.time.front() > longest_window)
       return with_error(figure(longest_window), hic_power);
     if (!whole_window_) whole_window_ = with_error(figure(injury::unlimited_window), hic_power);
@@ -58,9 +60,9 @@ class PulseFigures {
     return {value, of_samples + hic_power * force_error_};
   }
   EstimatedValue clip_3ms() {
-    const auto clip = [](const Sampled& of) {
-      return of.hump ? injury::clip_of(*of.hump, of.pulse, injury::usual_clip)
-                     : injury::contiguous_clip(of.pulse, injury::usual_clip);
+    const auto clip = [](const Sampled& sampled) {
+      return sampled.hump ? injury::clip_of(*sampled.hump, sampled.pulse, injury::usual_clip)
+                          : injury::contiguous_clip(sampled.pulse, injury::usual_clip);
     };
     if (!are_humps()) return level_of(clip);
     if (!clip_) clip_ = level_of(clip);
@@ -68,13 +70,15 @@ class PulseFigures {
   }
   EstimatedValue cumulative_3ms() {
     if (are_humps()) return clip_3ms();
-    return level_of([](const Sampled& of) { return injury::cumulative_clip(of.pulse, injury::usual_clip); });
+    return level_of(
+        [](const Sampled& sampled) { return injury::cumulative_clip(sampled.pulse, injury::usual_clip); });
   }
   EstimatedValue severity_index() {
-    return with_error([](const Sampled& of) { return injury::severity_index(of.pulse); }, hic_power);
+    return with_error([](const Sampled& sampled) { return injury::severity_index(sampled.pulse); },
+                      hic_power);
   }
   EstimatedValue velocity_change() {
-    return with_error([](const Sampled& of) { return injury::velocity_change(of.pulse); }, 1);
+    return with_error([](const Sampled& sampled) { return injury::velocity_change(sampled.pulse); }, 1);
   }
 
  private:
@@ -137,14 +141,15 @@ struct PulseRecipe {
   EstimatedValue (*of)(PulseFigures&);
 };
 constexpr PulseRecipe of_pulses[] = {
-    {"hic15", [](PulseFigures& of) { return of.hic(injury::hic15_window); }},
-    {"hic36", [](PulseFigures& of) { return of.hic(injury::hic36_window); }},
-    {"hic_unlimited", [](PulseFigures& of) { return of.hic(injury::unlimited_window); }},
-    {"hic_d", [](PulseFigures& of) { return of.hic_d(); }},
-    {"clip_3ms", [](PulseFigures& of) { return of.clip_3ms(); }},
-    {"cumulative_3ms", [](PulseFigures& of) { return of.cumulative_3ms(); }},
-    {"severity_index", [](PulseFigures& of) { return of.severity_index(); }},
-    {"velocity_change", [](PulseFigures& of) { return of.velocity_change(); }},
+    {"hic15", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic15_window); }},
+    {"hic36", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic36_window); }},
+    {"hic_unlimited",
+     [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::unlimited_window); }},
+    {"hic_d", [](PulseFigures& pulse_figures) { return pulse_figures.hic_d(); }},
+    {"clip_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.clip_3ms(); }},
+    {"cumulative_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.cumulative_3ms(); }},
+    {"severity_index", [](PulseFigures& pulse_figures) { return pulse_figures.severity_index(); }},
+    {"velocity_change", [](PulseFigures& pulse_figures) { return pulse_figures.velocity_change(); }},
 };
 
 /// In the order of the table of results.

@@ -82,7 +82,7 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
   // What is on its way when a filter throws is forgotten by the pipeline: it is owned here, and pointed at.
   std::vector<Computed> in_flight(batches_a_thread * workers);
   tbb::concurrent_queue<Computed*> unused;
-  for (Computed& of : in_flight) unused.push(&of);
+  for (Computed& computed : in_flight) unused.push(&computed);
   std::size_t begun = 0;
   const auto next = tbb::make_filter<void, std::uint64_t>(
       tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {

@@ -51,7 +51,7 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
 }
 
 /// A smaller pivot is one factor that the others determine.
-constexpr double least_pivot = 1e-10;
+constexpr double min_pivot = 1e-10;
 
 Matrix correlation_matrix(const Study& study) {
   const auto sampled = sampled_factors(study);
@@ -60,9 +60,9 @@ Matrix correlation_matrix(const Study& study) {
   };
   Matrix matrix(sampled.size(), std::vector<double>(sampled.size(), 0.));
   for (std::size_t i = 0; i < sampled.size(); ++i) matrix[i][i] = 1;
-  for (const Correlation& of : study.correlations) {
-    const std::size_t i = place(of.first), j = place(of.second);
-    if (i < sampled.size() && j < sampled.size()) matrix[i][j] = matrix[j][i] = of.value;
+  for (const Correlation& correlation : study.correlations) {
+    const std::size_t i = place(correlation.first), j = place(correlation.second);
+    if (i < sampled.size() && j < sampled.size()) matrix[i][j] = matrix[j][i] = correlation.value;
   }
   return matrix;
 }
@@ -78,29 +78,35 @@ Overloaded(Case...) -> Overloaded<Case...>;
 
 /// P(X < x); of the continuous ones P(X <= x) as well.
 template <class Distribution>
-double below(const Distribution& of, double x) {
-  return x == -infinite ? 0 : x == infinite ? 1 : cdf(of, x);
+double below(const Distribution& distribution, double x) {
+  return x == -infinite ? 0 : x == infinite ? 1 : cdf(distribution, x);
 }
-double below(const EmpiricalDistribution& of, double x) { return of.below(x); }
+double below(const EmpiricalDistribution& empirical_distribution, double x) {
+  return empirical_distribution.below(x);
+}
 
 template <class Distribution>
-double up_to(const Distribution& of, double x) {
-  return below(of, x);
+double up_to(const Distribution& distribution, double x) {
+  return below(distribution, x);
 }
-double up_to(const EmpiricalDistribution& of, double x) { return of.up_to(x); }
+double up_to(const EmpiricalDistribution& empirical_distribution, double x) {
+  return empirical_distribution.up_to(x);
+}
 
 template <class Distribution>
-double above(const Distribution& of, double x) {
-  return x == -infinite ? 1 : x == infinite ? 0 : cdf(complement(of, x));
+double above(const Distribution& distribution, double x) {
+  return x == -infinite ? 1 : x == infinite ? 0 : cdf(complement(distribution, x));
 }
-double above(const EmpiricalDistribution& of, double x) { return 1 - of.up_to(x); }
+double above(const EmpiricalDistribution& empirical_distribution, double x) {
+  return 1 - empirical_distribution.up_to(x);
+}
 
 template <class Distribution>
-double value_at(const Distribution& of, double fraction, bool from_above) {
-  return from_above ? quantile(complement(of, fraction)) : quantile(of, fraction);
+double value_at(const Distribution& distribution, double fraction, bool from_above) {
+  return from_above ? quantile(complement(distribution, fraction)) : quantile(distribution, fraction);
 }
-double value_at(const EmpiricalDistribution& of, double fraction, bool from_above) {
-  return of.quantile(from_above ? 1 - fraction : fraction);
+double value_at(const EmpiricalDistribution& empirical_distribution, double fraction, bool from_above) {
+  return empirical_distribution.quantile(from_above ? 1 - fraction : fraction);
 }
 
 /// A lognormal has no probability at 0 and below, where Boost has no distribution function.
@@ -114,30 +120,34 @@ bool all_finite(std::initializer_list<double> values) {
 }
 
 std::string rule_for(const Levels&) { return ""; }
-std::string rule_for(const Normal& of) {
-  if (!all_finite({of.mean, of.deviation})) return "mean and deviation must be finite numbers";
-  return of.deviation > 0 ? "" : "the deviation must be more than 0";
+std::string rule_for(const Normal& normal) {
+  if (!all_finite({normal.mean, normal.deviation})) return "mean and deviation must be finite numbers";
+  return normal.deviation > 0 ? "" : "the deviation must be more than 0";
 }
-std::string rule_for(const Lognormal& of) {
-  if (!all_finite({of.median, of.spread})) return "median and spread must be finite numbers";
-  if (!(of.median > 0)) return "the median must be more than 0";
-  return of.spread > 0 && of.spread <= 10 ? "" : "the spread must be more than 0 and at most 10";
+std::string rule_for(const Lognormal& lognormal) {
+  if (!all_finite({lognormal.median, lognormal.spread})) return "median and spread must be finite numbers";
+  if (!(lognormal.median > 0)) return "the median must be more than 0";
+  return lognormal.spread > 0 && lognormal.spread <= 10 ? ""
+                                                        : "the spread must be more than 0 and at most 10";
 }
-std::string rule_for(const Uniform& of) {
-  if (!all_finite({of.low, of.high})) return "low and high must be finite numbers";
-  return of.low < of.high ? "" : "low must be less than high";
+std::string rule_for(const Uniform& uniform) {
+  if (!all_finite({uniform.low, uniform.high})) return "low and high must be finite numbers";
+  return uniform.low < uniform.high ? "" : "low must be less than high";
 }
-std::string rule_for(const Triangular& of) {
-  if (!all_finite({of.low, of.mode, of.high})) return "low, mode and high must be finite numbers";
-  if (!(of.low < of.high)) return "low must be less than high";
-  return of.low <= of.mode && of.mode <= of.high ? "" : "the mode must lie between low and high";
+std::string rule_for(const Triangular& triangular) {
+  if (!all_finite({triangular.low, triangular.mode, triangular.high}))
+    return "low, mode and high must be finite numbers";
+  if (!(triangular.low < triangular.high)) return "low must be less than high";
+  return triangular.low <= triangular.mode && triangular.mode <= triangular.high
+             ? ""
+             : "the mode must lie between low and high";
 }
-std::string rule_for(const Empirical& of) {
-  if (of.values.size() < 2) return "needs two measured values or more";
-  if (!std::ranges::all_of(of.values, [](double value) { return std::isfinite(value); }))
+std::string rule_for(const Empirical& empirical) {
+  if (empirical.values.size() < 2) return "needs two measured values or more";
+  if (!std::ranges::all_of(empirical.values, [](double value) { return std::isfinite(value); }))
     return "the measured values must be finite numbers";
-  if (!std::ranges::is_sorted(of.values)) return "the measured values must be sorted";
-  return of.values.front() < of.values.back() ? "" : "the measured values are all the same";
+  if (!std::ranges::is_sorted(empirical.values)) return "the measured values must be sorted";
+  return empirical.values.front() < empirical.values.back() ? "" : "the measured values are all the same";
 }
 
 }  // namespace
@@ -200,13 +210,13 @@ std::vector<std::size_t> sampled_factors(const Study& study) {
 }
 
 std::optional<Matrix> root_of_correlations(const Study& study) {
-  const Matrix of = correlation_matrix(study);
-  Matrix root(of.size(), std::vector<double>(of.size(), 0.));
-  for (std::size_t i = 0; i < of.size(); ++i)
+  const Matrix matrix = correlation_matrix(study);
+  Matrix root(matrix.size(), std::vector<double>(matrix.size(), 0.));
+  for (std::size_t i = 0; i < matrix.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
-      double rest = of[i][j];
+      double rest = matrix[i][j];
       for (std::size_t k = 0; k < j; ++k) rest -= root[i][k] * root[j][k];
-      if (i == j && !(rest > least_pivot)) return std::nullopt;
+      if (i == j && !(rest > min_pivot)) return std::nullopt;
       root[i][j] = i == j ? std::sqrt(rest) : rest / root[j][j];
     }
   return root;
@@ -215,19 +225,21 @@ std::optional<Matrix> root_of_correlations(const Study& study) {
 Quantiles::Any Quantiles::made_of(const Spread& spread) {
   return std::visit(
       Overloaded{[](const Levels&) -> Any { throw std::invalid_argument("levels have no distribution"); },
-                 [](const Normal& of) -> Any {
-                   return boost::math::normal_distribution<double, Policy>(of.mean, of.deviation);
+                 [](const Normal& normal) -> Any {
+                   return boost::math::normal_distribution<double, Policy>(normal.mean, normal.deviation);
                  },
-                 [](const Lognormal& of) -> Any {
-                   return boost::math::lognormal_distribution<double, Policy>(std::log(of.median), of.spread);
+                 [](const Lognormal& lognormal) -> Any {
+                   return boost::math::lognormal_distribution<double, Policy>(std::log(lognormal.median),
+                                                                              lognormal.spread);
                  },
-                 [](const Uniform& of) -> Any {
-                   return boost::math::uniform_distribution<double, Policy>(of.low, of.high);
+                 [](const Uniform& uniform) -> Any {
+                   return boost::math::uniform_distribution<double, Policy>(uniform.low, uniform.high);
                  },
-                 [](const Triangular& of) -> Any {
-                   return boost::math::triangular_distribution<double, Policy>(of.low, of.mode, of.high);
+                 [](const Triangular& triangular) -> Any {
+                   return boost::math::triangular_distribution<double, Policy>(
+                       triangular.low, triangular.mode, triangular.high);
                  },
-                 [](const Empirical& of) -> Any { return EmpiricalDistribution(of.values); }},
+                 [](const Empirical& empirical) -> Any { return EmpiricalDistribution(empirical.values); }},
       spread);
 }
 
@@ -236,60 +248,61 @@ Quantiles::Quantiles(const Factor& factor)
       lowest_(lowest_of(factor)),
       highest_(factor.highest.value_or(infinite)) {
   std::visit(
-      [this](const auto& of) {
-        from_above_ = below(of, lowest_) > 0.5;
-        begin_ = from_above_ ? above(of, highest_) : below(of, lowest_);
-        width_ = from_above_ ? above(of, lowest_) - begin_ : up_to(of, highest_) - begin_;
+      [this](const auto& given) {
+        from_above_ = below(given, lowest_) > 0.5;
+        begin_ = from_above_ ? above(given, highest_) : below(given, lowest_);
+        width_ = from_above_ ? above(given, lowest_) - begin_ : up_to(given, highest_) - begin_;
       },
       distribution_);
 }
 
 double Quantiles::at(double fraction) const {
   const double within = from_above_ ? 1 - fraction : fraction;
-  const double value = std::visit(
-      [&](const auto& of) { return value_at(of, begin_ + within * width_, from_above_); }, distribution_);
+  const double value =
+      std::visit([&](const auto& given) { return value_at(given, begin_ + within * width_, from_above_); },
+                 distribution_);
   return std::clamp(value, lowest_, highest_);
 }
 
 std::string rule_broken_by(const Factor& factor) {
-  std::string rule = std::visit([](const auto& of) { return rule_for(of); }, factor.spread);
+  std::string rule = std::visit([](const auto& given) { return rule_for(given); }, factor.spread);
   if (!rule.empty()) return rule;
   if (!factor.is_sampled())
     return factor.lowest || factor.highest ? "only a distribution can be cut off by lowest and highest" : "";
   const double lowest = factor.lowest.value_or(-infinite), highest = factor.highest.value_or(infinite);
   if (std::isnan(lowest) || std::isnan(highest)) return "lowest and highest must be finite numbers";
   if (!(lowest < highest)) return "lowest must be less than highest";
-  constexpr double least_kept = 1e-6;
+  constexpr double min_kept = 1e-6;
   const double kept = Quantiles(factor).kept();
-  if (!(kept >= least_kept))
+  if (!(kept >= min_kept))
     return fmt::format("lowest and highest leave a probability of {:.2g}; it must be at least {}", kept,
-                       least_kept);
+                       min_kept);
   return "";
 }
 
 CheckedRange checked_range(const Factor& factor) {
   constexpr double out = deviations_checked;
   CheckedRange range = std::visit(
-      Overloaded{
-          [](const Levels& of) {
-            return CheckedRange{std::ranges::min(of.values), std::ranges::max(of.values)};
-          },
-          [](const Normal& of) {
-            return CheckedRange{of.mean - out * of.deviation, of.mean + out * of.deviation, true, true};
-          },
-          [](const Lognormal& of) {
-            return CheckedRange{of.median * std::exp(-out * of.spread), of.median * std::exp(out * of.spread),
-                                true, true};
-          },
-          [](const Uniform& of) {
-            return CheckedRange{of.low, of.high};
-          },
-          [](const Triangular& of) {
-            return CheckedRange{of.low, of.high};
-          },
-          [](const Empirical& of) {
-            return CheckedRange{of.values.front(), of.values.back()};
-          }},
+      Overloaded{[](const Levels& levels) {
+                   return CheckedRange{std::ranges::min(levels.values), std::ranges::max(levels.values)};
+                 },
+                 [](const Normal& normal) {
+                   return CheckedRange{normal.mean - out * normal.deviation,
+                                       normal.mean + out * normal.deviation, true, true};
+                 },
+                 [](const Lognormal& lognormal) {
+                   return CheckedRange{lognormal.median * std::exp(-out * lognormal.spread),
+                                       lognormal.median * std::exp(out * lognormal.spread), true, true};
+                 },
+                 [](const Uniform& uniform) {
+                   return CheckedRange{uniform.low, uniform.high};
+                 },
+                 [](const Triangular& triangular) {
+                   return CheckedRange{triangular.low, triangular.high};
+                 },
+                 [](const Empirical& empirical) {
+                   return CheckedRange{empirical.values.front(), empirical.values.back()};
+                 }},
       factor.spread);
   if (factor.lowest && *factor.lowest > range.low) range.low = *factor.lowest, range.low_is_tail = false;
   if (factor.highest && *factor.highest < range.high)

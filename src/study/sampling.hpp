@@ -70,7 +70,7 @@ class Permutation {
 /// scrambling, JCGT 9(4), 2020. Each dimension has a seed of its own, from Philox.
 class Sobol {
  public:
-  static constexpr std::size_t most_dimensions = 1000;
+  static constexpr std::size_t max_dimensions = 1000;
 
   Sobol(std::size_t dimensions, std::uint64_t seed);
   /// In (0, 1), on the middles of 2^32 equal intervals; `number` below 2^32.

@@ -73,7 +73,7 @@ Status status_of(const std::string& name, const Database& database) {
 }
 
 /// All kinds at once.
-constexpr std::uint64_t most_extrapolated =
+constexpr std::uint64_t max_extrapolated =
     extrapolated_untold + extrapolated_strain + extrapolated_rate + extrapolated_otherwise;
 
 [[noreturn]] void impossible(const Database& database, const std::string& column, double value) {
@@ -84,7 +84,7 @@ constexpr std::uint64_t most_extrapolated =
 void read_row(const Statement& from, const Database& database, const StoreHeading& heading, StoredRow& row) {
   row.row = from.count(0, heading.rows - 1);
   row.outcome.status = status_of(from.text(1), database);
-  row.outcome.extrapolated = static_cast<unsigned>(from.count(2, most_extrapolated));
+  row.outcome.extrapolated = static_cast<unsigned>(from.count(2, max_extrapolated));
   row.outcome.bottomed = from.count(3, 1) == 1;
   row.outcome.error = from.number(4);
   if (!(row.outcome.error >= 0)) impossible(database, "error", row.outcome.error);

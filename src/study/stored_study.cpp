@@ -52,9 +52,9 @@ Variant alternative_of(const std::string& name, const Json& numbers) {
   auto result = alternative_named<Variant>(name);
   if (!result) throw std::runtime_error("nothing is called \"" + name + "\"");
   std::visit(
-      [&]<class Of>(Of& of) {
+      [&]<class Of>(Of& owner) {
         for (const Parameter<Of>& parameter : Of::parameters)
-          parameter.set(of, numbers.at(parameter.key).template get<double>());
+          parameter.set(owner, numbers.at(parameter.key).template get<double>());
       },
       *result);
   return *result;
@@ -144,7 +144,7 @@ Study study_of(const Json& json) {
   study.base = case_of(json.at("case"));
   const Json& options = json.at("options");
   study.options = {
-      .tolerance = options.at(0), .time_limit = options.at(1), .most_steps = count_of(options.at(2))};
+      .tolerance = options.at(0), .time_limit = options.at(1), .max_steps = count_of(options.at(2))};
   for (const Json& factor : json.at("factors")) study.factors.push_back(factor_of(factor));
   for (const Json& material : json.at("materials")) study.materials.push_back(material_of(material));
   const Json& sampling = json.at("sampling");
@@ -177,43 +177,48 @@ bool has_columns_of(const Store& store, const Study& study) {
          store.rows() == Design{study}.rows();
 }
 
-Json spread_json(const Levels& of) { return {{"levels", of.values}}; }
-Json spread_json(const Normal& of) { return {{"normal", {of.mean, of.deviation}}}; }
-Json spread_json(const Lognormal& of) { return {{"lognormal", {of.median, of.spread}}}; }
-Json spread_json(const Uniform& of) { return {{"uniform", {of.low, of.high}}}; }
-Json spread_json(const Triangular& of) { return {{"triangular", {of.low, of.mode, of.high}}}; }
-Json spread_json(const Empirical& of) { return {{"empirical", of.values}}; }
+Json spread_json(const Levels& levels) { return {{"levels", levels.values}}; }
+Json spread_json(const Normal& normal) { return {{"normal", {normal.mean, normal.deviation}}}; }
+Json spread_json(const Lognormal& lognormal) { return {{"lognormal", {lognormal.median, lognormal.spread}}}; }
+Json spread_json(const Uniform& uniform) { return {{"uniform", {uniform.low, uniform.high}}}; }
+Json spread_json(const Triangular& triangular) {
+  return {{"triangular", {triangular.low, triangular.mode, triangular.high}}};
+}
+Json spread_json(const Empirical& empirical) { return {{"empirical", empirical.values}}; }
 
-Json factor_json(const Factor& of) {
-  Json json = std::visit([](const auto& spread) { return spread_json(spread); }, of.spread);
-  json["key"] = of.key;
-  json["unit"] = of.unit;
-  json["lowest"] = number(of.lowest);
-  json["highest"] = number(of.highest);
+Json factor_json(const Factor& factor) {
+  Json json = std::visit([](const auto& spread) { return spread_json(spread); }, factor.spread);
+  json["key"] = factor.key;
+  json["unit"] = factor.unit;
+  json["lowest"] = number(factor.lowest);
+  json["highest"] = number(factor.highest);
   return json;
 }
 
-Json material_json(const Material& of) {
-  Json json = {{"name", of.name}, {"title", of.title}, {"law", name_of(of.law)}};
-  for (const ParameterValue& parameter : parameter_values(of.law))
+Json material_json(const Material& material) {
+  Json json = {{"name", material.name}, {"title", material.title}, {"law", name_of(material.law)}};
+  for (const ParameterValue& parameter : parameter_values(material.law))
     json["parameters"][parameter.key] = number(parameter.value);
-  if (Json curves = curves_json(of.law); !curves.is_null()) json["curves"] = std::move(curves);
-  if (of.density) json["density"] = *of.density;
-  if (of.density_exponent) json["density_exponent"] = *of.density_exponent;
-  if (const auto& [temperature, factor] = of.temperature_table; !temperature.empty())
+  if (Json curves = curves_json(material.law); !curves.is_null()) json["curves"] = std::move(curves);
+  if (material.density) json["density"] = *material.density;
+  if (material.density_exponent) json["density_exponent"] = *material.density_exponent;
+  if (const auto& [temperature, factor] = material.temperature_table; !temperature.empty())
     json["temperature"] = {numbers(temperature), numbers(factor)};
-  if (of.nose_over_pad) json["nose_over_pad"] = *of.nose_over_pad;
-  if (of.fitted)
-    json["fitted"] = {of.fitted->highest_strain, of.fitted->lowest_rate, of.fitted->highest_rate};
+  if (material.nose_over_pad) json["nose_over_pad"] = *material.nose_over_pad;
+  if (material.fitted)
+    json["fitted"] = {material.fitted->highest_strain, material.fitted->lowest_rate,
+                      material.fitted->highest_rate};
   return json;
 }
 
-Json condition_json(const PadCondition& of) { return {of.scale, number(of.density), number(of.temperature)}; }
+Json condition_json(const PadCondition& pad_condition) {
+  return {pad_condition.scale, number(pad_condition.density), number(pad_condition.temperature)};
+}
 
-Json nose_json(const Nose& of) {
-  Json json = {{"shape", name_of(of)}};
-  for (const ParameterValue& value : parameter_values(of)) json[value.key] = number(value.value);
-  if (const auto* profile = std::get_if<Profile>(&of)) {
+Json nose_json(const Nose& nose) {
+  Json json = {{"shape", name_of(nose)}};
+  for (const ParameterValue& value : parameter_values(nose)) json[value.key] = number(value.value);
+  if (const auto* profile = std::get_if<Profile>(&nose)) {
     Json points = Json::array();
     for (const Profile::Point& point : profile->points) points.push_back({point.depth, point.size});
     json[profile->of == Profile::Of::radius ? "radii" : "areas"] = std::move(points);
@@ -221,44 +226,47 @@ Json nose_json(const Nose& of) {
   return json;
 }
 
-Json case_json(const ImpactCase& of) {
+Json case_json(const ImpactCase& impact_case) {
   Json points = Json::array();
-  for (const Support::Point& point : of.support.points()) points.push_back({point.deflection, point.force});
-  Json json = {
-      {"title", of.title},
-      {"impactor",
-       {{"mass", of.impactor.mass}, {"nose", nose_json(of.impactor.nose)}, {"speed", of.impactor.speed}}},
-      {"thickness", of.pad.thickness},
-      {"condition", condition_json(of.pad.condition)},
-      {"material", material_json(of.pad.material)},
-      {"support", points}};
-  if (of.pad.area) json["area"] = *of.pad.area;
-  if (of.pad.earlier_penetration > 0) json["earlier_penetration"] = of.pad.earlier_penetration;
-  if (of.pad.sheet > 0) json["sheet"] = of.pad.sheet;
-  if (of.pad.neighbours > 0) {
-    json["floor"] = name_of(of.pad.floor);
-    json["neighbours"] = of.pad.neighbours;
+  for (const Support::Point& point : impact_case.support.points())
+    points.push_back({point.deflection, point.force});
+  Json json = {{"title", impact_case.title},
+               {"impactor",
+                {{"mass", impact_case.impactor.mass},
+                 {"nose", nose_json(impact_case.impactor.nose)},
+                 {"speed", impact_case.impactor.speed}}},
+               {"thickness", impact_case.pad.thickness},
+               {"condition", condition_json(impact_case.pad.condition)},
+               {"material", material_json(impact_case.pad.material)},
+               {"support", points}};
+  if (impact_case.pad.area) json["area"] = *impact_case.pad.area;
+  if (impact_case.pad.earlier_penetration > 0)
+    json["earlier_penetration"] = impact_case.pad.earlier_penetration;
+  if (impact_case.pad.sheet > 0) json["sheet"] = impact_case.pad.sheet;
+  if (impact_case.pad.neighbours > 0) {
+    json["floor"] = name_of(impact_case.pad.floor);
+    json["neighbours"] = impact_case.pad.neighbours;
   }
-  if (of.blows) json["blows"] = {of.blows->count, of.blows->recovery};
-  if (of.impactor.gravity != 0) json["impactor"]["gravity"] = of.impactor.gravity;
-  if (of.backing != Backing{})
+  if (impact_case.blows) json["blows"] = {impact_case.blows->count, impact_case.blows->recovery};
+  if (impact_case.impactor.gravity != 0) json["impactor"]["gravity"] = impact_case.impactor.gravity;
+  if (impact_case.backing != Backing{})
     for (const Parameter<Backing>& parameter : Backing::parameters)
-      json["backing"][parameter.key] = number(parameter.of(of.backing));
-  for (const PadLayer& layer : of.pad.layers)
+      json["backing"][parameter.key] = number(parameter.of(impact_case.backing));
+  for (const PadLayer& layer : impact_case.pad.layers)
     json["layers"].push_back({{"thickness", layer.thickness},
                               {"condition", condition_json(layer.condition)},
                               {"material", material_json(layer.material)}});
   return json;
 }
 
-Json sampling_json(const Study& of) {
+Json sampling_json(const Study& study) {
   Json correlations = Json::array();
-  for (const Correlation& pair : of.correlations)
+  for (const Correlation& pair : study.correlations)
     correlations.push_back({pair.first, pair.second, pair.value});
-  return {{"method", static_cast<int>(of.sampling)},
-          {"samples", of.samples},
-          {"seed", of.seed},
-          {"indices", of.indices},
+  return {{"method", static_cast<int>(study.sampling)},
+          {"samples", study.samples},
+          {"seed", study.seed},
+          {"indices", study.indices},
           {"correlations", correlations}};
 }
 
@@ -283,14 +291,13 @@ std::string resolved_text(const Study& study) {
   Json factors = Json::array(), materials = Json::array();
   for (const Factor& factor : study.factors) factors.push_back(factor_json(factor));
   for (const Material& material : study.materials) materials.push_back(material_json(material));
-  return json_text(
-      {{"title", study.title},
-       {"case", case_json(study.base)},
-       {"options", {study.options.tolerance, study.options.time_limit, study.options.most_steps}},
-       {"factors", factors},
-       {"materials", materials},
-       {"sampling", sampling_json(study)},
-       {"responses", study.responses}});
+  return json_text({{"title", study.title},
+                    {"case", case_json(study.base)},
+                    {"options", {study.options.tolerance, study.options.time_limit, study.options.max_steps}},
+                    {"factors", factors},
+                    {"materials", materials},
+                    {"sampling", sampling_json(study)},
+                    {"responses", study.responses}});
 }
 
 }  // namespace dashpad::study

@@ -24,7 +24,8 @@ void check_key(const Study& study, const Factor& factor, std::vector<Violation>&
 
 void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   const auto has = [&](const std::string& key) {
-    return std::ranges::any_of(study.factors, [&](const Factor& of) { return of.key.starts_with(key); });
+    return std::ranges::any_of(study.factors,
+                               [&](const Factor& factor) { return factor.key.starts_with(key); });
   };
   for (const OtherWay& way : other_ways())
     if (has(way.key) && has(way.instead_of))
@@ -37,7 +38,7 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
   const bool varies_law =
-      std::ranges::any_of(study.factors, [](const Factor& of) { return is_of_law(of.key); });
+      std::ranges::any_of(study.factors, [](const Factor& factor) { return is_of_law(factor.key); });
   if (has("pad.material") && varies_law)
     broken.push_back({"factors.pad.material", no_value,
                       "parameters and curves belong to the material of the case: vary the material or its "
@@ -141,36 +142,37 @@ void check_size(const Study& study, std::vector<Violation>& broken) {
         {"samples", static_cast<double>(study.samples), "no factor has a distribution to draw from"});
   if (sampled == 0 && study.indices)
     broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need one or more"});
-  if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::most_dimensions)
+  if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::max_dimensions)
     broken.push_back({"factors", static_cast<double>(sampled), "too many sampled factors for Sobol points"});
   const double rows = row_count(study);
-  if (rows > static_cast<double>(most_rows))
+  if (rows > static_cast<double>(max_rows))
     broken.push_back({sampled ? "samples" : "factors", rows,
                       fmt::format("the study would have {:.4g} rows; at most {:.0e} are possible", rows,
-                                  static_cast<double>(most_rows))});
+                                  static_cast<double>(max_rows))});
 }
 
-constexpr std::uint64_t most_combinations = 100'000;
-constexpr std::size_t most_violations = 20;
+constexpr std::uint64_t max_combinations = 100'000;
+constexpr std::size_t max_violations = 20;
 
 /// The factor that a broken rule of the case is about: itself, or one that it follows from.
 const Factor* factor_behind(const Study& study, const std::string& key) {
   const auto find = [&](auto&& fits) -> const Factor* {
-    const auto found = std::ranges::find_if(study.factors, [&](const Factor& of) { return fits(of.key); });
+    const auto found =
+        std::ranges::find_if(study.factors, [&](const Factor& factor) { return fits(factor.key); });
     return found == study.factors.end() ? nullptr : &*found;
   };
-  if (const Factor* same = find([&](const std::string& of) { return of == key; })) return same;
+  if (const Factor* same = find([&](const std::string& text) { return text == key; })) return same;
   for (const OtherWay& way : other_ways())
-    if (key == way.instead_of) return find([&](const std::string& of) { return of == way.key; });
+    if (key == way.instead_of) return find([&](const std::string& text) { return text == way.key; });
   if (key.starts_with("support."))
-    return find([](const std::string& of) { return of.starts_with("support."); });
+    return find([](const std::string& text) { return text.starts_with("support."); });
   if (!key.starts_with("pad.")) return nullptr;
   // A rule between several numbers is told of one of them: rather of another one in the same table.
   const std::string table = key.substr(0, key.rfind('.') + 1);
   const Factor* of_table =
-      find([&](const std::string& of) { return is_of_law(of) && of.starts_with(table); });
+      find([&](const std::string& text) { return is_of_law(text) && text.starts_with(table); });
   if (of_table) return of_table;
-  return find([](const std::string& of) { return of == "pad.material" || is_of_law(of); });
+  return find([](const std::string& text) { return text == "pad.material" || is_of_law(text); });
 }
 
 class Checker {
@@ -196,8 +198,8 @@ class Checker {
     const std::vector<double> first = values_;
     std::uint64_t combinations = 1;
     for (const Factor& factor : study_.factors)
-      if (!factor.is_sampled() && combinations <= most_combinations) combinations *= levels_of(factor).size();
-    if (combinations <= most_combinations) {
+      if (!factor.is_sampled() && combinations <= max_combinations) combinations *= levels_of(factor).size();
+    if (combinations <= max_combinations) {
       check_combinations(0);
     } else {
       for (std::size_t i = 0; i < study_.factors.size(); ++i) {
@@ -244,13 +246,13 @@ class Checker {
 
   void check_here(const std::string& where) {
     for (const Violation& broken : broken_here()) {
-      if (found_.size() >= most_violations) return;
+      if (found_.size() >= max_violations) return;
       const Factor* factor = factor_behind(study_, broken.key);
       Violation violation{factor ? "factors." + factor->key : broken.key, broken.value,
                           fmt::format("{} = {:.6g}{}: {}", broken.key, broken.value,
                                       where.empty() ? "" : " (" + where + ")", broken.rule)};
-      const auto same = [&](const Violation& of) {
-        return of.key == violation.key && of.rule == violation.rule;
+      const auto same = [&](const Violation& given) {
+        return given.key == violation.key && given.rule == violation.rule;
       };
       if (std::ranges::none_of(found_, same)) found_.push_back(std::move(violation));
     }

@@ -25,7 +25,7 @@ struct FactorLines {
 /// What cannot be judged while a factor is not known.
 const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
 
-constexpr std::size_t most_materials = 1000;
+constexpr std::size_t max_materials = 1000;
 
 struct Entry {
   std::string key;
@@ -38,7 +38,7 @@ void collect(const input::TomlNode& table, const std::string& prefix, const std:
              std::vector<Entry>& entries) {
   for (const input::TomlNode& child : table.children) {
     const std::string key = prefix + child.key;
-    const auto on_the_way = [&](const std::string& of) { return of.starts_with(key + "."); };
+    const auto on_the_way = [&](const std::string& text) { return text.starts_with(key + "."); };
     if (child.kind == input::TomlNode::Kind::table && std::ranges::any_of(known, on_the_way))
       collect(child, key + ".", known, entries);
     else
@@ -68,8 +68,8 @@ Levels read_materials(input::TableReader& table, const input::Folders& folders, 
   Levels levels;
   const input::TomlNode* list = table.array("values");
   if (!list) return levels;
-  if (list->children.empty() || list->children.size() > most_materials) {
-    table.fault("values", fmt::format("must hold 1 to {} materials", most_materials));
+  if (list->children.empty() || list->children.size() > max_materials) {
+    table.fault("values", fmt::format("must hold 1 to {} materials", max_materials));
     return levels;
   }
   for (const input::TomlNode& entry : list->children) {
@@ -231,7 +231,7 @@ void read_correlations(input::TableReader& table, const FactorLines& lines, Stud
 
 void read_sampling_plan(input::TableReader& table, Study& study) {
   const bool sampled = std::ranges::any_of(study.factors, &Factor::is_sampled);
-  if (sampled || table.has("samples")) study.samples = read_count(table, "samples", 1, most_rows);
+  if (sampled || table.has("samples")) study.samples = read_count(table, "samples", 1, max_rows);
   study.sampling = read_sampling(table);
   if (table.has("seed")) study.seed = read_count(table, "seed", 0, input::largest_whole_number);
   study.indices = table.flag("indices");

@@ -43,11 +43,11 @@ struct AskedFigure {
 /// All of them; with a dwell time for each level.
 std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels) {
   std::vector<AskedFigure> asked;
-  for (const ResultQuantity& of : result_quantities())
-    if (of.role.doubt == Doubt::of_level) {
-      for (const double level : dwell_levels) asked.push_back({&of, level});
-    } else if (of.has_interval()) {
-      asked.push_back({&of});
+  for (const ResultQuantity& result_quantity : result_quantities())
+    if (result_quantity.role.doubt == Doubt::of_level) {
+      for (const double level : dwell_levels) asked.push_back({&result_quantity, level});
+    } else if (result_quantity.has_interval()) {
+      asked.push_back({&result_quantity});
     }
   return asked;
 }
@@ -57,8 +57,8 @@ std::vector<double> figures_of(const Solution& solution, std::span<const AskedFi
   const Summary& summary = solution.summary;
   const auto injury = injury::whole_pulse_figures(solution);
   const auto value_of = [&](const AskedFigure& figure) {
-    for (const SummaryQuantity& of : summary_quantities())
-      if (figure.quantity == of.quantity) return of.of(summary).value;
+    for (const SummaryQuantity& summary_quantity : summary_quantities())
+      if (figure.quantity == summary_quantity.quantity) return summary_quantity.of(summary).value;
     if (!injury) return no_value;
     if (figure.quantity->role.doubt == Doubt::of_level)
       return injury::cumulative_dwell(injury::pulse_of(solution.history), figure.level);
@@ -152,46 +152,46 @@ class Search {
   void solve_ends() {
     if (solved_.empty()) return;
     std::size_t ends = 0;
-    for (const Solved& of : solved_) ends += of.line->ends.size();
+    for (const Solved& solved : solved_) ends += solved.line->ends.size();
     // Where there are too many, the axes of a posterior are taken to be symmetric.
-    for (Solved& of : solved_)
-      if (ends > most_impacts - 1 && of.line->source == Source::posterior) {
-        of.is_mirrored = true;
+    for (Solved& solved : solved_)
+      if (ends > max_impacts - 1 && solved.line->source == Source::posterior) {
+        solved.is_mirrored = true;
         --ends;
       }
     std::vector<Job> jobs{{nullptr, 0}};
-    for (Solved& of : solved_) {
-      if (of.is_mirrored) {
-        jobs.push_back({&of, of.line->ends.back()});
+    for (Solved& solved : solved_) {
+      if (solved.is_mirrored) {
+        jobs.push_back({&solved, solved.line->ends.back()});
         continue;
       }
-      for (const double end : of.line->ends) jobs.push_back({&of, end});
+      for (const double end : solved.line->ends) jobs.push_back({&solved, end});
     }
-    for (Solved& of : solved_)
-      if (of.line->ends.size() == 1 && jobs.size() < most_impacts)
-        jobs.push_back({&of, of.line->ends.front() / 2});
+    for (Solved& solved : solved_)
+      if (solved.line->ends.size() == 1 && jobs.size() < max_impacts)
+        jobs.push_back({&solved, solved.line->ends.front() / 2});
     solve_all(jobs);
     base_ = std::move(jobs.front().figures);
-    for (Solved& of : solved_) of.places.push_back({0, std::vector<double>(asked_.size(), 0.0)});
+    for (Solved& solved : solved_) solved.places.push_back({0, std::vector<double>(asked_.size(), 0.0)});
     take(jobs);
   }
 
   /// Where the ends, the nominal and what is between them bend by enough, at the place that a parabola says.
   void solve_between() {
     std::vector<Job> jobs;
-    for (Solved& of : solved_) {
-      if (of.failed || is_statistical(of.line->source) ||
-          impacts_ + static_cast<int>(jobs.size()) >= most_impacts)
+    for (Solved& solved : solved_) {
+      if (solved.failed || is_statistical(solved.line->source) ||
+          impacts_ + static_cast<int>(jobs.size()) >= max_impacts)
         continue;
       double most = worth_solving;
       std::optional<double> best;
       for (std::size_t figure = 0; figure < asked_.size(); ++figure)
-        for (std::size_t i = 0; i + 2 < of.places.size(); ++i)
-          if (const auto turn = turning_point(of, i, figure); turn && turn->second > most) {
+        for (std::size_t i = 0; i + 2 < solved.places.size(); ++i)
+          if (const auto turn = turning_point(solved, i, figure); turn && turn->second > most) {
             most = turn->second;
             best = turn->first;
           }
-      if (best) jobs.push_back({&of, *best});
+      if (best) jobs.push_back({&solved, *best});
     }
     if (jobs.empty()) return;
     solve_all(jobs);
@@ -200,9 +200,10 @@ class Search {
 
   /// Of the parabola through three places: where it turns, and by how much of the nominal it leaves their
   /// hull.
-  [[nodiscard]] std::optional<std::pair<double, double>> turning_point(const Solved& of, std::size_t first,
+  [[nodiscard]] std::optional<std::pair<double, double>> turning_point(const Solved& solved,
+                                                                       std::size_t first,
                                                                        std::size_t figure) const {
-    const Place *a = &of.places[first], *b = a + 1, *c = a + 2;
+    const Place *a = &solved.places[first], *b = a + 1, *c = a + 2;
     const double fa = a->change[figure], fb = b->change[figure], fc = c->change[figure];
     if (!std::isfinite(fa) || !std::isfinite(fb) || !std::isfinite(fc)) return std::nullopt;
     const double slope_1 = (fb - fa) / (b->at - a->at), slope_2 = (fc - fb) / (c->at - b->at);
@@ -241,17 +242,17 @@ struct Deviation {
 };
 
 /// That of a line: of a range the hull of its places, of a statistical one 1.96 standard deviations.
-Deviation deviation_of(const Solved& of, std::size_t figure) {
+Deviation deviation_of(const Solved& solved, std::size_t figure) {
   Deviation deviation;
-  for (const Place& place : of.places) {
+  for (const Place& place : solved.places) {
     const double change = place.change[figure];
     if (std::isnan(change)) continue;
     deviation.down = std::max(deviation.down, -change);
     deviation.up = std::max(deviation.up, change);
   }
-  if (of.is_mirrored) deviation.down = deviation.up = std::max(deviation.down, deviation.up);
-  if (is_statistical(of.line->source)) {
-    const double factor = two_sided_95 / of.line->deviations;
+  if (solved.is_mirrored) deviation.down = deviation.up = std::max(deviation.down, deviation.up);
+  if (is_statistical(solved.line->source)) {
+    const double factor = two_sided_95 / solved.line->deviations;
     deviation.down *= factor;
     deviation.up *= factor;
   }
@@ -302,8 +303,8 @@ FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double 
     const auto add = [&](const Deviation& more) {
       is_statistical(source) ? alone.add_in_quadrature(more) : alone.add(more);
     };
-    for (const Solved& of : search.solved())
-      if (of.line->source == source && !of.failed) add(deviation_of(of, figure));
+    for (const Solved& each : search.solved())
+      if (each.line->source == source && !each.failed) add(deviation_of(each, figure));
     for (const Shares& shares : open.shares)
       if (shares.source == source) add(deviation_of(shares, asked, nominal, solution));
     if (alone.down <= 0 && alone.up <= 0) continue;
@@ -312,8 +313,9 @@ FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double 
   }
   interval.low = std::max(nominal - ranges.down - statistics.down, 0.0);
   interval.high = nominal + ranges.up + statistics.up;
-  std::ranges::stable_sort(interval.sources, std::greater<>(),
-                           [](const Contribution& of) { return of.high - of.low; });
+  std::ranges::stable_sort(interval.sources, std::greater<>(), [](const Contribution& contribution) {
+    return contribution.high - contribution.low;
+  });
   return interval;
 }
 
@@ -334,10 +336,10 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
     const std::vector<AskedFigure> asked = asked_figures(dwell_levels);
     const Search search(impact, options, solution, asked, open.lines);
     intervals.impacts = search.impacts();
-    for (const Solved& of : search.solved())
-      if (of.failed)
+    for (const Solved& each : search.solved())
+      if (each.failed)
         for (OpenSource& source : intervals.sources)
-          if (source.source == of.line->source && source.why_not.empty())
+          if (source.source == each.line->source && source.why_not.empty())
             source.why_not = "an impact at one of its ends could not be solved";
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (std::isfinite(search.nominal()[i]))

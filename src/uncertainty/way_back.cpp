@@ -81,8 +81,8 @@ ImpactCase with_values(ImpactCase impact, const std::string& prefix, const Poste
                        std::size_t axis, bool is_plus) {
   const CaseQuantities quantities = quantities_of(impact);
   for (std::size_t i = 0; i < axes.keys.size(); ++i) {
-    if (const CaseQuantity* const of = quantities.find(prefix + axes.keys[i]))
-      of->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
+    if (const CaseQuantity* const given = quantities.find(prefix + axes.keys[i]))
+      given->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
   }
   return impact;
 }

@@ -9,7 +9,7 @@ namespace dashpad::test {
 namespace {
 
 /// Speeds below this share of the impact speed are relative to it (theory.md, "What a tolerance means").
-constexpr double least_speed = 1e-3;
+constexpr double min_speed = 1e-3;
 
 class Figures {
  public:
@@ -22,7 +22,7 @@ class Figures {
     if (scale > 0) figures_.push_back({name, value, scale, estimate, allowed});
   }
   void add_speed(const char* name, double value, double estimate) {
-    add_to(name, value, std::max(std::abs(value), least_speed * impact_speed_), estimate);
+    add_to(name, value, std::max(std::abs(value), min_speed * impact_speed_), estimate);
   }
   void add(const char* time, const char* speed, const std::optional<Moment>& moment, double estimate) {
     if (!moment) return;
@@ -36,17 +36,17 @@ class Figures {
   std::vector<AnswerFigure> figures_;
 };
 
-void add_pulse(Figures& figures, const injury::InjuryFigures& of) {
+void add_pulse(Figures& figures, const injury::InjuryFigures& injury_figures) {
   constexpr double not_held = 0;
   const auto add = [&](const char* name, double value, double estimate) {
     figures.add(name, value, estimate, not_held);
   };
-  add("HIC15", of.hic15.value, of.errors.hic15);
-  add("HIC36", of.hic36.value, of.errors.hic36);
-  add("3 ms clip", of.clip_3ms.level, of.errors.clip_3ms);
-  add("cumulative 3 ms clip", of.cumulative_3ms.level, of.errors.cumulative_3ms);
-  add("severity index", of.severity_index, of.errors.severity_index);
-  add("velocity change", of.velocity_change, of.errors.velocity_change);
+  add("HIC15", injury_figures.hic15.value, injury_figures.errors.hic15);
+  add("HIC36", injury_figures.hic36.value, injury_figures.errors.hic36);
+  add("3 ms clip", injury_figures.clip_3ms.level, injury_figures.errors.clip_3ms);
+  add("cumulative 3 ms clip", injury_figures.cumulative_3ms.level, injury_figures.errors.cumulative_3ms);
+  add("severity index", injury_figures.severity_index, injury_figures.errors.severity_index);
+  add("velocity change", injury_figures.velocity_change, injury_figures.errors.velocity_change);
 }
 
 }  // namespace

@@ -42,22 +42,23 @@ struct Settings : CaseSettings {
 constexpr double own_error = 0.1;
 
 /// The oracle's figures by the names of answer_figures.hpp.
-std::map<std::string, double> figures_of(const oracle::AnyImpact& of) {
+std::map<std::string, double> figures_of(const oracle::AnyImpact& any_impact) {
   std::map<std::string, double> all;
   const auto add = [&](const char* time, const char* velocity, const std::optional<Moment>& moment) {
     if (moment) all[time] = moment->time, all[velocity] = moment->velocity;
   };
-  add("bottoming", "speed at bottoming", of.bottomed);
-  if (of.ending == Ending::bottomed_out) return all;
-  all["peak force"] = of.peak_force, all["peak motion"] = of.peak_motion;
-  all["peak penetration"] = of.peak_penetration, all["transmitted force"] = of.peak_transmitted;
-  all["deflection"] = of.peak_deflection, all["set"] = of.set;
-  if (of.ending == Ending::at_rest) return all;
-  all["rebound speed"] = of.rebound_speed, all["body speed"] = of.body_speed;
-  add("end of contact", "speed at end of contact", of.contact_end);
-  add("force below weight", "speed, force below weight", of.force_below_weight);
-  if (of.absorbed) all["absorbed energy"] = *of.absorbed;
-  if (of.hic15) all["HIC15"] = *of.hic15, all["HIC36"] = *of.hic36;
+  add("bottoming", "speed at bottoming", any_impact.bottomed);
+  if (any_impact.ending == Ending::bottomed_out) return all;
+  all["peak force"] = any_impact.peak_force, all["peak motion"] = any_impact.peak_motion;
+  all["peak penetration"] = any_impact.peak_penetration,
+  all["transmitted force"] = any_impact.peak_transmitted;
+  all["deflection"] = any_impact.peak_deflection, all["set"] = any_impact.set;
+  if (any_impact.ending == Ending::at_rest) return all;
+  all["rebound speed"] = any_impact.rebound_speed, all["body speed"] = any_impact.body_speed;
+  add("end of contact", "speed at end of contact", any_impact.contact_end);
+  add("force below weight", "speed, force below weight", any_impact.force_below_weight);
+  if (any_impact.absorbed) all["absorbed energy"] = *any_impact.absorbed;
+  if (any_impact.hic15) all["HIC15"] = *any_impact.hic15, all["HIC36"] = *any_impact.hic36;
   return all;
 }
 
@@ -105,7 +106,7 @@ class Comparison {
       if (!found.off.empty() && summary.trustworthy()) {
         ++findings_.asked_again;
         oracle::AnyOptions finer = settings_.oracle;
-        finer.fineness *= 2, finer.most_seconds *= 8;
+        finer.fineness *= 2, finer.max_seconds *= 8;
         if (Compared again = compare(blow, finer); again.why_not.empty()) found = std::move(again);
       }
       oracle_seconds_ = processor_seconds() - begin;
@@ -147,8 +148,9 @@ class Comparison {
     Compared found;
     const std::vector<AnswerFigure> figures = test::figures_of(blow.impact, blow.solution);
     const auto has = [&](const char* name) {
-      return std::ranges::any_of(figures,
-                                 [&](const AnswerFigure& of) { return std::string(of.name) == name; });
+      return std::ranges::any_of(figures, [&](const AnswerFigure& answer_figure) {
+        return std::string(answer_figure.name) == name;
+      });
     };
     if (has("bottoming") != truths.contains("bottoming")) found.off += "  bottoming of one only";
     for (const AnswerFigure& figure : figures) {
@@ -221,7 +223,7 @@ int run(CLI::App& app, int count, char** arguments) {
   app.add_option("--oracle-fineness", settings.oracle.fineness, "So many times its columns and panels")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--oracle-seconds", settings.oracle.most_seconds, "After which a run of it is given up")
+  app.add_option("--oracle-seconds", settings.oracle.max_seconds, "After which a run of it is given up")
       ->capture_default_str();
   app.add_option("--file", settings.file, "A case file in the place of random cases")
       ->check(CLI::ExistingFile);

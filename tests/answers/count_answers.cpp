@@ -31,9 +31,9 @@ namespace dashpad::test {
 namespace {
 
 // Goals: of figures held to the tolerance, of cases, and seconds of processor time a case.
-constexpr double most_beyond_tolerance = 2e-4;
-constexpr double most_not_met = 1e-3;
-constexpr double most_not_met_of_practice = 1e-2;
+constexpr double max_beyond_tolerance = 2e-4;
+constexpr double max_not_met = 1e-3;
+constexpr double max_not_met_of_practice = 1e-2;
 constexpr double slow = 5;
 
 /// A figure is listed from so many times its estimate on.
@@ -236,9 +236,9 @@ bool print(const Settings& settings, Findings& found) {
     (c.held ? held : pulse).add(c);
   }
   const auto cases = static_cast<double>(settings.cases);
-  const double share = settings.kind == "practice" ? most_not_met_of_practice : most_not_met;
+  const double share = settings.kind == "practice" ? max_not_met_of_practice : max_not_met;
   bool met = meets("figures beyond the tolerance", held.beyond_tolerance,
-                   most_beyond_tolerance * static_cast<double>(held.compared));
+                   max_beyond_tolerance * static_cast<double>(held.compared));
   met &= meets("tolerance not met", found.faults[not_met].size(), share * cases);
   met &= meets("ledger not closed", found.faults[no_ledger].size(), 0);
   met &= meets("more than 5 s of processor time", found.faults[too_slow].size(), 0);

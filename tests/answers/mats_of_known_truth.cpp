@@ -96,9 +96,10 @@ FigureInterval hic_of(const fit::Fit& fit, const Material& card, double height) 
 
 std::string words_of(const FigureInterval& figure) {
   std::string words;
-  for (const Contribution& of : figure.sources)
-    words += fmt::format("{} {} {:+.0f} {:+.0f} %", words.empty() ? "" : ",", to_string(of.source),
-                         100 * (of.low / figure.nominal - 1), 100 * (of.high / figure.nominal - 1));
+  for (const Contribution& contribution : figure.sources)
+    words += fmt::format("{} {} {:+.0f} {:+.0f} %", words.empty() ? "" : ",", to_string(contribution.source),
+                         100 * (contribution.low / figure.nominal - 1),
+                         100 * (contribution.high / figure.nominal - 1));
   return words;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 constexpr double slowest_rate = 0.01;     // 1/s
-constexpr double most_strain = 0.985;     // of the room that a column has
-constexpr double most_time = 0.12;        // s
+constexpr double max_strain = 0.985;      // of the room that a column has
+constexpr double max_time = 0.12;         // s
 constexpr double sensor_interval = 5e-5;  // s
 constexpr double sensor_noise = 0.005;    // of the peak
 
@@ -91,7 +91,7 @@ TrueDrop dropped(const TrueMat& mat, double height, Fineness fineness) {
   double speed = std::sqrt(2 * standard_gravity * height), place = 0, time = 0;
   TrueDrop drop;
   drop.pulse = {{0}, {0}};
-  while (time < most_time) {
+  while (time < max_time) {
     place += speed * fineness.step;
     double force = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -99,7 +99,7 @@ TrueDrop dropped(const TrueMat& mat, double height, Fineness fineness) {
       const double depth =
           place - missile_radius + std::sqrt(missile_radius * missile_radius - radius * radius);
       if (depth <= 0 && columns[i].largest == 0) break;  // nor do those farther out
-      const double strain = std::clamp(depth / mat.thickness, 0.0, most_strain * room);
+      const double strain = std::clamp(depth / mat.thickness, 0.0, max_strain * room);
       force += columns[i].step_to(mat, strain, fineness.step) * 2 * pi * radius * ring;
       drop.largest_strain = std::max(drop.largest_strain, strain);
     }

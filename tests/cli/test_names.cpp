@@ -33,7 +33,7 @@ struct Found {
 
 const ResultQuantity* titled(const std::string& title) {
   const auto& all = result_quantities();
-  const auto found = std::ranges::find_if(all, [&](const auto& of) { return title == of.title; });
+  const auto found = std::ranges::find_if(all, [&](const auto& given) { return title == given.title; });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -57,25 +57,27 @@ const Names values{"value", "measured", "computed", "difference"};
 /// The quantity whose key this is: with its unit where a number follows, without where a number follows that
 /// is an error, and where its parts do.
 const ResultQuantity* keyed(const std::string& key, const json& value, bool of_errors) {
-  for (const ResultQuantity& of : result_quantities()) {
-    const bool is_plain = key == of.key && (of_errors || value.is_structured() || value.is_null());
-    if (is_plain || (!of_errors && !value.is_array() && key == key_with_unit(of))) return &of;
+  for (const ResultQuantity& result_quantity : result_quantities()) {
+    const bool is_plain =
+        key == result_quantity.key && (of_errors || value.is_structured() || value.is_null());
+    if (is_plain || (!of_errors && !value.is_array() && key == key_with_unit(result_quantity)))
+      return &result_quantity;
   }
   return nullptr;
 }
 
-void walk_parts(const ResultQuantity& of, const json& value, Found& found) {
-  const std::string unit = scaled_unit(of.si_unit, plain_si()).unit;
+void walk_parts(const ResultQuantity& result_quantity, const json& value, Found& found) {
+  const std::string unit = scaled_unit(result_quantity.si_unit, plain_si()).unit;
   const std::string own = name_with_unit("value", unit);
   std::set<std::string> carriers{"value"};
   for (const std::string& name : values) carriers.insert(name_with_unit(name, unit));
   for (const auto& [key, part] : value.items()) {
     if (value.is_array())
-      walk_parts(of, part, found);
+      walk_parts(result_quantity, part, found);
     else if (value.is_object() && !carriers.contains(key) && !attributes.contains(key))
-      found.foreign.push_back(std::string{of.key} + "." + key);
+      found.foreign.push_back(std::string{result_quantity.key} + "." + key);
     if (key == "value" && own != "value" && !value.contains("lower_bound"))
-      found.foreign.push_back(std::string{of.key} + ".value without its unit");
+      found.foreign.push_back(std::string{result_quantity.key} + ".value without its unit");
   }
 }
 
@@ -153,9 +155,9 @@ Found heading_of(const std::string& csv, const UnitSystem& units) {
   std::istringstream names(csv.substr(0, csv.find('\n')));
   for (std::string name; std::getline(names, name, ',');) {
     const auto& all = result_quantities();
-    const auto of =
+    const auto quantity =
         std::ranges::find_if(all, [&](const auto& each) { return name == key_with_unit(each, units); });
-    note(found, of == all.end() ? nullptr : &*of, name);
+    note(found, quantity == all.end() ? nullptr : &*quantity, name);
   }
   return found;
 }
@@ -171,11 +173,11 @@ class NamesTest : public CommandTest {};
 TEST_F(NamesTest, OfTheTableAreOneEach) {
   const std::string docs = read_file(DASHPAD_SOURCE_DIR "/docs/results.md");
   std::set<std::string> keys, titles;
-  for (const ResultQuantity& of : result_quantities()) {
-    EXPECT_TRUE(keys.insert(of.key).second) << of.key;
-    EXPECT_TRUE(titles.insert(of.title).second) << of.title;
-    EXPECT_FALSE(std::string{of.meaning}.empty()) << of.key;
-    EXPECT_THAT(docs, testing::HasSubstr("`" + std::string{of.key} + "`"));
+  for (const ResultQuantity& result_quantity : result_quantities()) {
+    EXPECT_TRUE(keys.insert(result_quantity.key).second) << result_quantity.key;
+    EXPECT_TRUE(titles.insert(result_quantity.title).second) << result_quantity.title;
+    EXPECT_FALSE(std::string{result_quantity.meaning}.empty()) << result_quantity.key;
+    EXPECT_THAT(docs, testing::HasSubstr("`" + std::string{result_quantity.key} + "`"));
   }
 }
 
@@ -265,9 +267,9 @@ TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
     const Outcome outcome = dashpad({"assess", nine, "--standard", name, "--json", "-"});
     const json result = json::parse(outcome.out);
     for (const json& criterion : result.at("criteria")) {
-      const ResultQuantity* of = find_result_quantity(criterion.at("metric").get<std::string>());
-      ASSERT_NE(of, nullptr) << criterion;
-      EXPECT_EQ(criterion.at("unit"), scaled_unit(of->si_unit, plain_si()).unit);
+      const ResultQuantity* result_quantity = find_result_quantity(criterion.at("metric").get<std::string>());
+      ASSERT_NE(result_quantity, nullptr) << criterion;
+      EXPECT_EQ(criterion.at("unit"), scaled_unit(result_quantity->si_unit, plain_si()).unit);
     }
     expect_table_only(walk(result.at("figures"), {}, {}), {"peak_acceleration", "hic15", "contact_end"},
                       name);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view first_bytes = "SQLite format 3";
 constexpr int longest_value = 1'000'000;  // bytes
-constexpr int most_instructions = 100'000;
+constexpr int max_instructions = 100'000;
 
 int stop(void*) { return 1; }
 
@@ -35,7 +35,7 @@ void change(const fs::path& file, const std::string& sql) {
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, longest_value);
   sqlite3_limit(database, SQLITE_LIMIT_ATTACHED, 0);
   sqlite3_set_authorizer(database, only_this_file, nullptr);
-  sqlite3_progress_handler(database, most_instructions, stop, nullptr);
+  sqlite3_progress_handler(database, max_instructions, stop, nullptr);
   sqlite3_exec(database, "PRAGMA synchronous = OFF", nullptr, nullptr, nullptr);
   sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
   sqlite3_close(database);

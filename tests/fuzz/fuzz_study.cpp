@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!study) return 0;
   require(study::violations(*study).empty(), "a study that was read breaks no rule");
   const study::Design design(*study);
-  require(design.rows() >= 1 && design.rows() <= study::most_rows, "a study has rows, and not too many");
+  require(design.rows() >= 1 && design.rows() <= study::max_rows, "a study has rows, and not too many");
   std::vector<double> values(study->factors.size());
   for (const std::uint64_t row : {std::uint64_t{0}, design.rows() / 2, design.rows() - 1}) {
     design.factors_of(row, values);

@@ -12,7 +12,7 @@ namespace dashpad::fuzz {
 
 namespace {
 
-constexpr std::size_t most_channels = 3;
+constexpr std::size_t max_channels = 3;
 
 void write_and_read(const injury::MeasuredPulse& read) {
   const double interval = read.pulse.time[1] - read.pulse.time[0];
@@ -37,7 +37,7 @@ void read_iso_mme_test(const std::filesystem::path& test) {
       {.resultant = true},
       {.channel = "11HEAD0000??AC?A", .acceleration_unit = "g", .resultant = true},
       {.sensitivity = {input::sensitivity_of("10 mV/g")}}};
-  for (std::size_t i = 0; i < std::min(channels->size(), most_channels); ++i)
+  for (std::size_t i = 0; i < std::min(channels->size(), max_channels); ++i)
     ways.push_back({.channel = std::to_string((*channels)[i].number)});
   for (const input::IsoMmeOptions& way : ways) {
     const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way).value().measured; });

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-constexpr std::size_t most_changes = 4;
+constexpr std::size_t max_changes = 4;
 
 void try_input(const std::string& input) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
@@ -46,7 +46,7 @@ class Mutator {
 
   std::string next() {
     std::string text = any_seed();
-    for (std::size_t changes = 1 + below(most_changes); changes > 0; --changes) change(text);
+    for (std::size_t changes = 1 + below(max_changes); changes > 0; --changes) change(text);
     return text;
   }
 

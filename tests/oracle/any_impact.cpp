@@ -37,8 +37,8 @@ class Impact final : public AnyMotion {
     note(first, session->state());
     const double begun = test::processor_seconds();
     double time = first;
-    while (time < longest && session->steps() < options_.most_steps &&
-           test::processor_seconds() - begun < options_.most_seconds && session->step()) {
+    while (time < longest && session->steps() < options_.max_steps &&
+           test::processor_seconds() - begun < options_.max_seconds && session->step()) {
       time = time_at(session->time());
       note(time, session->state());
       if (session->at_event() && !react(time, *session)) break;
@@ -89,7 +89,7 @@ class Impact final : public AnyMotion {
     values[event_weight] = state[velocity] < 0 && touches_ ? shown - mass_ * standard_gravity : 1;
     values[event_contact_end] = goes_back && touches_ ? shown - contact_end_share * force_.most() : 1;
     values[event_release] = touches_ && !goes_back ? 1 : now.pad.most;
-    values[event_bottom] = pad_->thickness() * (1 - least_gap()) - now.y;
+    values[event_bottom] = pad_->thickness() * (1 - min_gap()) - now.y;
     const double giving = kind_ == Kind::at_once ? approach(state) - closing : now.rate;
     values[event_yield] = !footing_.crushes() ? 1
                           : crushes_on_       ? giving + 1e-9 * speed_
@@ -198,7 +198,8 @@ class Impact final : public AnyMotion {
       changed = true;
     }
     if (!changed) return true;
-    for (Largest* of : {&force_, &transmitted_, &motion_, &penetration_, &deflection_}) of->start_anew();
+    for (Largest* largest : {&force_, &transmitted_, &motion_, &penetration_, &deflection_})
+      largest->start_anew();
     session.restart();
     return true;
   }
@@ -245,7 +246,7 @@ AnyImpact solve_any(const ImpactCase& impact, const AnyOptions& options) {
       std::holds_alternative<ViscoelasticFoam>(law) || std::holds_alternative<LinearViscoelastic>(law) ||
       std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law);
   AnyOptions rough = options;
-  rough.relative = 1e-5, rough.most_seconds /= 4;
+  rough.relative = 1e-5, rough.max_seconds /= 4;
   const bool has_side = outline_of(impact.impactor.nose, impact.pad.area).end > 0;
   if (impact.pad.layers.empty() ? by_columns : has_side) {
     const double reached = Impact(impact, deepest, rough).way_in();
@@ -253,7 +254,7 @@ AnyImpact solve_any(const ImpactCase& impact, const AnyOptions& options) {
   }
   AnyOptions last = options;
   if (!impact.pad.layers.empty() && has_side)  // many columns with kinks
-    last.relative *= 100, last.most_steps *= 4;
+    last.relative *= 100, last.max_steps *= 4;
   AnyImpact answer = Impact(impact, deepest, last).run();
   // Between columns the edge of the contact on the way back is known to 1e-4 of the impact energy only.
   if (!impact.pad.layers.empty() && has_side) answer.absorbed.reset();

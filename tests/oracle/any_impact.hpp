@@ -41,10 +41,10 @@ struct AnyImpact {
 };
 
 struct AnyOptions {
-  double relative = 1e-9;    ///< error a step
-  int fineness = 1;          ///< columns, panels and looks are as many times as many
-  double most_seconds = 20;  ///< of the processor, of each of up to two runs
-  long most_steps = 30'000;
+  double relative = 1e-9;   ///< error a step
+  int fineness = 1;         ///< columns, panels and looks are as many times as many
+  double max_seconds = 20;  ///< of the processor, of each of up to two runs
+  long max_steps = 30'000;
 };
 
 /// One blow. Throws std::invalid_argument for what is not covered.

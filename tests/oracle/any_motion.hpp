@@ -110,7 +110,7 @@ class AnyMotion : public OdeSystem {
 
   /// Of the thickness: with less the pad counts as closed. By Eq. 29 on what yields at once and with columns
   /// that remember, else, where the force has no finite value then, as near as CVODE comes.
-  [[nodiscard]] double least_gap() const {
+  [[nodiscard]] double min_gap() const {
     return kind_ == Kind::at_once && (!footing_.is_rigid() || pad_->unknowns() > 1) ? 1e-9 : 1e-7;
   }
   [[nodiscard]] double time_at(double clock) const { return by_log_ ? std::exp(clock) : clock; }
@@ -162,7 +162,7 @@ class AnyMotion : public OdeSystem {
   [[nodiscard]] double balanced(double way, const double* state) const {
     const auto surplus = [&](double y) { return pressed(y, state).force - footing_.force(way - y); };
     if (surplus(way) <= 0) return way;
-    const double full = pad_->thickness() * (1 - least_gap() / 2);
+    const double full = pad_->thickness() * (1 - min_gap() / 2);
     double high = std::min(std::min(found_, full), way), low = high, stride = 1e-7 * pad_->thickness();
     double f_high = surplus(high), f_low = f_high;
     if (f_high > 0)

@@ -52,8 +52,8 @@ class FoamFormulas {
   [[nodiscard]] double last_strain() const { return last_; }
   /// Largest strains at which the way back changes its form.
   [[nodiscard]] std::vector<double> corners() const;
-  [[nodiscard]] double lag() const { return lag_; }             ///< c
-  [[nodiscard]] double least_slip_rate() const { return u0_; }  ///< u0, 1/s
+  [[nodiscard]] double lag() const { return lag_; }           ///< c
+  [[nodiscard]] double min_slip_rate() const { return u0_; }  ///< u0, 1/s
 
  private:
   void set_base(const FoamCurves& curves, double exponent);

@@ -70,7 +70,7 @@ class Footing {
   /// What it has been given on the way to x, lost or not, J.
   [[nodiscard]] double taken(double x) const {
     if (!crushes()) return energy(x + offset_) - energy(offset_);
-    const auto back = [&](double of) { return of * of / (2 * backing_.unloading_stiffness); };
+    const auto back = [&](double value) { return value * value / (2 * backing_.unloading_stiffness); };
     return energy(yield_) - energy(first_yield_) - back(curve(yield_)) + back(curve(first_yield_)) +
            back(force(x)) - back(first_force_);
   }

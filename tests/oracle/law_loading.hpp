@@ -40,24 +40,25 @@ class LawLoading {
     places_.clear();
     singular_ = 0;
     for (const ContactPoint& place : contact_points(nose_, y, thickness_ - y, fineness_)) {
-      const StrainPoint of = at(y, place);
-      places_.push_back({of, {}, place.area * of.shape, ratio_at(place.above / y, ratios), 0});
+      const StrainPoint strain_point = at(y, place);
+      places_.push_back(
+          {strain_point, {}, place.area * strain_point.shape, ratio_at(place.above / y, ratios), 0});
       if (!time) continue;
-      places_.back().terms = law_.at_strain(of);
-      places_.back().relaxation = law_.relaxation(*time, of.strain);
-      singular_ += place.area * of.shape * of.log_slope / thickness_;
+      places_.back().terms = law_.at_strain(strain_point);
+      places_.back().relaxation = law_.relaxation(*time, strain_point.strain);
+      singular_ += place.area * strain_point.shape * strain_point.log_slope / thickness_;
     }
   }
   /// At what was prepared last, N and N/s.
   [[nodiscard]] double force() const {
     double sum = 0;
-    for (const Place& of : places_) sum += of.weight * of.ratio;
+    for (const Place& place : places_) sum += place.weight * place.ratio;
     return sum;
   }
   [[nodiscard]] double force_rate(const Rate& rate, double speed) const {
     double sum = law_.edge(rate) * singular_ * speed;
-    for (const Place& of : places_)
-      sum += of.weight * law_.regular(of.point, of.terms, rate, of.ratio, of.relaxation);
+    for (const Place& place : places_)
+      sum += place.weight * law_.regular(place.point, place.terms, rate, place.ratio, place.relaxation);
     return sum;
   }
   void rates(double y, double time, const Rate& rate, const double* ratios, double* slope) const {

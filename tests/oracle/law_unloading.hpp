@@ -63,12 +63,12 @@ class LawUnloading {
   }
   /// As it was prepared last.
   [[nodiscard]] double rate(std::size_t j, const Rate& rate, const double* stress) const {
-    const Column& of = columns_[j];
-    if (!of.pressed) return 0;
-    const Envelope envelope = law_.envelope(of.point, of.terms, rate, of.before);
+    const Column& column = columns_[j];
+    if (!column.pressed) return 0;
+    const Envelope envelope = law_.envelope(column.point, column.terms, rate, column.before);
     // A column that has let go does not press again of itself (Eq. 7); how it is pulled shows in nothing.
     if (stress[j] <= 0 && envelope.value < 0) return 0;
-    return law_.envelope_rate(envelope, rate) + of.relaxation * (envelope.value - stress[j]);
+    return law_.envelope_rate(envelope, rate) + column.relaxation * (envelope.value - stress[j]);
   }
   [[nodiscard]] Pressed pressed(double y, const double* stress) const {
     Pressed all;

@@ -9,7 +9,7 @@
 namespace dashpad::oracle {
 namespace {
 
-constexpr double most_stress = 1e15;  ///< Pa, where there is none: a step that was tried too long
+constexpr double max_stress = 1e15;  ///< Pa, where there is none: a step that was tried too long
 
 /// Where an increasing function of a number is zero, from a guess on; no farther than `low` and `high`.
 template <class F>
@@ -91,11 +91,12 @@ class FoamLayer final : public Layer {
 };
 
 std::unique_ptr<Layer> layer_of(const PadLaw& law) {
-  if (const auto* of = std::get_if<Elastic>(&law))
-    return std::make_unique<SpringLayer>(of->modulus, of->modulus, 1);
-  if (const auto* of = std::get_if<LinearViscoelastic>(&law))
-    return std::make_unique<SpringLayer>(of->initial_modulus, of->asymptotic_modulus, of->relaxation_time);
-  if (const auto* of = std::get_if<Foam>(&law)) return std::make_unique<FoamLayer>(*of);
+  if (const auto* given = std::get_if<Elastic>(&law))
+    return std::make_unique<SpringLayer>(given->modulus, given->modulus, 1);
+  if (const auto* given = std::get_if<LinearViscoelastic>(&law))
+    return std::make_unique<SpringLayer>(given->initial_modulus, given->asymptotic_modulus,
+                                         given->relaxation_time);
+  if (const auto* given = std::get_if<Foam>(&law)) return std::make_unique<FoamLayer>(*given);
   return std::make_unique<FoamLayer>(std::get<CrushableFoam>(law));
 }
 
@@ -121,7 +122,7 @@ SlowColumn::SlowColumn(const LayersOfPad& layers, double thickness) : last_(0.99
       }
       return sum;
     };
-    last = increasing_root(last, 1e-2 * last, 0, most_stress, excess);
+    last = increasing_root(last, 1e-2 * last, 0, max_stress, excess);
     curve_.push_back(last / (double(i) * i));
   }
 }
@@ -233,7 +234,7 @@ void LayerColumn::slowly(double shortening, const double* slipped) {
   };
   const double over = excess(0);
   if (over < 0) {
-    last_ = increasing_root(last_, 1e-4 * last_, 0, most_stress, excess);
+    last_ = increasing_root(last_, 1e-4 * last_, 0, max_stress, excess);
     excess(last_);
     stress_ = last_ = std::fmax(last_, 1e-3);
     return;

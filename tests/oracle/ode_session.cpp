@@ -44,7 +44,7 @@ struct OdeSession::Impl {
 
 namespace {
 
-constexpr int most_fresh_starts = 3;  ///< for one step
+constexpr int max_fresh_starts = 3;  ///< for one step
 
 void require(int flag) {
   if (flag < 0) throw std::runtime_error("CVODE could not be set up");
@@ -106,7 +106,7 @@ OdeSession::~OdeSession() = default;
 
 bool OdeSession::step() {
   int flag = CVode(impl_->memory, impl_->farthest, impl_->state, &impl_->time, CV_ONE_STEP);
-  for (int k = 0; flag < 0 && k < most_fresh_starts; ++k) {
+  for (int k = 0; flag < 0 && k < max_fresh_starts; ++k) {
     // Its past can be of no use near a kink of the equations (a speed that dies out): start afresh from here.
     restart();
     flag = CVode(impl_->memory, impl_->farthest, impl_->state, &impl_->time, CV_ONE_STEP);

@@ -11,36 +11,36 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Outline shape_of(const Sphere& of) {
-  return {.end = of.radius, .widening = [r = of.radius](double s) { return 2 * pi * (r - s); }};
+Outline shape_of(const Sphere& sphere) {
+  return {.end = sphere.radius, .widening = [r = sphere.radius](double s) { return 2 * pi * (r - s); }};
 }
-Outline shape_of(const FlatDisc& of) { return {.tip = pi * of.radius * of.radius}; }
-Outline shape_of(const Platen& of) { return {.tip = of.length * of.width}; }
-Outline shape_of(const Cone& of) {
-  const double low = of.tip_radius, slope = std::tan(of.half_angle);
-  return {.tip = pi * low * low, .end = (of.radius - low) / slope, .widening = [=](double s) {
+Outline shape_of(const FlatDisc& flat_disc) { return {.tip = pi * flat_disc.radius * flat_disc.radius}; }
+Outline shape_of(const Platen& platen) { return {.tip = platen.length * platen.width}; }
+Outline shape_of(const Cone& cone) {
+  const double low = cone.tip_radius, slope = std::tan(cone.half_angle);
+  return {.tip = pi * low * low, .end = (cone.radius - low) / slope, .widening = [=](double s) {
             return 2 * pi * (low + slope * s) * slope;
           }};
 }
-Outline shape_of(const Ellipsoid& of) {
-  const double b = of.half_depth, across = of.half_length * of.half_width;
+Outline shape_of(const Ellipsoid& ellipsoid) {
+  const double b = ellipsoid.half_depth, across = ellipsoid.half_length * ellipsoid.half_width;
   return {.end = b, .widening = [=](double s) { return 2 * pi * across / b * (1 - s / b); }};
 }
-Outline shape_of(const Rod& of) {
-  const double dome = of.tip_radius;
-  return {.end = dome - std::sqrt(dome * dome - of.radius * of.radius),
+Outline shape_of(const Rod& rod) {
+  const double dome = rod.tip_radius;
+  return {.end = dome - std::sqrt(dome * dome - rod.radius * rod.radius),
           .widening = [=](double s) { return 2 * pi * (dome - s); }};
 }
-Outline shape_of(const Cylinder& of) {
-  const double r = of.radius, length = of.length;
+Outline shape_of(const Cylinder& cylinder) {
+  const double r = cylinder.radius, length = cylinder.length;
   return {.end = r,
           .widening = [=](double s) { return 2 * length * (r - s) / std::sqrt(s * (2 * r - s)); },
           .is_steep_at_tip = true};
 }
-Outline shape_of(const Profile& of) {
-  const bool by_radius = of.of == Profile::Of::radius;
-  auto points = of.points;
-  for (auto& point : points) point = {point.depth * of.scale, of.scaled_size(point)};
+Outline shape_of(const Profile& profile) {
+  const bool by_radius = profile.of == Profile::Of::radius;
+  auto points = profile.points;
+  for (auto& point : points) point = {point.depth * profile.scale, profile.scaled_size(point)};
   const double first = points.front().size;
   Outline outline{.tip = by_radius ? pi * first * first : first, .end = points.back().depth};
   for (const auto& point : points) outline.corners.push_back(point.depth);

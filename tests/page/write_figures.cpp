@@ -41,12 +41,12 @@ output::Plot every_style() {
        .x = time,
        .y = pulse(4, 24),
        .y2 = pulse(5.2, 28),
-       .turn = 2},
+       .palette_index = 2},
       {.label = "mean of the tests",
        .style = output::SeriesStyle::solid_line,
        .x = time,
        .y = pulse(4.6, 26),
-       .turn = 2},
+       .palette_index = 2},
       {.label = "test 1",
        .style = output::SeriesStyle::points,
        .x = {3, 7, 12, 17, 22},
@@ -93,13 +93,13 @@ output::Plot logarithmic() {
                    .x = rate,
                    .y = power(0.8),
                    .y2 = power(1.3),
-                   .turn = 0},
-                  {.label = "fit", .x = rate, .y = power(1), .turn = 0},
+                   .palette_index = 0},
+                  {.label = "fit", .x = rate, .y = power(1), .palette_index = 0},
                   {.label = "measured",
                    .style = output::SeriesStyle::points,
                    .x = {1e-3, 0.1, 1, 10, 200},
                    .y = {4.4, 12.1, 21, 33, 62},
-                   .turn = 0}};
+                   .palette_index = 0}};
   output::Panel narrow{.x = {.label = "Speed (m/s)", .logarithmic = true},
                        .y = {.label = "Error (1)", .logarithmic = true}};
   narrow.series = {{.label = "error", .x = {4, 5, 6, 7, 8.5}, .y = {2e-9, 5e-8, 3e-7, 8e-7, 9e-6}}};

@@ -10,10 +10,10 @@ namespace dashpad::test {
 namespace {
 
 void add(AnswerComparison& comparison, const char* name, std::optional<double> value,
-         std::optional<double> reference, double least_scale, double error, double error_of_reference) {
+         std::optional<double> reference, double min_scale, double error, double error_of_reference) {
   if (value.has_value() != reference.has_value()) comparison.same_figures = false;
   if (!value || !reference) return;
-  const double scale = std::max(std::abs(*reference), least_scale);
+  const double scale = std::max(std::abs(*reference), min_scale);
   const double difference = *value == *reference ? 0 : std::abs(*value - *reference) / scale;
   comparison.figures.push_back({name, *value, *reference, difference, error + error_of_reference});
 }

@@ -48,8 +48,8 @@ inline constexpr std::size_t steps_of_comparison = 3000;
 
 /// Each path may be in error by the tolerance: twice that is allowed.
 inline AnswerComparison compare_paths(Solver& solver, const ImpactCase& impact, double tolerance) {
-  return compare_answers(solver, impact, {.tolerance = tolerance, .most_steps = steps_of_comparison},
-                         {.tolerance = tolerance, .most_steps = steps_of_comparison, .plain = true});
+  return compare_answers(solver, impact, {.tolerance = tolerance, .max_steps = steps_of_comparison},
+                         {.tolerance = tolerance, .max_steps = steps_of_comparison, .plain = true});
 }
 
 }  // namespace dashpad::test

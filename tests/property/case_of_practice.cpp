@@ -93,19 +93,19 @@ double stress_at(const BaseCurve& base, double strain) {
 double usual_stress(const PadLaw& law) {
   constexpr double strain = 0.4;
   return std::visit(
-      []<class Law>(const Law& of) {
+      []<class Law>(const Law& law) {
         if constexpr (SharesSlip<Law>)
-          return stress_at(of.curves.base, strain);
+          return stress_at(law.curves.base, strain);
         else if constexpr (std::is_same_v<Law, Elastic>)
-          return of.modulus * strain;
+          return law.modulus * strain;
         else if constexpr (std::is_same_v<Law, LinearViscoelastic>)
-          return std::sqrt(of.asymptotic_modulus * of.initial_modulus) * strain;
+          return std::sqrt(law.asymptotic_modulus * law.initial_modulus) * strain;
         else if constexpr (std::is_same_v<Law, RigidFoam>)
-          return of.crush_stress;
+          return law.crush_stress;
         else if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
-          return 2 * (of.first_modulus + of.second_modulus) * strain * (1 + of.first_share / 2);
+          return 2 * (law.first_modulus + law.second_modulus) * strain * (1 + law.first_share / 2);
         else
-          return 3 * of.asymptotic_modulus;
+          return 3 * law.asymptotic_modulus;
       },
       law);
 }

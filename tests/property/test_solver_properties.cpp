@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t solved_cases = 300;
 /// Share of random cases that may end without meeting the tolerance.
-constexpr double most_not_met = 0.06;
+constexpr double max_not_met = 0.06;
 
 void expect_finite(const char* name, double value) {
   EXPECT_TRUE(std::isfinite(value)) << name << ": " << value;
@@ -209,7 +209,7 @@ TEST(RandomCases, AreSolvedOrSaidNotToBe) {
   const double not_met = static_cast<double>(count[to_string(Status::tolerance_not_met)]);
   fmt::print("tolerance not met: {:.1f} %\n", 100 * not_met / static_cast<double>(cases));
   // Of a few cases the share says nothing.
-  const double most = cases < 100 ? 1 : most_not_met;
+  const double most = cases < 100 ? 1 : max_not_met;
   EXPECT_LE(not_met, most * static_cast<double>(cases));
 }
 

@@ -19,7 +19,7 @@ constexpr std::uint64_t compared_cases = 200;
 constexpr double path_tolerance = 1e-3;
 
 /// Shares of the cases: at least so many can be compared, at most so many end with another status.
-void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, double most_other_status) {
+void expect_agreement(ImpactCase (*draw)(std::uint64_t), double min_compared, double max_other_status) {
   const std::uint64_t first = environment("DASHPAD_RANDOM_SEED", 1);
   const std::uint64_t cases = environment("DASHPAD_RANDOM_CASES", compared_cases);
   Solver solver;
@@ -36,8 +36,8 @@ void expect_agreement(ImpactCase (*draw)(std::uint64_t), double least_compared, 
   }
   fmt::print("compared {} of {}; status differs in {}; largest difference {:.1e}\n", compared, cases,
              other_status, worst);
-  EXPECT_GE(static_cast<double>(compared), least_compared * static_cast<double>(cases));
-  EXPECT_LE(static_cast<double>(other_status), most_other_status * static_cast<double>(cases) + 1);
+  EXPECT_GE(static_cast<double>(compared), min_compared * static_cast<double>(cases));
+  EXPECT_LE(static_cast<double>(other_status), max_other_status * static_cast<double>(cases) + 1);
 }
 
 TEST(VectorPath, AgreesWithThePlainOneOnOrdinaryCases) { expect_agreement(ordinary_case, 0.98, 0.005); }

@@ -39,7 +39,7 @@ constexpr double allowed_share = 0.1;
 /// Of the figure, for rounding where two resolutions agree by chance.
 constexpr double rounding = 1e-8;
 /// Cases whose branches hang on rounding, of 218. Seen with vectors of another width: one.
-constexpr int most_outliers = 4;
+constexpr int max_outliers = 4;
 
 const std::filesystem::path stored_runs = source_folder / "tests/regression/fixed-resolution.txt";
 
@@ -191,7 +191,7 @@ TEST(FixedResolution, GivesTheFiguresOfBefore) {
   });
   fmt::print("{} of {} cases with other digits than before, {} beyond a tenth of the estimate\n{}",
              other_digits, before.size(), outliers, report);
-  EXPECT_LE(exact ? other_digits : outliers, exact ? 0 : most_outliers);
+  EXPECT_LE(exact ? other_digits : outliers, exact ? 0 : max_outliers);
 }
 
 /// What the cases above are for: each law on each kind of support, and each way that a run can go.

@@ -66,7 +66,7 @@ std::string line(const std::string& name, const Deck& deck, const Settings& sett
   return fmt::format(
       "{} {} {}: abend {}, {} steps, {} trials, {} stations, peak {:a} lbf, end {:a} mph, {:016x}\n", name,
       to_string(settings.arithmetic), settings.defects == all_mended ? "mended" : "faithful",
-      static_cast<int>(result.abend), result.history.size(), result.trials, result.most_stations,
+      static_cast<int>(result.abend), result.history.size(), result.trials, result.max_stations,
       result.peak_force_lb, result.rebound_speed_mph, fingerprint(result));
 }
 

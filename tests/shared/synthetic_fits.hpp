@@ -308,10 +308,10 @@ inline void count(const SyntheticFit& made, Coverage& into) {
     into.add(found.key, *found.low <= made.truth[i] && made.truth[i] <= *found.high);
   }
   if (!made.true_peak_force) return;
-  for (const fit::MetFigure& of : report.figures)
-    if (of.is_held_out && of.computed && of.prediction_deviation)
-      into.add("predicted peak force",
-               std::abs(*of.computed - *made.true_peak_force) <= 1.96 * *of.prediction_deviation);
+  for (const fit::MetFigure& met_figure : report.figures)
+    if (met_figure.is_held_out && met_figure.computed && met_figure.prediction_deviation)
+      into.add("predicted peak force", std::abs(*met_figure.computed - *made.true_peak_force) <=
+                                           1.96 * *met_figure.prediction_deviation);
 }
 
 }  // namespace dashpad::test

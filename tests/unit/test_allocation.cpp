@@ -50,7 +50,7 @@ TEST(allocation, is_counted) {
 void expect_none_in_the_time_loop(const ImpactCase& impact) {
   const Options options;
   Track track;
-  track.reserve(options.most_steps + 2);
+  track.reserve(options.max_steps + 2);
   Contacts().visit(impact, ColumnMath::vector, [&](auto& contact) {
     March march(impact, contact, options);
     // The first run makes room for the strains of layers.

@@ -283,7 +283,7 @@ TEST(assessment, a_missed_tolerance_is_no_unqualified_pass) {
 TEST(assessment, unverified_values_are_no_unqualified_pass) {
   Standard standard =
       standard_with({criterion(Metric::peak_acceleration, 200 * g), criterion(Metric::dwell_time, 1)});
-  for (injury::Criterion& of : standard.criteria) of.origin.verified = false;
+  for (injury::Criterion& criterion : standard.criteria) criterion.origin.verified = false;
   standard.radius.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
               ElementsAre(says(
@@ -650,7 +650,7 @@ TEST(assessment_text, has_the_key_figures_of_the_impact) {
 TEST(assessment_text, fits_100_columns) {
   Standard standard =
       standard_with({criterion(Metric::clip_3ms, 80 * g), criterion(Metric::dwell_time, 4e-3)});
-  for (injury::Criterion& of : standard.criteria) of.origin.verified = false;
+  for (injury::Criterion& criterion : standard.criteria) criterion.origin.verified = false;
   for (int word = 0; word < 100; ++word) standard.note += "word ";
   for (Solution solution : {half_sine(), rising_flank(), bottomed_out()}) {
     solution.summary.extrapolations = {{Beyond::strain, "strain too large"},

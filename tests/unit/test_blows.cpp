@@ -135,8 +135,8 @@ TEST(BlowQuantities, AreThoseThatThePadRemembers) {
   EXPECT_FALSE(has(impact_on(sample_law<Elastic>()), "pad.earlier_penetration"));
   ImpactCase impact = struck(sample_law<Foam>(), 3, 0.5);
   ASSERT_TRUE(has(impact, "blows.recovery"));
-  for (const CaseQuantity& of : quantities_of(impact))
-    if (of.key == "blows.recovery") of.set(impact, 0.75);
+  for (const CaseQuantity& case_quantity : quantities_of(impact))
+    if (case_quantity.key == "blows.recovery") case_quantity.set(impact, 0.75);
   EXPECT_EQ(impact.blows->recovery, 0.75);
 }
 

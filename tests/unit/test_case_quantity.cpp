@@ -65,24 +65,25 @@ TEST(CaseQuantities, EachHasAPlaceOfItsOwn) {
     const CaseQuantities all = quantities_of(base);
     std::vector<CaseQuantity> quantities(all.begin(), all.end());
     // Other ways to say a number that is among them.
-    std::erase_if(quantities, [](const CaseQuantity& of) {
-      return std::ranges::count(other_ways(), of.key, &OtherWay::key) > 0;
+    std::erase_if(quantities, [](const CaseQuantity& case_quantity) {
+      return std::ranges::count(other_ways(), case_quantity.key, &OtherWay::key) > 0;
     });
     ImpactCase impact = base;
     double value = 1;
-    for (const CaseQuantity& of : quantities) of.set(impact, value++);
+    for (const CaseQuantity& case_quantity : quantities) case_quantity.set(impact, value++);
     value = 1;
-    for (const CaseQuantity& of : quantities) EXPECT_EQ(of.get(impact), value++) << base.title << of.key;
+    for (const CaseQuantity& case_quantity : quantities)
+      EXPECT_EQ(case_quantity.get(impact), value++) << base.title << case_quantity.key;
   }
 }
 
 TEST(CaseQuantities, AreCalledAsTheRulesThatTheyBreak) {
   for (const ImpactCase& base : cases()) {
     EXPECT_THAT(violations(base), IsEmpty()) << base.title;
-    for (const CaseQuantity& of : quantities_of(base)) {
+    for (const CaseQuantity& case_quantity : quantities_of(base)) {
       ImpactCase impact = base;
-      of.set(impact, nan);
-      std::string key = of.key;
+      case_quantity.set(impact, nan);
+      std::string key = case_quantity.key;
       for (const OtherWay& way : other_ways())
         if (key == way.key) key = way.instead_of;
       EXPECT_THAT(violations(impact), Contains(Field(&Violation::key, key))) << base.title;
@@ -111,9 +112,9 @@ highest_rate = "100 1/s")"))
                                 .impact;
   std::map<std::string, double> values;
   std::map<std::string, std::string> units;
-  for (const CaseQuantity& of : quantities_of(impact)) {
-    values[of.key] = of.get(impact);
-    units[of.key] = of.unit;
+  for (const CaseQuantity& case_quantity : quantities_of(impact)) {
+    values[case_quantity.key] = case_quantity.get(impact);
+    units[case_quantity.key] = case_quantity.unit;
   }
   EXPECT_DOUBLE_EQ(values.at("impactor.radius"), 0.0762);
   EXPECT_DOUBLE_EQ(values.at("impactor.weight"), 44.4822161526050);
@@ -143,10 +144,10 @@ highest_rate = "100 1/s")"))
 TEST(CaseQuantities, AreThoseOfTheFormsThatTheCaseHas) {
   Foam law = test::sample_law<Foam>();
   law.curves.rate_effect = NoRateEffect{};
-  for (const CaseQuantity& of : quantities_of(test::impact_on(law))) {
-    EXPECT_FALSE(of.key.starts_with("pad.curve.")) << of.key;
-    EXPECT_FALSE(of.key.starts_with("pad.rate.")) << of.key;
-    EXPECT_FALSE(of.key.starts_with("support.")) << of.key;
+  for (const CaseQuantity& case_quantity : quantities_of(test::impact_on(law))) {
+    EXPECT_FALSE(case_quantity.key.starts_with("pad.curve.")) << case_quantity.key;
+    EXPECT_FALSE(case_quantity.key.starts_with("pad.rate.")) << case_quantity.key;
+    EXPECT_FALSE(case_quantity.key.starts_with("support.")) << case_quantity.key;
   }
 }
 

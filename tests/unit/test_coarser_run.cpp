@@ -30,7 +30,7 @@ Pulse half_sine(double share, double sign) {
 
 TEST(ChordError, CoversTheErrorOfTheClipAndIsNoMoreThanAFewTimesIt) {
   const double exact = peak * std::cos(std::numbers::pi * window / (2 * length));
-  double largest = 0, least_bound = 1;
+  double largest = 0, min_bound = 1;
   for (double share = 0.05; share < 0.9; share += 0.05)
     for (const double sign : {1.0, -1.0}) {
       const Pulse pulse = half_sine(share, sign);
@@ -38,11 +38,11 @@ TEST(ChordError, CoversTheErrorOfTheClipAndIsNoMoreThanAFewTimesIt) {
            {injury::contiguous_clip(pulse, window), injury::cumulative_clip(pulse, window)}) {
         const double error = std::abs(clip.level / exact - 1), bound = chord_error(pulse, clip);
         EXPECT_LE(error, 1.02 * bound) << share;
-        largest = std::max(largest, error), least_bound = std::min(least_bound, bound);
+        largest = std::max(largest, error), min_bound = std::min(min_bound, bound);
         EXPECT_LT(bound, 2e-4) << share;
       }
     }
-  EXPECT_GT(largest, least_bound / 4);
+  EXPECT_GT(largest, min_bound / 4);
 }
 
 TEST(ChordError, IsNoneOfStraightLinesAndOfNoClip) {

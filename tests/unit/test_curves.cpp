@@ -193,9 +193,10 @@ TEST(SolvedBranches, OfAnElasticPadAreItsClosedForm) {
 TEST(SolvedBranches, HaveTheAreaOfTheEnergyTheyTake) {
   const ImpactCase impact = test::example_case();
   const Solution solution = solve(impact, {.tolerance = 1e-5});
-  const auto area = [](const Curve& of) {
+  const auto area = [](const Curve& curve) {
     double sum = 0;
-    for (std::size_t i = 1; i < of.size(); ++i) sum += (of.y[i] + of.y[i - 1]) / 2 * (of.x[i] - of.x[i - 1]);
+    for (std::size_t i = 1; i < curve.size(); ++i)
+      sum += (curve.y[i] + curve.y[i - 1]) / 2 * (curve.x[i] - curve.x[i - 1]);
     return sum;
   };
   const Curve loading = curve("loading", solution), unloading = curve("unloading", solution);

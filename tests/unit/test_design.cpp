@@ -76,8 +76,8 @@ Moments moments(const std::vector<double>& values) {
   return of;
 }
 
-void expect_moments(const Factor& of, double mean, double variance) {
-  const Moments found = moments(column(study_with({of}, 100'000)));
+void expect_moments(const Factor& factor, double mean, double variance) {
+  const Moments found = moments(column(study_with({factor}, 100'000)));
   EXPECT_NEAR(found.mean, mean, 5 * found.mean_error);
   EXPECT_NEAR(found.variance, variance, 5 * found.variance_error);
 }
@@ -120,7 +120,8 @@ TEST(permutation, prefers_no_place) {
   }
   double chi_squared = 0;
   for (const auto& row : found)
-    for (const double of : row) chi_squared += std::pow(of - 1. * seeds / count, 2) / (1. * seeds / count);
+    for (const double value : row)
+      chi_squared += std::pow(value - 1. * seeds / count, 2) / (1. * seeds / count);
   EXPECT_LT(chi_squared, 36 + 5 * std::sqrt(72));
 }
 
@@ -319,16 +320,16 @@ TEST(design, keeps_the_measured_value_at_which_it_is_cut_off) {
 
 /// Six deviations out, and where the factor is cut off.
 TEST(checked_range, ends_where_a_distribution_does) {
-  const auto expect = [](Factor of, double low, double high, bool has_tails) {
-    const CheckedRange range = checked_range(of);
-    EXPECT_NEAR(range.low, low, 1e-12 * std::abs(low)) << of.spread.index();
-    EXPECT_NEAR(range.high, high, 1e-12 * std::abs(high)) << of.spread.index();
+  const auto expect = [](Factor factor, double low, double high, bool has_tails) {
+    const CheckedRange range = checked_range(factor);
+    EXPECT_NEAR(range.low, low, 1e-12 * std::abs(low)) << factor.spread.index();
+    EXPECT_NEAR(range.high, high, 1e-12 * std::abs(high)) << factor.spread.index();
     EXPECT_EQ(range.low_is_tail && range.high_is_tail, has_tails);
-    of.lowest = low + 0.1;
-    of.highest = high - 0.2;
-    EXPECT_EQ(checked_range(of).low, *of.lowest);
-    EXPECT_EQ(checked_range(of).high, *of.highest);
-    EXPECT_FALSE(checked_range(of).low_is_tail || checked_range(of).high_is_tail);
+    factor.lowest = low + 0.1;
+    factor.highest = high - 0.2;
+    EXPECT_EQ(checked_range(factor).low, *factor.lowest);
+    EXPECT_EQ(checked_range(factor).high, *factor.highest);
+    EXPECT_FALSE(checked_range(factor).low_is_tail || checked_range(factor).high_is_tail);
   };
   expect(factor("impactor.speed", Normal{10, 1.5}), 1, 19, true);
   expect(factor("impactor.speed", Lognormal{10, 0.1}), 10 * std::exp(-0.6), 10 * std::exp(0.6), true);

@@ -41,7 +41,7 @@ CurveFile file_of(std::vector<Curve> curves, const std::string& system = "kg-m-s
   CurveFile file;
   file.title = "A case";
   file.units = consistent_system(system);
-  for (Curve& of : curves) file.curves.push_back({std::move(of), "a remark"});
+  for (Curve& curve : curves) file.curves.push_back({std::move(curve), "a remark"});
   return file;
 }
 

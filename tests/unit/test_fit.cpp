@@ -112,9 +112,10 @@ TEST(Minimise, StopsAtABound) {
 TEST(Autocorrelation, CountsWhatCorrelatedResidualsAreWorth) {
   std::vector<double> wave;
   for (int i = 0; i < 400; ++i) wave.push_back(std::sin(0.1 * i));
-  const Autocorrelation of = autocorrelation_of(wave);
-  EXPECT_NEAR(of.rho, std::cos(0.1), 5e-3);
-  EXPECT_NEAR(of.effective_points, 400 * (1 - of.rho) / (1 + of.rho), 1e-9);
+  const Autocorrelation autocorrelation = autocorrelation_of(wave);
+  EXPECT_NEAR(autocorrelation.rho, std::cos(0.1), 5e-3);
+  EXPECT_NEAR(autocorrelation.effective_points, 400 * (1 - autocorrelation.rho) / (1 + autocorrelation.rho),
+              1e-9);
   std::vector<double> even;
   for (int i = 0; i < 400; ++i) even.push_back(i % 2 == 0 ? 1 : -1);
   EXPECT_EQ(autocorrelation_of(even).effective_points, 400);

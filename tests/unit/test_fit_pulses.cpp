@@ -37,20 +37,22 @@ Pulse half_sine(double begin = 0) {
 }
 
 TEST(DecelerationOf, GoesFromTheOnsetToTheEndWithThePeakUp) {
-  const MeasuredDeceleration of = deceleration_of(half_sine());
+  const MeasuredDeceleration measured_deceleration = deceleration_of(half_sine());
   // 5 % of the peak are reached after asin(0.05) / pi of the 10 ms.
   const double after = 0.01 * std::asin(0.05) / pi;
-  EXPECT_NEAR(of.onset, 0.02 + after, 1e-8);
-  EXPECT_NEAR(of.peak, 500, 1e-9);
-  EXPECT_NEAR(of.half_peak_width, 0.01 * 2 / 3, 1e-7);
-  EXPECT_NEAR(of.interval, 1e-5, 1e-12);
-  EXPECT_EQ(of.time.size(), most_pulse_points);
-  EXPECT_NEAR(static_cast<double>(of.samples), 984, 1);
-  EXPECT_GE(of.time.front(), 0);
-  EXPECT_LT(of.time.front(), 1e-5);
-  EXPECT_NEAR(of.time.back(), 0.01 - after, 1e-5);
-  for (std::size_t i = 0; i < of.time.size(); ++i)
-    EXPECT_NEAR(of.deceleration[i], 500 * std::sin(pi * (of.time[i] + after) / 0.01), 2e-5) << i;
+  EXPECT_NEAR(measured_deceleration.onset, 0.02 + after, 1e-8);
+  EXPECT_NEAR(measured_deceleration.peak, 500, 1e-9);
+  EXPECT_NEAR(measured_deceleration.half_peak_width, 0.01 * 2 / 3, 1e-7);
+  EXPECT_NEAR(measured_deceleration.interval, 1e-5, 1e-12);
+  EXPECT_EQ(measured_deceleration.time.size(), max_pulse_points);
+  EXPECT_NEAR(static_cast<double>(measured_deceleration.samples), 984, 1);
+  EXPECT_GE(measured_deceleration.time.front(), 0);
+  EXPECT_LT(measured_deceleration.time.front(), 1e-5);
+  EXPECT_NEAR(measured_deceleration.time.back(), 0.01 - after, 1e-5);
+  for (std::size_t i = 0; i < measured_deceleration.time.size(); ++i)
+    EXPECT_NEAR(measured_deceleration.deceleration[i],
+                500 * std::sin(pi * (measured_deceleration.time[i] + after) / 0.01), 2e-5)
+        << i;
 }
 
 /// A resultant of noise never changes its sign: with its quiet part known the tail does not count.
@@ -58,9 +60,9 @@ TEST(DecelerationOf, EndsAtTheLevelOfTheQuietPart) {
   Pulse pulse = half_sine();
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     pulse.acceleration[i] = std::hypot(pulse.acceleration[i], 1 + static_cast<double>(i % 7) / 4);
-  const MeasuredDeceleration of = deceleration_of(pulse, injury::Stretch{0, 0.018});
-  EXPECT_NEAR(static_cast<double>(of.samples), 984, 12);
-  EXPECT_NEAR(of.velocity_change, 2 / pi * 500 * 0.01, 0.01);
+  const MeasuredDeceleration measured_deceleration = deceleration_of(pulse, injury::Stretch{0, 0.018});
+  EXPECT_NEAR(static_cast<double>(measured_deceleration.samples), 984, 12);
+  EXPECT_NEAR(measured_deceleration.velocity_change, 2 / pi * 500 * 0.01, 0.01);
   EXPECT_GT(deceleration_of(pulse).samples, 2900U);  // nothing tells the noise from the pulse
 }
 
@@ -81,9 +83,9 @@ TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
     pulse.time.push_back(0.001 * i);
     pulse.acceleration.push_back(i > 2 && i < 15 ? 100 * std::sin(pi * (i - 2) / 13) : 0);
   }
-  const MeasuredDeceleration of = deceleration_of(pulse);
-  EXPECT_EQ(of.samples, of.time.size());
-  EXPECT_GE(of.time.size(), 12U);
+  const MeasuredDeceleration measured_deceleration = deceleration_of(pulse);
+  EXPECT_EQ(measured_deceleration.samples, measured_deceleration.time.size());
+  EXPECT_GE(measured_deceleration.time.size(), 12U);
 }
 
 std::string fault_in(const Pulse& pulse) {
@@ -168,13 +170,13 @@ TEST_F(FitPulseTest, TakesTheDeviationAsAShareOfThePeakOrInUnits) {
 
 TEST_F(FitPulseTest, TakesColumnsUnitsAndAFilter) {
   write("drop.csv", edited(csv(half_sine()), "time_ms,acceleration_g", "t,a"));
-  const FitFile of = read(edited(pulse_fit, "deviation =",
-                                 "columns = {time = \"t\", acceleration = \"a\"}, time_unit = \"ms\", "
-                                 "acceleration_unit = \"g\", filter = \"CFC600\", deviation ="));
-  const MeasuredDeceleration& pulse = of.fit.impacts.at(0).pulse.value();
+  const FitFile fit_file = read(edited(pulse_fit, "deviation =",
+                                       "columns = {time = \"t\", acceleration = \"a\"}, time_unit = \"ms\", "
+                                       "acceleration_unit = \"g\", filter = \"CFC600\", deviation ="));
+  const MeasuredDeceleration& pulse = fit_file.fit.impacts.at(0).pulse.value();
   EXPECT_EQ(pulse.filter.value().channel_frequency_class, 600);
   EXPECT_NEAR(pulse.peak, 500, 5);
-  EXPECT_EQ(of.files.back().file.filename(), "drop.csv");
+  EXPECT_EQ(fit_file.files.back().file.filename(), "drop.csv");
 }
 
 /// The file's own quiet part is found, and samples of rest before a fall are left out.
@@ -184,9 +186,9 @@ TEST_F(FitPulseTest, TakesTheContactAlone) {
     pulse.acceleration[i] =
         std::hypot(pulse.acceleration[i], 1 + static_cast<double>(i / 5 % 7) / 4) + (i < 500 ? 10 : 0);
   write("drop.csv", csv(pulse));
-  const MeasuredDeceleration of = read(pulse_fit).fit.impacts.at(0).pulse.value();
-  EXPECT_NEAR(static_cast<double>(of.samples), 984.0 / 5, 5);
-  EXPECT_NEAR(of.velocity_change, 2 / pi * 500 * 0.01, 0.02);
+  const MeasuredDeceleration measured_deceleration = read(pulse_fit).fit.impacts.at(0).pulse.value();
+  EXPECT_NEAR(static_cast<double>(measured_deceleration.samples), 984.0 / 5, 5);
+  EXPECT_NEAR(measured_deceleration.velocity_change, 2 / pi * 500 * 0.01, 0.02);
 }
 
 TEST_F(FitPulseTest, NamesOneFaultForEach) {
@@ -217,10 +219,10 @@ TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
     Pulse pulse = half_sine();
     for (double& each : pulse.acceleration) each *= factor;
     write("drop.csv", csv(pulse));
-    const FitFile of = read(edited(pulse_fit, "deviation =", stated + "deviation ="));
+    const FitFile fit_file = read(edited(pulse_fit, "deviation =", stated + "deviation ="));
     std::string all;
     for (const std::string& each :
-         reservations_of(of.fit, std::vector<double>(of.fit.unknowns.size(), 3e5), {}))
+         reservations_of(fit_file.fit, std::vector<double>(fit_file.fit.unknowns.size(), 3e5), {}))
       if (each.find("drop.csv") != std::string::npos) all += each;
     return all;
   };

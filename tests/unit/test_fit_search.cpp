@@ -64,7 +64,7 @@ TEST(Fits, FindTheShiftsOfPulsesThatPutThemBest) {
   const test::SyntheticFit made = test::nine_parameter_pulses(5);
   const Problem problem = problem_of(made.fit, 3);
   std::vector<double> x;
-  for (const Coordinate& of : problem.coordinates) x.push_back(of.place(of.start));
+  for (const Coordinate& coordinate : problem.coordinates) x.push_back(coordinate.place(coordinate.start));
   const std::vector<bool> shifts = problem.shifts();
   std::vector<double> r(problem.residuals());
   std::vector<bool> free(x.size(), false);
@@ -143,15 +143,15 @@ TEST(MisfitOf, IsStudentsOfWhatWasMissedAndOfHowSureALawIsAtBest) {
   const std::vector<PredictedFigure> predicted{
       compared_by(ImpactFigure::hic_unlimited, 0.08), compared_by(ImpactFigure::hic_unlimited, -0.06),
       compared_by(ImpactFigure::hic_unlimited, 0.10), compared_by(ImpactFigure::rebound_speed, 0.05, 3)};
-  const Misfit of = misfit_of(predicted, {}).value();
+  const Misfit misfit = misfit_of(predicted, {}).value();
   const double t5 = 2.570582, t3 = 3.182446, t2 = 4.302653, normal = 1.959964;
-  EXPECT_NEAR(of.hic, std::sqrt((2 * 0.0025 + 0.0064 + 0.0036 + 0.01) / 5) * t5 / normal, 1e-6);
+  EXPECT_NEAR(misfit.hic, std::sqrt((2 * 0.0025 + 0.0064 + 0.0036 + 0.01) / 5) * t5 / normal, 1e-6);
   // Of what was missed the noise of the measurement, 3 %, is no part.
-  EXPECT_NEAR(of.rebound_speed, std::sqrt((2 * 0.0004 + 0.0025 - 0.0009) / 3) * t3 / normal, 1e-6);
-  EXPECT_NEAR(of.peak_acceleration, 0.02 * t2 / normal, 1e-6);
-  EXPECT_EQ(of.penetration, of.peak_acceleration);
-  EXPECT_EQ(of.impacts, 3);
-  EXPECT_TRUE(of.is_held_out);
+  EXPECT_NEAR(misfit.rebound_speed, std::sqrt((2 * 0.0004 + 0.0025 - 0.0009) / 3) * t3 / normal, 1e-6);
+  EXPECT_NEAR(misfit.peak_acceleration, 0.02 * t2 / normal, 1e-6);
+  EXPECT_EQ(misfit.penetration, misfit.peak_acceleration);
+  EXPECT_EQ(misfit.impacts, 3);
+  EXPECT_TRUE(misfit.is_held_out);
 }
 
 TEST(MisfitOf, LeavesOutWhatTheUnknownsExplain) {
@@ -167,9 +167,9 @@ TEST(MisfitOf, LeavesOutWhatTheUnknownsExplain) {
 
 TEST(MisfitOf, TakesWhatWasFittedForNoBetterThanTheBest) {
   const std::vector<ImpactComparison> fitted{compared_by(ImpactFigure::hic_unlimited, 0.001).of};
-  const Misfit of = misfit_of({}, fitted).value();
-  EXPECT_NEAR(of.hic, 0.05 * 4.302653 / 1.959964, 1e-6);
-  EXPECT_FALSE(of.is_held_out);
+  const Misfit misfit = misfit_of({}, fitted).value();
+  EXPECT_NEAR(misfit.hic, 0.05 * 4.302653 / 1.959964, 1e-6);
+  EXPECT_FALSE(misfit.is_held_out);
   EXPECT_FALSE(misfit_of({}, {}));
 }
 

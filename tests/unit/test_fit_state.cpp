@@ -94,10 +94,10 @@ TEST_F(FitStateTest, RefusesWhatWasChanged) {
   const std::regex misfit("\"misfit\": [-+.e0-9]+"), place("\"x\": [-+.e0-9]+"),
       first("\"x\": \\[\\s*[-+.e0-9]+");
   for (const char* value : {"\"a\"", "[]", "{}", "null", "true", "1e300", "-1", "0.5"})
-    for (const auto& [of, key] :
+    for (const auto& [part, key] :
          {std::pair{&misfit, "\"misfit\": "}, {&place, "\"x\": "}, {&first, "\"x\": ["}}) {
       const std::string changed =
-          std::regex_replace(state, *of, std::string(key) + value, std::regex_constants::format_first_only);
+          std::regex_replace(state, *part, std::string(key) + value, std::regex_constants::format_first_only);
       ASSERT_NE(changed, state);
       std::ofstream(folder.path() / "fit.state") << changed;
       EXPECT_THAT([&] { check_state(made.fit, options()); },

@@ -146,9 +146,9 @@ void expect_sound(const std::string& svg) {
 }
 
 /// The element of that dimension.
-const SvgElement* dimension(const std::vector<SvgElement>& elements, std::string_view of) {
+const SvgElement* dimension(const std::vector<SvgElement>& elements, std::string_view text) {
   for (const SvgElement& element : elements)
-    if (element.has("data-of", of)) return &element;
+    if (element.has("data-of", text)) return &element;
   return nullptr;
 }
 

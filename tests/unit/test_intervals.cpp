@@ -53,9 +53,9 @@ const FigureInterval& interval(const Solution& solution, const char* key) {
   return *solution.summary.intervals->find(key);
 }
 
-const Contribution* part(const FigureInterval& of, Source source) {
-  const auto found = std::ranges::find(of.sources, source, &Contribution::source);
-  return found == of.sources.end() ? nullptr : &*found;
+const Contribution* part(const FigureInterval& figure_interval, Source source) {
+  const auto found = std::ranges::find(figure_interval.sources, source, &Contribution::source);
+  return found == figure_interval.sources.end() ? nullptr : &*found;
 }
 
 double hic15(const ImpactCase& impact) { return injury::whole_pulse_figures(solve(impact, {}))->hic15.value; }
@@ -64,22 +64,25 @@ Foam& foam_of(ImpactCase& impact) { return std::get<Foam>(impact.pad.material.la
 
 TEST(Intervals, HoldTheNominalAndAddUp) {
   const Solution solution = with_intervals(head_on_pillar());
-  EXPECT_LE(solution.summary.intervals->impacts, uncertainty::most_impacts);
-  for (const FigureInterval& of : solution.summary.intervals->figures) {
+  EXPECT_LE(solution.summary.intervals->impacts, uncertainty::max_impacts);
+  for (const FigureInterval& figure_interval : solution.summary.intervals->figures) {
     double down = 0, up = 0, variance_down = 0, variance_up = 0;
-    for (const Contribution& each : of.sources) {
-      EXPECT_LE(each.low, of.nominal) << of.key;
-      EXPECT_GE(each.high, of.nominal) << of.key;
+    for (const Contribution& each : figure_interval.sources) {
+      EXPECT_LE(each.low, figure_interval.nominal) << figure_interval.key;
+      EXPECT_GE(each.high, figure_interval.nominal) << figure_interval.key;
       const bool is_range = each.source == Source::continuation || each.source == Source::rate ||
                             each.source == Source::way_back;
       (is_range ? down : variance_down) +=
-          is_range ? of.nominal - each.low : std::pow(of.nominal - each.low, 2);
+          is_range ? figure_interval.nominal - each.low : std::pow(figure_interval.nominal - each.low, 2);
       (is_range ? up : variance_up) +=
-          is_range ? each.high - of.nominal : std::pow(each.high - of.nominal, 2);
+          is_range ? each.high - figure_interval.nominal : std::pow(each.high - figure_interval.nominal, 2);
     }
-    EXPECT_NEAR(of.low, std::max(of.nominal - down - std::sqrt(variance_down), 0.0), 1e-9 * of.nominal)
-        << of.key;
-    EXPECT_NEAR(of.high, of.nominal + up + std::sqrt(variance_up), 1e-9 * of.nominal) << of.key;
+    EXPECT_NEAR(figure_interval.low, std::max(figure_interval.nominal - down - std::sqrt(variance_down), 0.0),
+                1e-9 * figure_interval.nominal)
+        << figure_interval.key;
+    EXPECT_NEAR(figure_interval.high, figure_interval.nominal + up + std::sqrt(variance_up),
+                1e-9 * figure_interval.nominal)
+        << figure_interval.key;
   }
 }
 
@@ -195,8 +198,8 @@ TEST(Intervals, WhatHasNoIntervalSaysWhy) {
   const auto reasons = [](const ImpactCase& impact) {
     std::string all;
     const Solution solution = with_intervals(impact);
-    for (const OpenSource& of : solution.summary.intervals->sources)
-      if (!of.why_not.empty()) all += of.words + ": " + of.why_not + "\n";
+    for (const OpenSource& open_source : solution.summary.intervals->sources)
+      if (!open_source.why_not.empty()) all += open_source.words + ": " + open_source.why_not + "\n";
     return all;
   };
   ImpactCase impact = head_on_pillar();

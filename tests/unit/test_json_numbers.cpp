@@ -29,10 +29,10 @@ void expect_result(const std::string& written, Numbers expected) {
   expect_numbers(nlohmann::json::parse(written), std::move(expected));
 }
 
-void add(Numbers& to, const std::string& place, const study::Estimate& of, double scale = 1) {
-  to[place + "/value"] = of.value * scale;
-  to[place + "/low"] = of.low * scale;
-  to[place + "/high"] = of.high * scale;
+void add(Numbers& to, const std::string& place, const study::Estimate& estimate, double scale = 1) {
+  to[place + "/value"] = estimate.value * scale;
+  to[place + "/low"] = estimate.low * scale;
+  to[place + "/high"] = estimate.high * scale;
 }
 
 void add(Numbers& to, const std::string& place, const std::vector<double>& values, double scale = 1) {
@@ -239,8 +239,8 @@ TEST(JsonNumbers, OfAnImpact) {
 }
 
 TEST(JsonNumbers, OfAStudy) {
-  const study::StudyAnswers of = answers_with_numbers();
-  const study::Records& records = of.records;
+  const study::StudyAnswers study_answers = answers_with_numbers();
+  const study::Records& records = study_answers.records;
   Numbers expected{{"/rows", 3},
                    {"/rows_of_study", 1001},
                    {"/rows_doubtful", static_cast<double>(records.doubtful)},
@@ -252,7 +252,7 @@ TEST(JsonNumbers, OfAStudy) {
                    {"/rows_at_time_limit", static_cast<double>(records.time_limit)},
                    {"/interval", 0.95}};
   for (std::size_t i = 0; i < 2; ++i) {
-    const study::StudyAnswers::OfGroup& group = of.groups[i];
+    const study::StudyAnswers::OfGroup& group = study_answers.groups[i];
     const std::string at = "/groups/" + std::to_string(i);
     expected[at + "/levels/0/value"] = group.group.levels[0];
     for (std::size_t k = 0; k < 2; ++k) {
@@ -274,7 +274,8 @@ TEST(JsonNumbers, OfAStudy) {
       }
       const study::Exceedance& exceedance = group.exceedances[k];
       const std::string above = at + "/exceedances" + k_of;
-      expected[above + "/limit"] = of.limits[k].value * (k == 0 ? 1 / g : 1);  // the other way round
+      expected[above + "/limit"] =
+          study_answers.limits[k].value * (k == 0 ? 1 / g : 1);  // the other way round
       add(expected, above + "/probability", exceedance.probability);
       expected[above + "/rows_above"] = static_cast<double>(exceedance.exceeding);
       expected[above + "/rows_struck_through"] = static_cast<double>(exceedance.struck_through);
@@ -288,7 +289,7 @@ TEST(JsonNumbers, OfAStudy) {
       add(expected, by + "/indices/0/total", sensitivity.indices[0].total);
     }
   }
-  const study::CushionCurves::Drop& drop = of.cushion_curves->drops[0];
+  const study::CushionCurves::Drop& drop = study_answers.cushion_curves->drops[0];
   expected["/cushion_curves/curves/0/drop_height_m"] = drop.height;
   expected["/cushion_curves/curves/0/speed_m_per_s"] = drop.speed;
   expected["/cushion_curves/curves/0/thickness_m"] = drop.curves[0].thickness;
@@ -297,53 +298,54 @@ TEST(JsonNumbers, OfAStudy) {
     expected[point + "/static_stress_Pa"] = drop.curves[0].static_stress[i];
     expected[point + "/peak_acceleration_g"] = drop.curves[0].peak_deceleration[i] / g;
   }
-  expect_result(output::study_json(of), expected);
+  expect_result(output::study_json(study_answers), expected);
 }
 
 TEST(JsonNumbers, OfAPulse) {
-  const injury::PulseReport of = pulse_with_numbers();
-  const injury::InjuryFigures& figures = of.figures;
+  const injury::PulseReport pulse_report = pulse_with_numbers();
+  const injury::InjuryFigures& figures = pulse_report.figures;
   Numbers expected{{"/figures/peak_acceleration/value_g", figures.peak.magnitude / g},
                    {"/figures/peak_acceleration/time_s", figures.peak.time},
                    {"/figures/hic_d/value", figures.hic_d},
                    {"/figures/severity_index/value", figures.severity_index},
                    {"/figures/velocity_change/value_m_per_s", figures.velocity_change},
-                   {"/figures/velocity_change/begin_s", of.contact.begin},
-                   {"/figures/velocity_change/end_s", of.contact.end},
-                   {"/figures/hic_windows/0/value", of.windows[0].hic.value},
-                   {"/figures/hic_windows/0/begin_s", of.windows[0].hic.begin},
-                   {"/figures/hic_windows/0/end_s", of.windows[0].hic.end},
-                   {"/figures/hic_windows/0/longest_window_s", of.windows[0].longest_window},
-                   {"/figures/dwell_time/0/level_g", of.dwells[0].level / g},
-                   {"/figures/dwell_time/0/value_s", of.dwells[0].cumulative},
-                   {"/figures/dwell_time/0/longest_s", of.dwells[0].longest},
-                   {"/impact/speed_m_per_s", of.impact->speed},
-                   {"/impact/drop_height_m", *of.impact->drop_height},
-                   {"/impact/gravity_m_per_s2", of.impact->gravity},
+                   {"/figures/velocity_change/begin_s", pulse_report.contact.begin},
+                   {"/figures/velocity_change/end_s", pulse_report.contact.end},
+                   {"/figures/hic_windows/0/value", pulse_report.windows[0].hic.value},
+                   {"/figures/hic_windows/0/begin_s", pulse_report.windows[0].hic.begin},
+                   {"/figures/hic_windows/0/end_s", pulse_report.windows[0].hic.end},
+                   {"/figures/hic_windows/0/longest_window_s", pulse_report.windows[0].longest_window},
+                   {"/figures/dwell_time/0/level_g", pulse_report.dwells[0].level / g},
+                   {"/figures/dwell_time/0/value_s", pulse_report.dwells[0].cumulative},
+                   {"/figures/dwell_time/0/longest_s", pulse_report.dwells[0].longest},
+                   {"/impact/speed_m_per_s", pulse_report.impact->speed},
+                   {"/impact/drop_height_m", *pulse_report.impact->drop_height},
+                   {"/impact/gravity_m_per_s2", pulse_report.impact->gravity},
                    {"/impact/restitution",
-                    (of.contact.velocity_change - of.impact->gravity * (of.contact.end - of.contact.begin)) /
-                            of.impact->speed -
+                    (pulse_report.contact.velocity_change -
+                     pulse_report.impact->gravity * (pulse_report.contact.end - pulse_report.contact.begin)) /
+                            pulse_report.impact->speed -
                         1},
-                   {"/impact/check/least_scale", *injury::speed_check(of)->least_scale},
-                   {"/impact/check/greatest_scale", *injury::speed_check(of)->greatest_scale},
+                   {"/impact/check/least_scale", *injury::speed_check(pulse_report)->min_scale},
+                   {"/impact/check/greatest_scale", *injury::speed_check(pulse_report)->greatest_scale},
                    {"/uncertainty/coverage_factor", 2},
                    {"/source/time/number", 101},
-                   {"/source/time/si_factor", of.measured.time.factor},
+                   {"/source/time/si_factor", pulse_report.measured.time.factor},
                    {"/source/acceleration/0/number", 102},
-                   {"/source/acceleration/0/si_factor", of.measured.acceleration[0].factor},
+                   {"/source/acceleration/0/si_factor", pulse_report.measured.acceleration[0].factor},
                    {"/source/samples", 3},
                    {"/source/begin_s", 0.25},
                    {"/source/end_s", 0.75},
-                   {"/offset/begin_s", of.offset->offset.begin},
-                   {"/offset/end_s", of.offset->offset.end},
+                   {"/offset/begin_s", pulse_report.offset->offset.begin},
+                   {"/offset/end_s", pulse_report.offset->offset.end},
                    {"/offset/samples", 103},
-                   {"/offset/hic15_with", of.offset->hic15_with},
-                   {"/offset/hic15_without", of.offset->hic15_without},
-                   {"/processing/resampled_to_s", *of.resampled_to},
+                   {"/offset/hic15_with", pulse_report.offset->hic15_with},
+                   {"/offset/hic15_without", pulse_report.offset->hic15_without},
+                   {"/processing/resampled_to_s", *pulse_report.resampled_to},
                    {"/processing/filter/channel_frequency_class", 600},
                    {"/processing/samples", 4}};
-  add(expected, "/offset/mean_g", of.offset->offset.mean, 1 / g);
-  add(expected, "/offset/scatter_g", of.offset->offset.scatter, 1 / g);
+  add(expected, "/offset/mean_g", pulse_report.offset->offset.mean, 1 / g);
+  add(expected, "/offset/scatter_g", pulse_report.offset->offset.scatter, 1 / g);
   for (const auto& [key, hic] : {std::pair{"hic15", figures.hic15},
                                  {"hic36", figures.hic36},
                                  {"hic_unlimited", figures.hic_unlimited}}) {
@@ -359,7 +361,7 @@ TEST(JsonNumbers, OfAPulse) {
     expected[to + "/begin_s"] = clip.begin;
     expected[to + "/end_s"] = clip.end;
   }
-  expect_result(output::pulse_json(of), expected);
+  expect_result(output::pulse_json(pulse_report), expected);
 }
 
 TEST(JsonNumbers, OfAPulseBesideAnImpact) {
@@ -414,26 +416,26 @@ TEST(JsonNumbers, OfAPulseBesideAnImpact) {
 }
 
 TEST(JsonNumbers, OfAFit) {
-  const fit::FitReport of = fit_with_numbers();
-  const fit::FittedUnknown& unknown = of.unknowns[0];
-  const fit::MetTest& test = of.tests[0];
-  const fit::MetFigure& figure = of.figures[0];
-  const fit::MetPulse& pulse = of.pulses[0];
-  const fit::ImpactComparison& compared = of.comparison[0];
+  const fit::FitReport fit_report = fit_with_numbers();
+  const fit::FittedUnknown& unknown = fit_report.unknowns[0];
+  const fit::MetTest& test = fit_report.tests[0];
+  const fit::MetFigure& figure = fit_report.figures[0];
+  const fit::MetPulse& pulse = fit_report.pulses[0];
+  const fit::ImpactComparison& compared = fit_report.comparison[0];
   Numbers expected{{"/unknowns/0/value", unknown.value},
                    {"/unknowns/0/standard_error", *unknown.standard_error},
                    {"/unknowns/0/interval/low", *unknown.low},
                    {"/unknowns/0/interval/high", *unknown.high},
                    {"/unknowns/0/bounds/lowest", unknown.lowest},
                    {"/unknowns/0/bounds/highest", unknown.highest},
-                   {"/left_open/correlations/0/correlation", of.correlations[0].value},
+                   {"/left_open/correlations/0/correlation", fit_report.correlations[0].value},
                    {"/misfit/points", 103},
                    {"/misfit/priors", 104},
-                   {"/misfit/degrees_of_freedom", of.degrees_of_freedom},
-                   {"/misfit/sum_of_squares", of.misfit},
-                   {"/misfit/per_degree_of_freedom", of.misfit / of.degrees_of_freedom},
-                   {"/misfit/error_factor", std::sqrt(of.variance_scale)},
-                   {"/misfit/largest_widening", of.largest_widening},
+                   {"/misfit/degrees_of_freedom", fit_report.degrees_of_freedom},
+                   {"/misfit/sum_of_squares", fit_report.misfit},
+                   {"/misfit/per_degree_of_freedom", fit_report.misfit / fit_report.degrees_of_freedom},
+                   {"/misfit/error_factor", std::sqrt(fit_report.variance_scale)},
+                   {"/misfit/largest_widening", fit_report.largest_widening},
                    {"/tests/0/points", 101},
                    {"/tests/0/largest_stress_Pa", test.largest_stress},
                    {"/tests/0/lowest_rate_per_s", test.lowest_rate},
@@ -469,14 +471,14 @@ TEST(JsonNumbers, OfAFit) {
                    {"/search/starts_failed", 107},
                    {"/search/solver_runs", 108},
                    {"/search/evaluations", 109},
-                   {"/search/wall_time_s", of.wall_time}};
+                   {"/search/wall_time_s", fit_report.wall_time}};
   add(expected, "/tests/0/strain", test.strain);
   add(expected, "/tests/0/measured_stress_Pa", test.measured);
   add(expected, "/tests/0/computed_stress_Pa", test.computed);
   add(expected, "/pulses/0/time_s", pulse.time);
   add(expected, "/pulses/0/measured_g", pulse.measured, 1 / g);
   add(expected, "/pulses/0/computed_g", pulse.computed, 1 / g);
-  expect_result(output::fit_json(of), expected);
+  expect_result(output::fit_json(fit_report), expected);
 }
 
 }  // namespace

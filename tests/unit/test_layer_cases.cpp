@@ -209,7 +209,7 @@ TEST(LayerCases, StruckThroughAreNamedInTheirOrder) {
   summary.status = Status::released;
   summary.layers.resize(3);
   EXPECT_TRUE(
-      std::ranges::none_of(flags(summary), [](const Flag& of) { return of.name == "STRUCK THROUGH"; }));
+      std::ranges::none_of(flags(summary), [](const Flag& flag) { return flag.name == "STRUCK THROUGH"; }));
   summary.layers[0].struck_through = 4e-3;
   summary.layers[2].struck_through = 3e-3;
   EXPECT_THAT(flags(summary),

@@ -12,12 +12,12 @@ namespace dashpad {
 namespace {
 
 TEST(MagnitudeBounds, AdmitWhatIsMeasuredAndNothingBeyond) {
-  const Magnitudes of = measured_magnitudes("m/s2");
-  for (const double value : {0.0, -0.0, of.least, -of.most, 1.0, -500.0})
-    EXPECT_TRUE(of.admit(value)) << value;
-  for (const double value : {5e-324, -1e-310, of.least / 2, 2 * of.most, -1e130, std::nan(""),
+  const Magnitudes magnitudes = measured_magnitudes("m/s2");
+  for (const double value : {0.0, -0.0, magnitudes.least, -magnitudes.most, 1.0, -500.0})
+    EXPECT_TRUE(magnitudes.admit(value)) << value;
+  for (const double value : {5e-324, -1e-310, magnitudes.least / 2, 2 * magnitudes.most, -1e130, std::nan(""),
                              std::numeric_limits<double>::infinity()})
-    EXPECT_FALSE(of.admit(value)) << value;
+    EXPECT_FALSE(magnitudes.admit(value)) << value;
 }
 
 TEST(MagnitudeBounds, StateTheRule) {
@@ -37,10 +37,10 @@ TEST(MagnitudeBounds, HoldForWhatIsStated) {
 /// No dimension is left out by a slip: the bounds of what is measured lie within those of what is stated.
 TEST(MagnitudeBounds, OfMeasurementsAreTheNarrower) {
   for (const char* unit : {"m", "m/s", "m/s2", "s", "1/s", "kg", "Pa", "N", "V", "m2", "kg/m3", "N/m", "K"}) {
-    const Magnitudes of = measured_magnitudes(unit);
-    EXPECT_GE(of.least, stated_magnitudes.least) << unit;
-    EXPECT_LE(of.most, stated_magnitudes.most) << unit;
-    EXPECT_LT(of.least, of.most) << unit;
+    const Magnitudes magnitudes = measured_magnitudes(unit);
+    EXPECT_GE(magnitudes.least, stated_magnitudes.least) << unit;
+    EXPECT_LE(magnitudes.most, stated_magnitudes.most) << unit;
+    EXPECT_LT(magnitudes.least, magnitudes.most) << unit;
   }
 }
 

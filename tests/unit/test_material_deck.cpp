@@ -560,8 +560,8 @@ TEST_P(RoundTrip, ViscoelasticFoams) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InEachSystem, RoundTrip, testing::Values("kg-mm-ms", "kg-m-s", "t-mm-s"),
-                         [](const auto& of) {
-                           std::string name = of.param;
+                         [](const auto& given) {
+                           std::string name = given.param;
                            std::erase(name, '-');
                            return name;
                          });

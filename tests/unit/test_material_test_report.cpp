@@ -322,7 +322,7 @@ TEST(MaterialTestReport, TheStillSaysWhereItComesFrom) {
   EXPECT_THAT(stress.series[0].y, ElementsAre(0, DoubleEq(150), 0));
   EXPECT_EQ(stress.series[1].label, "1984, 1 steps, 2 per second");
   EXPECT_EQ(stress.series[1].style, output::SeriesStyle::points);
-  EXPECT_EQ(stress.series[1].turn, stress.series[0].turn);
+  EXPECT_EQ(stress.series[1].palette_index, stress.series[0].palette_index);
   EXPECT_THAT(plot.panels[1].series[0].x, ElementsAre(DoubleEq(150)));
   EXPECT_THAT(plot.panels[1].series[0].y, ElementsAre(0.25));
 }

@@ -188,8 +188,8 @@ TEST(materials, have_a_line_and_a_dashed_continuation_each_in_the_colour_of_thei
   EXPECT_EQ(series[0].x.back(), series[1].x.front());
   EXPECT_NEAR(series[1].x.back(), 0.8, 1e-6);
   EXPECT_EQ(series[1].end_label, "my-foam");
-  EXPECT_EQ(series[0].turn, series[2].turn);
-  EXPECT_NE(series[0].turn, series[4].turn);
+  EXPECT_EQ(series[0].palette_index, series[2].palette_index);
+  EXPECT_NE(series[0].palette_index, series[4].palette_index);
   EXPECT_TRUE(plot.panels.front().y.logarithmic);
 }
 

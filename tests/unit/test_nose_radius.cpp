@@ -22,7 +22,7 @@ RadiusCriterion found(const std::function<Residuals(double)>& residuals) {
 TEST(NoseRadius, ElevenRadii) {
   const auto radii = radii_of_the_study();
   ASSERT_EQ(radii.size(), 11U);
-  EXPECT_EQ(radii.front(), least_radius_in);
+  EXPECT_EQ(radii.front(), min_radius_in);
   EXPECT_EQ(radii.back(), greatest_radius_in);
 }
 
@@ -52,7 +52,7 @@ TEST(NoseRadius, MorePreciseReadingsAdmitLess) {
   };
   EXPECT_LT(width(0.001), 0.25);
   EXPECT_LT(width(0.001), width(0.01));
-  EXPECT_EQ(width(1), greatest_radius_in - least_radius_in) << "nothing can be told";
+  EXPECT_EQ(width(1), greatest_radius_in - min_radius_in) << "nothing can be told";
 }
 
 TEST(NoseRadius, LeastMisfitAtAnEndIsABound) {
@@ -60,7 +60,7 @@ TEST(NoseRadius, LeastMisfitAtAnEndIsABound) {
   EXPECT_EQ(high.favoured_in, greatest_radius_in);
   EXPECT_TRUE(high.at_an_end);
   const RadiusCriterion low = found([](double radius) -> Residuals { return {radius - 1, radius - 1}; });
-  EXPECT_EQ(low.favoured_in, least_radius_in);
+  EXPECT_EQ(low.favoured_in, min_radius_in);
   EXPECT_TRUE(low.at_an_end);
 }
 
@@ -79,7 +79,7 @@ TEST(NoseRadius, MissingFiguresAreNoMisfit) {
   EXPECT_FALSE(criterion.at_an_end);
   const RadiusCriterion none = found([](double) -> Residuals { return {std::nullopt}; });
   EXPECT_TRUE(std::isnan(none.favoured_in));
-  EXPECT_EQ(none.admitted.low, least_radius_in);
+  EXPECT_EQ(none.admitted.low, min_radius_in);
   EXPECT_EQ(none.admitted.high, greatest_radius_in);
 }
 

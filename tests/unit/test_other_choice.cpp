@@ -25,9 +25,9 @@ ImpactCase given() {
   return impact;
 }
 
-injury::StandardValue value(double of) {
+injury::StandardValue value(double number) {
   injury::StandardValue made;
-  made.value = of;
+  made.value = number;
   return made;
 }
 
@@ -46,8 +46,8 @@ double peak(Kept kept) {
       .summary.peak_acceleration.value();
 }
 
-injury::Assessment by_values(const Standard& of, const ImpactCase& impact) {
-  return injury::assess(of, impact, solve(impact));
+injury::Assessment by_values(const Standard& standard, const ImpactCase& impact) {
+  return injury::assess(standard, impact, solve(impact));
 }
 
 std::vector<OtherChoice> turning(double limit, Kept kept, Verdict verdict) {
@@ -87,8 +87,8 @@ TEST(OtherChoice, one_that_turns_the_verdict_is_told) {
 }
 
 TEST(OtherChoice, one_that_decides_nothing_turns_nothing) {
-  const auto undecided = [](const Standard& of, const ImpactCase& impact) {
-    injury::Assessment assessment = by_values(of, impact);
+  const auto undecided = [](const Standard& standard, const ImpactCase& impact) {
+    injury::Assessment assessment = by_values(standard, impact);
     assessment.verdict = Verdict::undecided;
     return assessment;
   };

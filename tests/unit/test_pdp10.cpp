@@ -56,13 +56,13 @@ double quotient(Pdp10 a, Pdp10 b, Rounding rounding = Rounding::nearest) {
 class Samples {
  public:
   /// Any fraction; every fourth is within a few units of a power of two, every fourth has few bits.
-  Pdp10 number(int least_exponent, int most_exponent) {
+  Pdp10 number(int min_exponent, int max_exponent) {
     auto fraction = static_cast<std::int64_t>(uniform(1 << 26, (1 << 27) - 1));
     const int kind = uniform(0, 3);
     if (kind == 0) fraction = (1 << 26) + uniform(-2, 2);
     if (kind == 1) fraction &= ~((std::int64_t{1} << uniform(0, 26)) - 1);
     const double magnitude =
-        std::ldexp(static_cast<double>(fraction), uniform(least_exponent, most_exponent) - 27);
+        std::ldexp(static_cast<double>(fraction), uniform(min_exponent, max_exponent) - 27);
     return uniform(0, 1) == 0 ? magnitude : -magnitude;
   }
   double real(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }

@@ -55,7 +55,7 @@ Plot two_lines() {
 std::string svg_of(const Plot& plot) { return picture(plot, PictureFormat::svg); }
 
 /// Of three runs, s: what other programs do then counts for little.
-double least_processor_time(const auto& work) {
+double min_processor_time(const auto& work) {
   double least = std::numeric_limits<double>::infinity();
   for (int run = 0; run < 3; ++run) {
     const std::clock_t begin = std::clock();
@@ -287,7 +287,7 @@ TEST(Plot, DrawsEveryStyleOnEveryAxis) {
                {.label = "solid", .style = SeriesStyle::solid_line, .x = x, .y = y2},
                {.label = "dashed", .style = SeriesStyle::dashed_line, .x = y, .y = x},
                {.label = "points", .style = SeriesStyle::points, .x = x, .y = y},
-               {.label = "band", .style = SeriesStyle::band, .x = x, .y = y, .y2 = y2, .turn = 0},
+               {.label = "band", .style = SeriesStyle::band, .x = x, .y = y, .y2 = y2, .palette_index = 0},
                {.label = "vertical", .style = SeriesStyle::vertical_line, .x = {70, nan}},
                {.label = "horizontal", .style = SeriesStyle::horizontal_line, .y = {40, -3}}});
   for (const bool x_is_logarithmic : {false, true}) {
@@ -336,7 +336,7 @@ TEST(Plot, GivesOneLabelOneTurnInAllPanels) {
 
 TEST(Plot, TakesTurnsThatNobodyHasBeenGiven) {
   Plot plot = two_lines();
-  plot.panels[0].series[1].turn = 0;
+  plot.panels[0].series[1].palette_index = 0;
   const std::string svg = svg_of(plot);
   EXPECT_THAT(svg, HasSubstr("dp-turn-1\" data-label=\"first\""));
   EXPECT_THAT(svg, HasSubstr("dp-turn-0\" data-label=\"second\""));
@@ -376,8 +376,12 @@ TEST(Plot, NamesFewLinesAtTheirEndsAndManyInTheLegend) {
 TEST(Plot, HasPointsAndBandsInTheLegend) {
   Plot plot = two_lines();
   plot.panels[0].series.push_back({.label = "tests", .style = SeriesStyle::points, .x = {1}, .y = {1}});
-  plot.panels[0].series.push_back(
-      {.label = "scatter", .style = SeriesStyle::band, .x = {0, 1}, .y = {0, 0}, .y2 = {1, 1}, .turn = 0});
+  plot.panels[0].series.push_back({.label = "scatter",
+                                   .style = SeriesStyle::band,
+                                   .x = {0, 1},
+                                   .y = {0, 0},
+                                   .y2 = {1, 1},
+                                   .palette_index = 0});
   const std::string svg = svg_of(plot);
   EXPECT_EQ(count(svg, "<g class=\"dp-entry\""), 2U);
   for (const char* label : {"tests", "scatter"})
@@ -514,8 +518,8 @@ TEST(Plot, ThinsLinesWithoutLosingTheirExtremes) {
   EXPECT_EQ(run.back().x, 999999);
   EXPECT_LT(svg_of(plot).size(), 150'000U);
   // A renderer that looks at each point many times takes many times as long as to sort them, on any machine.
-  const double drawing_time = least_processor_time([&] { svg_of(plot); });
-  const double sorting_time = least_processor_time([y = series.y] {
+  const double drawing_time = min_processor_time([&] { svg_of(plot); });
+  const double sorting_time = min_processor_time([y = series.y] {
     std::vector<double> sorted = y;
     std::ranges::sort(sorted);
   });

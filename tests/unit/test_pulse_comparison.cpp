@@ -62,8 +62,8 @@ Pulse measured_alike() {
   return pulse;
 }
 
-const ComparedFigure& figure(const PulseComparison& of, const std::string& key) {
-  for (const ComparedFigure& each : of.figures)
+const ComparedFigure& figure(const PulseComparison& pulse_comparison, const std::string& key) {
+  for (const ComparedFigure& each : pulse_comparison.figures)
     if (each.quantity->key == key) return each;
   throw std::invalid_argument(key);
 }
@@ -190,15 +190,16 @@ TEST(PulseComparison, AlignsAMeasuredPulseWithTheComputedOne) {
   constexpr double half_a_step = 5e-5;
   for (const auto& [alignment, shift] :
        {std::pair{Alignment::onset, -13e-3}, {Alignment::peak, -13e-3}, {Alignment::none, 0.0}}) {
-    const PulseComparison of = compare_pulses(report_of(measured_alike()), computed(), impact(), alignment);
-    EXPECT_NEAR(of.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
+    const PulseComparison pulse_comparison =
+        compare_pulses(report_of(measured_alike()), computed(), impact(), alignment);
+    EXPECT_NEAR(pulse_comparison.shift, shift, alignment == Alignment::peak ? half_a_step : 1e-7)
         << injury::to_string(alignment);
-    EXPECT_NEAR(*figure(of, "time_to_peak").difference(), alignment == Alignment::none ? -13e-3 : 0,
-                half_a_step);
+    EXPECT_NEAR(*figure(pulse_comparison, "time_to_peak").difference(),
+                alignment == Alignment::none ? -13e-3 : 0, half_a_step);
     for (const char* key : {"peak_acceleration", "half_peak_width", "velocity_change", "hic15"})
-      EXPECT_NEAR(*figure(of, key).share(), 0, 1e-4) << key;
-    EXPECT_EQ(figure(of, "peak_acceleration").computed, computed().summary.peak_acceleration);
-    EXPECT_NEAR(*figure(of, "restitution").computed, *computed().summary.restitution, 1e-3);
+      EXPECT_NEAR(*figure(pulse_comparison, key).share(), 0, 1e-4) << key;
+    EXPECT_EQ(figure(pulse_comparison, "peak_acceleration").computed, computed().summary.peak_acceleration);
+    EXPECT_NEAR(*figure(pulse_comparison, "restitution").computed, *computed().summary.restitution, 1e-3);
   }
 }
 
@@ -214,19 +215,20 @@ TEST(PulseComparison, ComputedFiguresAreWithinTheirErrors) {
   for (const double tolerance : {1e-3, 1e-4}) {
     const PulseComparison now = at(tolerance);
     for (std::size_t i = 0; i < now.figures.size(); ++i) {
-      const ComparedFigure& of = now.figures[i];
-      const double off = std::abs(*of.computed / *exact.figures[i].computed - 1);
-      EXPECT_LE(off, of.error) << of.quantity->key << " at " << tolerance;
-      EXPECT_LE(of.error, 100 * tolerance) << of.quantity->key << " at " << tolerance;
+      const ComparedFigure& compared_figure = now.figures[i];
+      const double off = std::abs(*compared_figure.computed / *exact.figures[i].computed - 1);
+      EXPECT_LE(off, compared_figure.error) << compared_figure.quantity->key << " at " << tolerance;
+      EXPECT_LE(compared_figure.error, 100 * tolerance)
+          << compared_figure.quantity->key << " at " << tolerance;
     }
   }
 }
 
 /// What each error of the solver adds to those of the figures.
 TEST(PulseComparison, ErrorsOfTheSolverCountAsTheyEnterTheFigures) {
-  const auto errors = [](const ErrorEstimates& of) {
+  const auto errors = [](const ErrorEstimates& error_estimates) {
     Solution solution = computed();
-    solution.summary.errors = of;
+    solution.summary.errors = error_estimates;
     const PulseComparison now = compare_pulses(report_of(triangle()), solution, impact(), Alignment::onset);
     std::map<std::string, double> all;
     for (const ComparedFigure& each : now.figures) all[each.quantity->key] = each.error;
@@ -237,8 +239,9 @@ TEST(PulseComparison, ErrorsOfTheSolverCountAsTheyEnterTheFigures) {
   const double rebound = 1 / *figure(now, "restitution").computed;
   ASSERT_GT(end, 1.5);
   const auto none = errors({});
-  const auto expect_added = [&](const ErrorEstimates& of, const std::map<std::string, double>& expected) {
-    auto added = errors(of);
+  const auto expect_added = [&](const ErrorEstimates& error_estimates,
+                                const std::map<std::string, double>& expected) {
+    auto added = errors(error_estimates);
     for (auto& [key, error] : added) {
       const auto found = expected.find(key);
       EXPECT_NEAR(error - none.at(key), found == expected.end() ? 0 : found->second, 1e-12) << key;
@@ -264,22 +267,24 @@ TEST(PulseComparison, FiltersBothPulsesAlike) {
   report.filter = injury::PulseFilter{.channel_frequency_class = 60};
   report.pulse = injury::processed_pulse(report.measured, 1e-5, report.filter).pulse;
   report.contact = injury::contact_of(report.pulse);
-  const PulseComparison of = compare_pulses(report, computed(), impact(), Alignment::onset);
-  for (const ComparedFigure& each : of.figures)
+  const PulseComparison pulse_comparison = compare_pulses(report, computed(), impact(), Alignment::onset);
+  for (const ComparedFigure& each : pulse_comparison.figures)
     EXPECT_NEAR(each.share().value_or(0), 0, 1e-3) << each.quantity->key;
-  EXPECT_LT(*figure(of, "peak_acceleration").computed, 0.999 * *computed().summary.peak_acceleration);
-  EXPECT_NEAR(of.shift, -13e-3, 1e-5);
+  EXPECT_LT(*figure(pulse_comparison, "peak_acceleration").computed,
+            0.999 * *computed().summary.peak_acceleration);
+  EXPECT_NEAR(pulse_comparison.shift, -13e-3, 1e-5);
 }
 
 TEST(PulseComparison, WithoutAWholeComputedPulseComparesNothing) {
   const ImpactCase bottoming = case_of("rigid-floor-bottoming.toml");
-  const PulseComparison of = compare_pulses(report_of(triangle(1, 7e-3)), solve(bottoming, {}),
-                                            at(bottoming.impactor.speed), Alignment::onset);
-  EXPECT_FALSE(of.computed);
-  EXPECT_NEAR(of.shift, -7.2e-3, 1e-12);  // the onset is where the computed times begin
-  EXPECT_GT(of.computed_pulse.time.size(), 2U);
-  for (const ComparedFigure& each : of.figures) EXPECT_FALSE(each.computed) << each.quantity->key;
-  EXPECT_EQ(of.figures[0].measured, height);
+  const PulseComparison pulse_comparison = compare_pulses(report_of(triangle(1, 7e-3)), solve(bottoming, {}),
+                                                          at(bottoming.impactor.speed), Alignment::onset);
+  EXPECT_FALSE(pulse_comparison.computed);
+  EXPECT_NEAR(pulse_comparison.shift, -7.2e-3, 1e-12);  // the onset is where the computed times begin
+  EXPECT_GT(pulse_comparison.computed_pulse.time.size(), 2U);
+  for (const ComparedFigure& each : pulse_comparison.figures)
+    EXPECT_FALSE(each.computed) << each.quantity->key;
+  EXPECT_EQ(pulse_comparison.figures[0].measured, height);
 }
 
 }  // namespace

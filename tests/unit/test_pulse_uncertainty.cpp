@@ -41,14 +41,16 @@ double skewed(double time) {
   return top * std::sin(std::numbers::pi / 2 * (time < 3e-3 ? time / 3e-3 : (duration - time) / 7e-3));
 }
 
-const FigureUncertainty& figure(const MeasurementUncertainty& of, const std::string& key) {
-  return *std::ranges::find_if(of.figures, [&](const auto& each) { return key == each.quantity->key; });
+const FigureUncertainty& figure(const MeasurementUncertainty& measurement_uncertainty,
+                                const std::string& key) {
+  return *std::ranges::find_if(measurement_uncertainty.figures,
+                               [&](const auto& each) { return key == each.quantity->key; });
 }
 
 TEST(PulseUncertainty, OfSamplingHoldsTheTruePeakAndHic) {
   for (const auto& shape : {half_sine, haversine, skewed}) {
     const double hic = report_of(shape, 1e-6, 0).figures.hic15.value;
-    double most_hidden = 0, most_said = 0;
+    double max_hidden = 0, max_said = 0;
     for (int k = 0; k < 10; ++k) {
       const PulseReport report = report_of(shape, 0.5e-3, k / 10.0);
       const MeasurementUncertainty of = measurement_uncertainty(report, {});
@@ -57,10 +59,10 @@ TEST(PulseUncertainty, OfSamplingHoldsTheTruePeakAndHic) {
       EXPECT_LE(hidden, 1.01 * said) << k;
       EXPECT_LE(std::abs(hic / report.figures.hic15.value - 1), 1.01 * figure(of, "hic15").sampling.value())
           << k;
-      most_hidden = std::max(most_hidden, hidden);
-      most_said = std::max(most_said, said);
+      max_hidden = std::max(max_hidden, hidden);
+      max_said = std::max(max_said, said);
     }
-    EXPECT_LT(most_said, 5 * most_hidden);
+    EXPECT_LT(max_said, 5 * max_hidden);
   }
 }
 

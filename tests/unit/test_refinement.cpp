@@ -40,7 +40,7 @@ Figures figures_with(double error) {
 /// Adds runs, coarse to fine, until they settle; error(k) is that of run k. The number of runs, 0 if it never
 /// does.
 int settles(Refinement& refinement, const std::function<double(int)>& error) {
-  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
+  for (int k = 0; k < numerics.max_fixed_runs; ++k) {
     refinement.add(figures_with(error(k)));
     if (refinement.settled()) return k + 1;
   }
@@ -165,7 +165,7 @@ TEST(refinement, does_not_take_a_chance_agreement_for_accuracy) {
 
 TEST(refinement, does_not_compare_runs_that_end_differently) {
   Refinement refinement(impactor, 1e-2);
-  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
+  for (int k = 0; k < numerics.max_fixed_runs; ++k) {
     Figures run = figures_with(0);
     if (k % 2 == 0) {
       run.bottomed = Moment{0.01, 1};
@@ -259,7 +259,7 @@ TEST(refinement, an_impactor_is_at_rest_only_once_its_last_swing_is_told_from_on
   const double slow = numerics.speed_at_rest * impactor.speed;
   const auto runs_until_settled = [&](double last, double slowest, double error) {
     Refinement refinement(impactor, 1e-2);
-    for (int k = 0; k < numerics.most_fixed_runs; ++k, error /= 4) {
+    for (int k = 0; k < numerics.max_fixed_runs; ++k, error /= 4) {
       Figures run = figures_with(0);
       run.ending = Ending::at_rest;
       run.last_swing = slow * (last - error);
@@ -278,7 +278,7 @@ TEST(refinement, an_impactor_is_at_rest_only_once_its_last_swing_is_told_from_on
 
 TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
-  for (int k = 0; k < numerics.most_fixed_runs; ++k) {
+  for (int k = 0; k < numerics.max_fixed_runs; ++k) {
     Figures run = figures_with(0);
     run.pad_work -= 0.01 * impact_energy;
     refinement.add(run);

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 const fs::path root = DASHPAD_SOURCE_DIR;
 
-std::string unit_in_files(const ResultQuantity& of, const UnitSystem& units) {
-  return scaled_unit(of.si_unit, units).unit;
+std::string unit_in_files(const ResultQuantity& result_quantity, const UnitSystem& units) {
+  return scaled_unit(result_quantity.si_unit, units).unit;
 }
 
 std::string unit_or(const char* none, const std::string& unit) { return unit == "1" ? none : unit; }
@@ -44,26 +44,30 @@ std::string table_of(const std::string& head, std::initializer_list<Part> parts,
     if (head[i] == '|') text += "---|";
   text += "\n";
   for (const Part part : parts)
-    for (const ResultQuantity& of : result_quantities())
-      if (of.part == part) text += row(of) + "\n";
+    for (const ResultQuantity& result_quantity : result_quantities())
+      if (result_quantity.part == part) text += row(result_quantity) + "\n";
   return text;
 }
 
 std::string table_of_impact() {
   return table_of("| title | key | unit in files | error | interval | meaning | none |",
-                  {Part::impact, Part::moment, Part::energy}, [](const ResultQuantity& of) {
-                    return fmt::format("| {} | `{}` | {} | {} | {} | {} | {} |", of.title, of.key,
-                                       unit_or("", unit_in_files(of, plain_si())), of.role.estimate,
-                                       of.has_interval() ? "yes" : "", of.meaning, of.role.absent);
+                  {Part::impact, Part::moment, Part::energy}, [](const ResultQuantity& result_quantity) {
+                    return fmt::format(
+                        "| {} | `{}` | {} | {} | {} | {} | {} |", result_quantity.title, result_quantity.key,
+                        unit_or("", unit_in_files(result_quantity, plain_si())),
+                        result_quantity.role.estimate, result_quantity.has_interval() ? "yes" : "",
+                        result_quantity.meaning, result_quantity.role.absent);
                   });
 }
 
 std::string table_of_pulse() {
-  return table_of("| title | key | unit | interval | meaning |", {Part::pulse}, [](const ResultQuantity& of) {
-    return fmt::format("| {} | `{}` | {} | {} | {} |", of.title, of.key,
-                       unit_or("", unit_in_files(of, plain_si())), of.has_interval() ? "yes" : "",
-                       of.meaning);
-  });
+  return table_of("| title | key | unit | interval | meaning |", {Part::pulse},
+                  [](const ResultQuantity& result_quantity) {
+                    return fmt::format("| {} | `{}` | {} | {} | {} |", result_quantity.title,
+                                       result_quantity.key,
+                                       unit_or("", unit_in_files(result_quantity, plain_si())),
+                                       result_quantity.has_interval() ? "yes" : "", result_quantity.meaning);
+                  });
 }
 
 /// Files of numbers are in plain SI where a reader sees its prefixes.
@@ -71,11 +75,11 @@ std::string table_of_history() {
   const auto in_files = [](const UnitSystem& units) { return units.name == "si" ? plain_si() : units; };
   std::string head = "| column |";
   for (const UnitSystem& units : unit_systems()) head += fmt::format(" `--units {}` |", units.name);
-  return table_of(head + " meaning |", {Part::history}, [&](const ResultQuantity& of) {
-    std::string row = fmt::format("| `{}` |", of.key);
+  return table_of(head + " meaning |", {Part::history}, [&](const ResultQuantity& result_quantity) {
+    std::string row = fmt::format("| `{}` |", result_quantity.key);
     for (const UnitSystem& units : unit_systems())
-      row += fmt::format(" {} |", unit_or("-", unit_in_files(of, in_files(units))));
-    return row + fmt::format(" {} |", of.meaning);
+      row += fmt::format(" {} |", unit_or("-", unit_in_files(result_quantity, in_files(units))));
+    return row + fmt::format(" {} |", result_quantity.meaning);
   });
 }
 
@@ -86,14 +90,14 @@ TEST(ResultFields, AreInTheReferenceOfResults) {
   expect_generated(document, "columns of the history", table_of_history());
 }
 
-std::string description_of(const ResultQuantity& of) {
-  std::string text = with_capital(of.meaning);
-  if (*of.role.absent != '\0') text += fmt::format("; null {}", of.role.absent);
-  const std::string unit = unit_in_files(of, plain_si());
-  const bool says_unit = std::string_view(of.meaning).ends_with("g^2.5 s");
-  return text + (says_unit                 ? ". Unit: g^2.5 s."
-                 : of.part == Part::moment ? "."
-                                           : fmt::format(". Unit: {}.", unit));
+std::string description_of(const ResultQuantity& result_quantity) {
+  std::string text = with_capital(result_quantity.meaning);
+  if (*result_quantity.role.absent != '\0') text += fmt::format("; null {}", result_quantity.role.absent);
+  const std::string unit = unit_in_files(result_quantity, plain_si());
+  const bool says_unit = std::string_view(result_quantity.meaning).ends_with("g^2.5 s");
+  return text + (says_unit                              ? ". Unit: g^2.5 s."
+                 : result_quantity.part == Part::moment ? "."
+                                                        : fmt::format(". Unit: {}.", unit));
 }
 
 /// The description of a property that has to be there.
@@ -109,23 +113,29 @@ TEST(ResultFields, AreInTheSchemaOfResults) {
   const fs::path file = root / "schema" / "summary.schema.json";
   Json schema = Json::parse(text_of(file));
   Json& top = schema["properties"];
-  for (const ResultQuantity& of : result_quantities()) {
-    switch (of.part) {
-      case Part::impact: expect_description(top, key_with_unit(of), description_of(of)); break;
-      case Part::moment: expect_description(top, of.key, description_of(of)); break;
+  for (const ResultQuantity& result_quantity : result_quantities()) {
+    switch (result_quantity.part) {
+      case Part::impact:
+        expect_description(top, key_with_unit(result_quantity), description_of(result_quantity));
+        break;
+      case Part::moment: expect_description(top, result_quantity.key, description_of(result_quantity)); break;
       case Part::energy:
-        if (std::string_view(of.key) != "total_energy")  // over time, on the page
-          expect_description(top["energy"]["properties"], key_with_unit(of), description_of(of));
+        if (std::string_view(result_quantity.key) != "total_energy")  // over time, on the page
+          expect_description(top["energy"]["properties"], key_with_unit(result_quantity),
+                             description_of(result_quantity));
         break;
       case Part::pulse:
-        if (of.role.in_studies) expect_description(top["injury"]["properties"], of.key, description_of(of));
+        if (result_quantity.role.in_studies)
+          expect_description(top["injury"]["properties"], result_quantity.key,
+                             description_of(result_quantity));
         break;
       case Part::history: break;
     }
-    if (of.has_estimate() && (of.part == Part::impact || of.part == Part::moment))
-      expect_description(top["errors"]["properties"], of.key,
+    if (result_quantity.has_estimate() &&
+        (result_quantity.part == Part::impact || result_quantity.part == Part::moment))
+      expect_description(top["errors"]["properties"], result_quantity.key,
                          fmt::format("Estimated error of {}: {}; null if that figure is absent. Unit: 1.",
-                                     of.key, of.role.estimate));
+                                     result_quantity.key, result_quantity.role.estimate));
   }
   if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
 }

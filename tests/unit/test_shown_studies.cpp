@@ -65,34 +65,35 @@ study::StudyAnswers study_of(bool drawn) {
 }
 
 study::StudyAnswers cushions() {
-  study::StudyAnswers of = study_of(false);
-  of.study.base = example_case();
-  of.cushion_curves =
+  study::StudyAnswers study_answers = study_of(false);
+  study_answers.study.base = example_case();
+  study_answers.cushion_curves =
       study::CushionCurves{.drops = {{0.6,
                                       3.4,
                                       {{0.05, {1e3, 2e3, 5e3}, {40 * gravity, 30 * gravity, 60 * gravity}},
                                        {0.02, {1e3, 3e3}, {90 * gravity, 80 * gravity}}}}}};
-  return of;
+  return study_answers;
 }
 
 study::StudyAnswers foams() {
-  study::StudyAnswers of = study_of(false);
-  of.study.factors = {{.key = "pad.material", .unit = "", .spread = study::Levels{{0, 1, 2}}}};
-  of.study.materials = {{.name = "soft"}, {.name = "firm"}, {.name = "hard"}};
-  of.study.responses = {"peak_penetration"};
-  of.responses = {0};
-  of.limits = {{"peak_penetration", 0.03}};
-  of.records.factors = {{0, 1, 2}};
-  of.records.responses = {{0.04, 0.025, 0.011}};
-  of.records.statuses.resize(3);
-  of.records.rows.resize(3);
-  of.records.struck_through = of.records.bottomed = 0;
-  of.groups[0].group.places = {0, 1, 2};
-  of.groups[0].exceedances = {
-      study::exceedance(study::readings_of(of.study, of.records, of.groups[0].group, 0), 0.03, false)};
-  of.groups[0].distributions = {study::distribution(of.records.responses[0], false)};
-  of.groups[0].sensitivities = {std::nullopt};
-  return of;
+  study::StudyAnswers study_answers = study_of(false);
+  study_answers.study.factors = {{.key = "pad.material", .unit = "", .spread = study::Levels{{0, 1, 2}}}};
+  study_answers.study.materials = {{.name = "soft"}, {.name = "firm"}, {.name = "hard"}};
+  study_answers.study.responses = {"peak_penetration"};
+  study_answers.responses = {0};
+  study_answers.limits = {{"peak_penetration", 0.03}};
+  study_answers.records.factors = {{0, 1, 2}};
+  study_answers.records.responses = {{0.04, 0.025, 0.011}};
+  study_answers.records.statuses.resize(3);
+  study_answers.records.rows.resize(3);
+  study_answers.records.struck_through = study_answers.records.bottomed = 0;
+  study_answers.groups[0].group.places = {0, 1, 2};
+  study_answers.groups[0].exceedances = {study::exceedance(
+      study::readings_of(study_answers.study, study_answers.records, study_answers.groups[0].group, 0), 0.03,
+      false)};
+  study_answers.groups[0].distributions = {study::distribution(study_answers.records.responses[0], false)};
+  study_answers.groups[0].sensitivities = {std::nullopt};
+  return study_answers;
 }
 
 TEST(ShownStudies, AreTheSameInAllUnits) {
@@ -107,13 +108,13 @@ TEST(ShownStudies, AreTheSameInAllUnits) {
     }
     return plots;
   });
-  for (const study::StudyAnswers& of : {draws, grid, foams()})
+  for (const study::StudyAnswers& study_answers : {draws, grid, foams()})
     expect_same_numbers_in_all_units(
         [&](const UnitSystem& units) {
           std::vector<double> all;
-          for (const Table& table : study_tables(of, units))
+          for (const Table& table : study_tables(study_answers, units))
             for (const double number : numbers_in(table)) all.push_back(number);
-          for (const double number : numbers_in(factor_table(of, units))) all.push_back(number);
+          for (const double number : numbers_in(factor_table(study_answers, units))) all.push_back(number);
           return all;
         },
         2e-3);
@@ -196,22 +197,22 @@ TEST(ShownStudies, ColouredPointsAreRows) {
 }
 
 TEST(ShownStudies, IndicesAreThoseOfTheTable) {
-  study::StudyAnswers of = study_of(true);
-  of.study.indices = true;
-  of.groups[0].sensitivities[1] =
+  study::StudyAnswers study_answers = study_of(true);
+  study_answers.study.indices = true;
+  study_answers.groups[0].sensitivities[1] =
       study::Sensitivity{.indices = {{"impactor.speed", {0.3, 0.2, 0.35}, {0.7, 0.6, 0.75}},
                                      {"pad.thickness", {0.1, 0.05, 0.18}, {0.5, 0.4, 0.55}}},
                          .draws = 99};
-  EXPECT_EQ(numbers_in(study_tables(of, unit_system("si")).back()),
+  EXPECT_EQ(numbers_in(study_tables(study_answers, unit_system("si")).back()),
             (std::vector<double>{0.3, 0.2, 0.35, 0.7, 0.6, 0.75, 99, 0.1, 0.05, 0.18, 0.5, 0.4, 0.55, 99}));
 }
 
 TEST(ShownStudies, IndicesStandUnderTheirNames) {
-  study::StudyAnswers of = study_of(true);
-  of.groups[0].sensitivities[0] =
+  study::StudyAnswers study_answers = study_of(true);
+  study_answers.groups[0].sensitivities[0] =
       study::Sensitivity{.indices = {{"impactor.speed", {0.3, 0.2, 0.35}, {0.7, 0.6, 0.75}},
                                      {"pad.thickness", {0.1, 0.05, 0.18}, {0.5, 0.4, 0.55}}}};
-  const Panel panel = index_figures(of).at(0).plot.panels.at(0);
+  const Panel panel = index_figures(study_answers).at(0).plot.panels.at(0);
   std::vector<double> first, total, first_bands, total_bands;
   for (const Series& series : panel.series) {
     const bool is_first = (series.label + series.of).starts_with("alone");

@@ -67,14 +67,15 @@ std::vector<double> decelerations(const History& history) {
 
 TEST(ShownValues, OfAnImpactAreThoseOfItsHistory) {
   for (const UnitSystem& units : unit_systems())
-    for (const Solved& of : impacts()) {
-      const History& history = of.solution.history;
+    for (const Solved& solved : impacts()) {
+      const History& history = solved.solution.history;
       const std::vector<double>& time = history.time;
-      const Plot still = result_plot(of.impact, of.solution, of.injury, units);
+      const Plot still = result_plot(solved.impact, solved.solution, solved.injury, units);
       expect_series(still.panels.at(0), title("deceleration"), time, decelerations(history));
       expect_series(still.panels.at(1), title("motion"), history.motion, history.force);
       expect_series(still.panels.at(1), title("penetration"), history.penetration, history.force);
-      const std::vector<Plot> figures = plots_of(impact_figures(of.impact, of.solution, of.injury, units));
+      const std::vector<Plot> figures =
+          plots_of(impact_figures(solved.impact, solved.solution, solved.injury, units));
       ASSERT_GE(figures.size(), 5U);
       for (const Plot& figure : figures) {
         const Panel& panel = figure.panels.at(0);
@@ -87,7 +88,7 @@ TEST(ShownValues, OfAnImpactAreThoseOfItsHistory) {
         } else if (figure.title == "Force over displacement") {
           expect_series(panel, title("motion"), history.motion, history.force);
         } else if (figure.title == "Energy over time") {
-          const ImpactEnergies energies = impact_energies(of.impact, history);
+          const ImpactEnergies energies = impact_energies(solved.impact, history);
           expect_series(panel, title("kinetic_energy"), time, energies.kinetic);
           expect_series(panel, title("pad_energy"), time, energies.pad);
           expect_series(panel, title("total_energy"), time, energies.total);
@@ -95,37 +96,38 @@ TEST(ShownValues, OfAnImpactAreThoseOfItsHistory) {
           EXPECT_EQ(figure.title, "Penetration and displacement over time");
           expect_series(panel, title("motion"), time, history.motion);
           expect_series(panel, title("penetration"), time, history.penetration);
-          if (!of.impact.support.is_rigid())  // whose deflection is nothing but rounding
+          if (!solved.impact.support.is_rigid())  // whose deflection is nothing but rounding
             expect_series(panel, title("support_deflection"), time, history.support_deflection);
         }
       }
-      if (!of.injury) continue;
+      if (!solved.injury) continue;
       const Panel panel = panel_in_si(still.panels.at(0));
       for (const Series& series : panel.series) {
         if (series.style == SeriesStyle::horizontal_line) {
-          EXPECT_NEAR(series.y.at(0), of.injury->clip_3ms.level, 1e-9);
+          EXPECT_NEAR(series.y.at(0), solved.injury->clip_3ms.level, 1e-9);
         } else if (series.label.starts_with(title("hic15"))) {
-          EXPECT_NEAR(series.x.front(), of.injury->hic15.begin, 1e-12);
-          EXPECT_NEAR(series.x.back(), of.injury->hic15.end, 1e-12);
-          EXPECT_NEAR(std::ranges::max(series.y), 0.07 * of.injury->peak.magnitude, 1e-9);
+          EXPECT_NEAR(series.x.front(), solved.injury->hic15.begin, 1e-12);
+          EXPECT_NEAR(series.x.back(), solved.injury->hic15.end, 1e-12);
+          EXPECT_NEAR(std::ranges::max(series.y), 0.07 * solved.injury->peak.magnitude, 1e-9);
         }
       }
     }
 }
 
 TEST(ShownValues, OfAnImpactAreTheSameInAllUnits) {
-  for (const Solved& of : impacts()) {
-    const auto snapshots = contact_snapshots(of.impact, of.solution.history);
+  for (const Solved& solved : impacts()) {
+    const auto snapshots = contact_snapshots(solved.impact, solved.solution.history);
     expect_same_in_all_units([&](const UnitSystem& units) {
-      std::vector<Plot> plots = plots_of(impact_figures(of.impact, of.solution, of.injury, units));
+      std::vector<Plot> plots =
+          plots_of(impact_figures(solved.impact, solved.solution, solved.injury, units));
       for (Plot& plot : plots_of(contact_figures(snapshots, units))) plots.push_back(std::move(plot));
-      plots.push_back(result_plot(of.impact, of.solution, of.injury, units));
-      if (auto curve = foam_curve_plot(of.impact.pad, of.solution.summary, units))
+      plots.push_back(result_plot(solved.impact, solved.solution, solved.injury, units));
+      if (auto curve = foam_curve_plot(solved.impact.pad, solved.solution.summary, units))
         plots.push_back(*std::move(curve));
       return plots;
     });
     const Options options;
-    const ImpactReport report{of.impact, options, of.solution, of.injury};
+    const ImpactReport report{solved.impact, options, solved.solution, solved.injury};
     for (const auto& written : std::vector<std::function<std::string(const Document&)>>{
              [](const Document& document) { return to_terminal(document, Detail::main); },
              // The case to copy is in SI.
@@ -244,23 +246,24 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
   for (const double later : {-60e-3, 60e-3}) {
     injury::PulseReport report = two_humps(-1);
     for (double& time : report.pulse.time) time += later;
-    const injury::PulseComparison of = injury::compare_pulses(
+    const injury::PulseComparison pulse_comparison = injury::compare_pulses(
         report, impact.solution, injury::MeasuredImpact{.speed = impact.impact.impactor.speed},
         injury::Alignment::onset);
-    ASSERT_LT(of.shift * later, 0);
-    const PulseComparisonReport both{"case.toml", impact.impact, impact.solution, report, of};
+    ASSERT_LT(pulse_comparison.shift * later, 0);
+    const PulseComparisonReport both{"case.toml", impact.impact, impact.solution, report, pulse_comparison};
     const Panel panel = panel_in_si(pulse_comparison_plot(both, unit_system("si")).panels.at(0));
     const Series& measured = series_of(panel, "measured");
     std::vector<double> times = report.pulse.time, values = report.pulse.acceleration;
-    for (double& time : times) time += of.shift;
+    for (double& time : times) time += pulse_comparison.shift;
     for (double& value : values) value = -value;
     ASSERT_EQ(measured.x.size(), times.size());
     for (std::size_t i = 0; i < times.size(); ++i) ASSERT_NEAR(measured.x[i], times[i], 1e-12);
     expect_values(measured.y, values, "measured");
-    std::vector<double> computed = of.computed_pulse.acceleration;
+    std::vector<double> computed = pulse_comparison.computed_pulse.acceleration;
     for (double& value : computed) value = -value;
     expect_values(series_of(panel, "computed").y, computed, "computed");
-    const double peak = of.computed->peak.magnitude / of.measured.peak.magnitude - 1;
+    const double peak =
+        pulse_comparison.computed->peak.magnitude / pulse_comparison.measured.peak.magnitude - 1;
     ASSERT_GT(std::abs(peak), 0.01);
     EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% below that" : "% above that"));
     EXPECT_THAT(

@@ -132,9 +132,9 @@ TEST_F(Simulations, AllOfThemComeInOrderAndAreRunOnce) {
   const std::vector<Program> which{Program::accurate_first_slope, Program::accurate};
   std::vector<std::size_t> told;
   const auto all =
-      predict_all(data, ensolite, which, {plate, soft, plate}, [&](std::size_t done, std::size_t of) {
+      predict_all(data, ensolite, which, {plate, soft, plate}, [&](std::size_t done, std::size_t given) {
         told.push_back(done);
-        EXPECT_EQ(of, 3U) << "the plate is linear, and there twice";
+        EXPECT_EQ(given, 3U) << "the plate is linear, and there twice";
       });
   EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3}));
   ASSERT_EQ(all.size(), 6U);

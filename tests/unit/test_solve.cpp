@@ -57,7 +57,7 @@ TEST(solve, gives_an_impact_up_at_the_time_limit) {
 }
 
 TEST(solve, says_so_when_it_runs_out_of_steps) {
-  const Summary s = solve(sound, {.tolerance = 1e-8, .most_steps = 50}).summary;
+  const Summary s = solve(sound, {.tolerance = 1e-8, .max_steps = 50}).summary;
   EXPECT_EQ(s.status, Status::tolerance_not_met);
   EXPECT_FALSE(s.trustworthy());
 }

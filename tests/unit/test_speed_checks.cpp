@@ -26,7 +26,7 @@ TEST(SpeedCheck, SaysWhichScalesWouldAgree) {
   const SpeedCheck check = speed_check(report_of(6, MeasuredImpact{.speed = 4})).value();
   EXPECT_TRUE(check.agrees());
   EXPECT_EQ(check.change, 6);
-  EXPECT_NEAR(*check.least_scale, 4.0 / 6, 1e-12);
+  EXPECT_NEAR(*check.min_scale, 4.0 / 6, 1e-12);
   EXPECT_NEAR(*check.greatest_scale, 8.0 / 6, 1e-12);
   EXPECT_THAT(check.text, HasSubstr("Velocity change and speed agree: 6 m/s lies between 4 m/s (a body that "
                                     "stays) and twice that. So it would if all accelerations were 0.667 to "
@@ -39,7 +39,7 @@ TEST(SpeedCheck, OfADropHeightIsWithoutGravity) {
   const double given = standard_gravity * 10e-3;
   const SpeedCheck check = speed_check(report_of(6, fall)).value();
   EXPECT_NEAR(check.change, 6 - given, 1e-12);
-  EXPECT_NEAR(*check.least_scale * 6 - given, fall.speed, 1e-12);
+  EXPECT_NEAR(*check.min_scale * 6 - given, fall.speed, 1e-12);
   EXPECT_NEAR(*check.greatest_scale * 6 - given, 2 * fall.speed, 1e-12);
   EXPECT_THAT(check.text, HasSubstr("Velocity change and drop height agree"));
 }
@@ -76,7 +76,7 @@ TEST(SpeedCheck, OfWhatIsNotThere) {
   EXPECT_FALSE(speed_check(report_of(6, {})));
   const SpeedCheck still = speed_check(report_of(0, MeasuredImpact{.speed = 4})).value();
   EXPECT_FALSE(still.agrees());
-  EXPECT_FALSE(still.least_scale);
+  EXPECT_FALSE(still.min_scale);
   EXPECT_FALSE(still.greatest_scale);
   EXPECT_THAT(still.text, HasSubstr("there would have to be an acceleration"));
 }

@@ -109,13 +109,13 @@ TEST(Spit1984Deck, TheLongestTimeStepIsThatOfTheStiffestSegment) {
 
 TEST(Spit1984Abend, TooManyIterations) {
   Settings settings;
-  settings.most_iterations = 1;
+  settings.max_iterations = 1;
   EXPECT_EQ(run(nine_parameter_deck(), settings).abend, Abend::too_many_iterations);
 }
 
 TEST(Spit1984Abend, TooManyTimeStepsComesWhenTheHistoryIsFull) {
   Settings settings;
-  settings.most_steps = 100;
+  settings.max_steps = 100;
   const spit1984::Run result = run(nine_parameter_deck(), settings);
   EXPECT_EQ(result.abend, Abend::too_many_time_steps);
   EXPECT_EQ(result.history.size(), 99U);  // vector indices 2 to 100
@@ -125,11 +125,11 @@ TEST(Spit1984Abend, TooManyTimeStepsComesWhenTheHistoryIsFull) {
 
 TEST(Spit1984Abend, TooManyContactDivisionsComesWhenTheFieldIsFull) {
   Settings settings;
-  settings.most_stations = 50;
+  settings.max_stations = 50;
   const spit1984::Run result = run(nine_parameter_deck(), settings);
   EXPECT_EQ(result.abend, Abend::too_many_contact_divisions);
-  EXPECT_EQ(result.most_stations, 50);
-  settings.most_stations = run(nine_parameter_deck()).most_stations;
+  EXPECT_EQ(result.max_stations, 50);
+  settings.max_stations = run(nine_parameter_deck()).max_stations;
   EXPECT_EQ(run(nine_parameter_deck(), settings).abend, Abend::none);
 }
 
@@ -167,7 +167,7 @@ TEST(Spit1984Abend, EachHasItsAdvice) {
 
 TEST(Spit1984Abend, TheLastRowIsATrialWhereNoneWasAccepted) {
   Settings settings;
-  settings.most_iterations = 1;
+  settings.max_iterations = 1;
   EXPECT_FALSE(run(nine_parameter_deck(), settings).last_step_accepted);
   EXPECT_TRUE(run(nine_parameter_deck()).last_step_accepted);
 }
@@ -200,10 +200,10 @@ TEST(Spit1984, RefusesADeckThatMakesNoSense) {
 
 TEST(Spit1984, RefusesDimensionsWithoutRoom) {
   Settings settings;
-  settings.most_steps = 2;
+  settings.max_steps = 2;
   EXPECT_THROW(run(nine_parameter_deck(), settings), std::invalid_argument);
   settings = {};
-  settings.most_stations = 1;
+  settings.max_stations = 1;
   EXPECT_THROW(run(nine_parameter_deck(), settings), std::invalid_argument);
 }
 
@@ -277,7 +277,7 @@ TEST(Spit1984, ALinearPadIsRightToTheAccuracyOfItsStations) {
   settings.arithmetic = Arithmetic::binary64;
   settings.equilibrium_tolerance = 1e-8;
   settings.precision_tolerance = 1e-12;
-  settings.most_steps = 100'000;
+  settings.max_steps = 100'000;
   std::vector<double> errors;
   for (const double step : {0.2, 0.1, 0.05}) {
     deck.time_step_ms = step;
@@ -300,7 +300,7 @@ TEST(Spit1984, MendedAndIteratedTightlyItConverges) {
   settings.defects = all_mended;
   settings.equilibrium_tolerance = 1e-5;
   settings.precision_tolerance = 1e-13;
-  settings.most_iterations = 1000;
+  settings.max_iterations = 1000;
   const auto errors = [&](double step_ms) {
     deck.time_step_ms = step_ms;
     const spit1984::Run program = run(deck, settings);

@@ -192,8 +192,8 @@ TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {
   constexpr double speed = 2, slope = 3e9;
   double stiffness = 0;
   const auto force_of = [](double y, double) { return slope * y / 2; };
-  const auto first_step = [&](double most_force) {
-    return control.first_step(Phase::loading, speed, most_force, force_of, stiffness);
+  const auto first_step = [&](double max_force) {
+    return control.first_step(Phase::loading, speed, max_force, force_of, stiffness);
   };
   const double step = first_step(std::numeric_limits<double>::infinity());
   EXPECT_NEAR(stiffness, slope, 1e-3);

@@ -86,7 +86,7 @@ TEST(StudyFigures, MapsAndCurvesMarkWhatBottomedOut) {
   EXPECT_GT(beside_curves[0].y.at(0), 300);
   const auto line = labelled(curves, "thickness of the pad 10 mm");
   ASSERT_EQ(line.size(), 2U) << "the line and its marks";
-  EXPECT_EQ(*beside_curves[0].turn % output::colours_by_turn, *line[0].turn);
+  EXPECT_EQ(*beside_curves[0].palette_index % output::colours_by_turn, *line[0].palette_index);
   EXPECT_EQ(labelled(curves, "limit 150 N").size(), 1U);
 }
 
@@ -105,19 +105,19 @@ TEST(StudyFigures, AScatterHasARowOfMarksForWhatBottomedOut) {
 }
 
 TEST(StudyFigures, ACurveOverDrawsHasABandOfNineInTen) {
-  study::StudyAnswers of = answers(false);
-  of.study.factors = {{.key = "impactor.speed", .unit = "m/s", .spread = study::Levels{{1, 2}}},
-                      {.key = "pad.thickness", .unit = "m", .spread = study::Uniform{0.01, 0.03}}};
+  study::StudyAnswers study_answers = answers(false);
+  study_answers.study.factors = {{.key = "impactor.speed", .unit = "m/s", .spread = study::Levels{{1, 2}}},
+                                 {.key = "pad.thickness", .unit = "m", .spread = study::Uniform{0.01, 0.03}}};
   std::vector<double> draws;
   for (int i = 1; i <= 100; ++i) draws.push_back(i);
-  of.groups.clear();
+  study_answers.groups.clear();
   for (const double speed : {1.0, 2.0}) {
     study::StudyAnswers::OfGroup group;
     group.group = {.levels = {speed}, .places = {}, .drawn = true};
     group.distributions = {study::distribution(draws, true)};
-    of.groups.push_back(group);
+    study_answers.groups.push_back(group);
   }
-  const output::Panel panel = output::curve_figures(of, units()).at(0).plot.panels.at(0);
+  const output::Panel panel = output::curve_figures(study_answers, units()).at(0).plot.panels.at(0);
   const auto band = std::ranges::find(panel.series, SeriesStyle::band, &Series::style);
   ASSERT_NE(band, panel.series.end());
   EXPECT_THAT(band->x, ElementsAre(1, 2));
@@ -126,11 +126,11 @@ TEST(StudyFigures, ACurveOverDrawsHasABandOfNineInTen) {
 }
 
 TEST(StudyFigures, IndicesStandBelowEachOtherTheLargestOnTop) {
-  study::StudyAnswers of = answers(true);
-  of.groups[0].sensitivities = {study::Sensitivity{
+  study::StudyAnswers study_answers = answers(true);
+  study_answers.groups[0].sensitivities = {study::Sensitivity{
       .indices = {{.factor = "impactor.speed", .first = {0.1, 0, 0.2}, .total = {0.2, 0.1, 0.3}},
                   {.factor = "pad.thickness", .first = {0.6, 0.5, 0.7}, .total = {0.8, 0.7, 0.9}}}}};
-  const output::Panel panel = output::index_figures(of).at(0).plot.panels.at(0);
+  const output::Panel panel = output::index_figures(study_answers).at(0).plot.panels.at(0);
   EXPECT_FALSE(panel.y.has_numbers);
   std::vector<std::string> names;
   std::vector<double> heights;

@@ -16,7 +16,7 @@ namespace {
 
 TEST(ConsistentUnits, NeedNoFactorInAnyEquation) {
   for (const UnitSystem& u : consistent_systems()) {
-    const auto si = [](const std::string& unit, const char* of) { return to_si("1 " + unit, of); };
+    const auto si = [](const std::string& unit, const char* given) { return to_si("1 " + unit, given); };
     const double mass = si(u.mass, "kg"), length = si(u.length, "m"), time = si(u.time, "s");
     const double force = mass * length / (time * time);
     const auto expect = [&](double actual, double expected) {

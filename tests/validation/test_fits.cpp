@@ -14,7 +14,8 @@ namespace {
 TEST(FitValidation, PredictsTheRestOfTheWayUp) {
   Fit fit =
       read_fit(DASHPAD_SOURCE_DIR "/examples/fits/vn600.toml", DASHPAD_SOURCE_DIR "/materials").value().fit;
-  std::erase_if(fit.unknowns, [](const Unknown& of) { return of.key == "pad.parameters.unloading_shape"; });
+  std::erase_if(fit.unknowns,
+                [](const Unknown& unknown) { return unknown.key == "pad.parameters.unloading_shape"; });
   MaterialMeasurement& lower = fit.tests.front();
   std::size_t top = 0;
   while (top + 1 < lower.strain.size() && lower.strain[top + 1] >= lower.strain[top]) ++top;

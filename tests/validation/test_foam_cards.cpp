@@ -52,11 +52,12 @@ constexpr Loading loadings[] = {
 };
 
 TEST(FoamCards, LoadAsTheirTests) {
-  for (const Loading& of : loadings) {
-    const laboratory::StrainHistory up{{{.duration = of.strain / of.rate, .strain = 0, .rate = of.rate}}};
-    const laboratory::ColumnTest test = laboratory::drive(card(of.card).law, up, 50);
-    EXPECT_NEAR(test.stress.back() / 1e3, of.stress, 0.05 * of.stress)
-        << of.card << " at " << of.rate << " 1/s and a strain of " << of.strain;
+  for (const Loading& loading : loadings) {
+    const laboratory::StrainHistory up{
+        {{.duration = loading.strain / loading.rate, .strain = 0, .rate = loading.rate}}};
+    const laboratory::ColumnTest test = laboratory::drive(card(loading.card).law, up, 50);
+    EXPECT_NEAR(test.stress.back() / 1e3, loading.stress, 0.05 * loading.stress)
+        << loading.card << " at " << loading.rate << " 1/s and a strain of " << loading.strain;
   }
 }
 
@@ -110,25 +111,25 @@ double first_way_back(const laboratory::ColumnTest& test, double strain) {
 
 TEST(FoamCards, ReturnTheEnergyOfTheirTests) {
   constexpr double allowed = 0.03;
-  for (const Cycles& of : measured) {
+  for (const Cycles& each : measured) {
     const laboratory::ColumnTest test =
-        laboratory::drive(card(of.card).law, laboratory::cyclic_test(of.rate, of.strain, 0, 5), 500);
+        laboratory::drive(card(each.card).law, laboratory::cyclic_test(each.rate, each.strain, 0, 5), 500);
     const std::vector<CycleEnergy> cycles = energies(test);
     ASSERT_EQ(cycles.size(), 5U);
-    EXPECT_NEAR(cycles[0].returned / cycles[0].put_in, of.first_return, allowed) << of.card;
-    for (std::size_t i = 1; i < cycles.size() && of.later; ++i)
-      EXPECT_NEAR(cycles[i].returned / cycles[i].put_in, *of.later, allowed)
-          << of.card << ", cycle " << i + 1;
+    EXPECT_NEAR(cycles[0].returned / cycles[0].put_in, each.first_return, allowed) << each.card;
+    for (std::size_t i = 1; i < cycles.size() && each.later; ++i)
+      EXPECT_NEAR(cycles[i].returned / cycles[i].put_in, *each.later, allowed)
+          << each.card << ", cycle " << i + 1;
   }
 }
 
 TEST(FoamCards, UnloadAsTheirTests) {
-  for (const Cycles& of : measured) {
-    const laboratory::ColumnTest test =
-        laboratory::drive(card(of.card).law, laboratory::cyclic_test(of.rate, of.strain, 0, 1), 500);
+  for (const Cycles& cycles : measured) {
+    const laboratory::ColumnTest test = laboratory::drive(
+        card(cycles.card).law, laboratory::cyclic_test(cycles.rate, cycles.strain, 0, 1), 500);
     double peak = 0;
     for (const double stress : test.stress) peak = std::max(peak, stress);
-    EXPECT_NEAR(first_way_back(test, 0.3) / 1e3, of.stress_on_way_back, 0.03 * peak / 1e3) << of.card;
+    EXPECT_NEAR(first_way_back(test, 0.3) / 1e3, cycles.stress_on_way_back, 0.03 * peak / 1e3) << cycles.card;
   }
 }
 

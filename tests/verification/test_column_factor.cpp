@@ -42,9 +42,9 @@ std::vector<Pressed> pressed_pads() {
     std::istringstream row(line);
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
     const double size = std::stod(cells[3]);
-    const auto is_same = [&](const Pressed& of) {
-      return of.nose == cells[0] && of.material == cells[1] && of.size == size && of.floor == cells[4] &&
-             of.face == cells[5];
+    const auto is_same = [&](const Pressed& pressed) {
+      return pressed.nose == cells[0] && pressed.material == cells[1] && pressed.size == size &&
+             pressed.floor == cells[4] && pressed.face == cells[5];
     };
     auto found = std::ranges::find_if(all, is_same);
     if (found == all.end()) {
@@ -183,8 +183,9 @@ TEST(ColumnFactor, BringsThePeaksOfHeadformsCloser) {
   // R = 2.06 and 3.3 L, at design strains of 0.5 and 0.65, all floors and faces: columns alone are off by 6 %
   // in the peak and by 9 % in the HIC.
   Rms peak, hic, depth, alone, hic_alone, bonded;
-  for (const Pressed& pad : pads_where([](const Pressed& of) {
-         return of.nose == "sphere" && (std::abs(of.size - 2.0625) < 0.01 || std::abs(of.size - 3.3) < 0.01);
+  for (const Pressed& pad : pads_where([](const Pressed& pressed) {
+         return pressed.nose == "sphere" &&
+                (std::abs(pressed.size - 2.0625) < 0.01 || std::abs(pressed.size - 3.3) < 0.01);
        }))
     for (const double strain : {0.5, 0.65}) {
       const double energy = work_to(pad, strain);

@@ -37,10 +37,10 @@ TEST_P(FitsOfMadeUpData, FindTheTruthFromElsewhere) {
   }
 }
 
-std::string name_of_kind(const testing::TestParamInfo<Make>& of) {
+std::string name_of_kind(const testing::TestParamInfo<Make>& given) {
   static const std::vector<std::string> names{"avalle",   "hyperfoam", "nine_parameter",
                                               "drifting", "pulses",    "neighbours"};
-  return names[of.index];
+  return names[given.index];
 }
 
 INSTANTIATE_TEST_SUITE_P(Fits, FitsOfMadeUpData,

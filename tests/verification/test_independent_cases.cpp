@@ -56,8 +56,9 @@ TEST(IndependentCases, FiguresAreTrue) {
       EXPECT_EQ(summary.status, Status::released) << name << ' ' << tolerance;
       for (const TrueFigure& figure : figures) {
         const auto quantities = summary_quantities();
-        const auto quantity = std::ranges::find_if(
-            quantities, [&](const SummaryQuantity& of) { return of.quantity->key == figure.key; });
+        const auto quantity = std::ranges::find_if(quantities, [&](const SummaryQuantity& summary_quantity) {
+          return summary_quantity.quantity->key == figure.key;
+        });
         ASSERT_NE(quantity, quantities.end()) << figure.key;
         const EstimatedValue found = quantity->of(summary);
         ASSERT_FALSE(std::isnan(found.value)) << name << ' ' << figure.key;

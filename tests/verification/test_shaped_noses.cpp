@@ -49,8 +49,8 @@ void expect_alike(const Nose& one, const Nose& other, double allowed) {
 
 /// Points of a section that is given over the angle from the axis, 0 to 90 degrees.
 template <class Depth, class Size>
-Profile sampled(Profile::Of of, int count, Depth&& depth, Size&& size) {
-  Profile profile{.of = of};
+Profile sampled(Profile::Of kind, int count, Depth&& depth, Size&& size) {
+  Profile profile{.of = kind};
   for (int i = 0; i <= count; ++i) {
     const double angle = pi / 2 * i / count;
     profile.points.push_back({depth(angle), size(angle)});
@@ -95,13 +95,15 @@ TEST(Cylinder, IsCutIntoPiecesOfItsAreaAndVolume) {
   for (const double grading : {0.5, 0.2}) {
     const std::vector<SectionPiece> pieces = sections.shape->pieces(grading);
     double end = 0;
-    for (const SectionPiece& of : pieces) {
-      EXPECT_EQ(of.from, end);
-      end = of.to;
+    for (const SectionPiece& section_piece : pieces) {
+      EXPECT_EQ(section_piece.from, end);
+      end = section_piece.to;
       const auto rise = [&](double s) {
-        return 2 * pi * (of.width - of.taper * (s + of.from) / 2) * (s - of.from);
+        return 2 * pi * (section_piece.width - section_piece.taper * (s + section_piece.from) / 2) *
+               (s - section_piece.from);
       };
-      expect_relative(sections.area(of.from) + rise(of.to), sections.area(of.to), 1e-12, "area");
+      expect_relative(sections.area(section_piece.from) + rise(section_piece.to),
+                      sections.area(section_piece.to), 1e-12, "area");
     }
     EXPECT_EQ(end, pole.radius);
   }

@@ -76,9 +76,9 @@ struct Other {
     using std::numbers::pi;
     constexpr double mass = 4, radius = 0.08, thickness = 0.03, modulus = 3e5;
     const auto force = [&](double y) { return modulus / thickness * pi * (radius * y * y - y * y * y / 3); };
-    const auto rates = [&](const std::array<double, 2>& of) {
-      const double y = of[0], area = pi * (2 * radius * y - y * y), widening = 2 * pi * (radius - y);
-      const double in = of[1] / (1 + modulus / thickness * area / stiffness);
+    const auto rates = [&](const std::array<double, 2>& given) {
+      const double y = given[0], area = pi * (2 * radius * y - y * y), widening = 2 * pi * (radius - y);
+      const double in = given[1] / (1 + modulus / thickness * area / stiffness);
       const double drag = in > 0 ? sheet * widening * in * in : 0;
       return std::array{in, (mass * gravity - force(y) - drag) / (mass + sheet * area)};
     };

@@ -64,10 +64,13 @@ std::vector<std::string> words_of(std::string_view list) {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-std::string base_units(const UnitDimension& of) {
+std::string base_units(const UnitDimension& unit_dimension) {
   std::string text = "1";
-  for (const auto& [name, exponent] : std::vector<std::pair<std::string, int>>{
-           {"m", of.m}, {"kg", of.kg}, {"s", of.s}, {"K", of.K}, {"A", of.A}})
+  for (const auto& [name, exponent] : std::vector<std::pair<std::string, int>>{{"m", unit_dimension.m},
+                                                                               {"kg", unit_dimension.kg},
+                                                                               {"s", unit_dimension.s},
+                                                                               {"K", unit_dimension.K},
+                                                                               {"A", unit_dimension.A}})
     if (exponent != 0) text += (text == "1" ? "" : " ") + name + std::to_string(exponent);
   return text.size() > 1 ? text.substr(1) : text;
 }

@@ -97,7 +97,7 @@ struct MeasuredDeceleration {
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
-inline constexpr std::size_t most_pulse_points = 200;
+inline constexpr std::size_t max_pulse_points = 200;
 
 /// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered; `quiet`: where
 /// nothing happens in it, if that is known. Throws std::invalid_argument, in words that go after the name of
@@ -150,13 +150,13 @@ inline bool seeks(const Fit& fit, std::string_view key) {
 
 /// The tests or impacts that are fitted to: those that are not held out.
 template <class Measurement>
-auto fitted(const std::vector<Measurement>& of) {
-  return std::views::filter(of, [](const Measurement& one) { return !one.is_held_out; });
+auto fitted(const std::vector<Measurement>& measurements) {
+  return std::views::filter(measurements, [](const Measurement& one) { return !one.is_held_out; });
 }
 /// Whether there is one.
 template <class Measurement>
-bool has_fitted(const std::vector<Measurement>& of) {
-  return !fitted(of).empty();
+bool has_fitted(const std::vector<Measurement>& measurements) {
+  return !fitted(measurements).empty();
 }
 /// Whether the unknowns are told by impacts alone.
 inline bool rests_on_impacts_alone(const Fit& fit) {

@@ -17,9 +17,9 @@
 namespace dashpad {
 
 struct Options {
-  double tolerance = 1e-4;           ///< relative error asked for, in [1e-8, 1e-2]
-  double time_limit = 10;            ///< time after first contact at which an impact is given up, s, > 0
-  std::size_t most_steps = 400'000;  ///< limit for one run; beyond it the tolerance counts as out of reach
+  double tolerance = 1e-4;          ///< relative error asked for, in [1e-8, 1e-2]
+  double time_limit = 10;           ///< time after first contact at which an impact is given up, s, > 0
+  std::size_t max_steps = 400'000;  ///< limit for one run; beyond it the tolerance counts as out of reach
   /// Computes column by column, without vectors and short cuts: many times slower, for checks of the fast
   /// path.
   bool plain = false;

@@ -43,9 +43,9 @@ struct InjuryValue {
   std::optional<double> begin = {}, end = {};  ///< s, of a window or stretch
 };
 /// All of them, for text, page and JSON alike.
-std::array<InjuryValue, 9> injury_values(const InjuryFigures& of);
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& injury_figures);
 /// One of them; absent where the quantity is none of them.
-std::optional<InjuryValue> injury_value(const InjuryFigures& of, const ResultQuantity& quantity);
+std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, const ResultQuantity& quantity);
 
 /// The acceleration of the impactor. Until its end the history of an impact on a rigid support that bottomed
 /// out is finite; it is no whole pulse.

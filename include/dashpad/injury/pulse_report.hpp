@@ -96,7 +96,7 @@ struct MeasurementUncertainty {
 };
 
 /// A calibration is at most so much.
-inline constexpr double most_calibration = 0.5;
+inline constexpr double max_calibration = 0.5;
 
 /// A standard's limits beside the figures of a pulse.
 struct PulseLimits {
@@ -158,7 +158,7 @@ struct SpeedCheck {
   double change = 0;     ///< m/s, of the motion: change_of_motion()
   double shortfall = 0;  ///< m/s, by how much that is below v; above 2 v negative; 0 between them, to 0.1 %
   /// By what the accelerations may be multiplied for a change between v and 2 v; absent without acceleration.
-  std::optional<double> least_scale = {}, greatest_scale = {};
+  std::optional<double> min_scale = {}, greatest_scale = {};
   std::string text = {};  ///< a sentence
 
   [[nodiscard]] bool agrees() const { return shortfall == 0; }

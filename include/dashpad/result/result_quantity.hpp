@@ -76,9 +76,9 @@ const ResultQuantity* find_result_quantity(std::string_view key);
 const ResultQuantity& result_quantity(std::string_view key);
 
 /// "peak acceleration", but "HIC15".
-std::string title_in_sentence(const ResultQuantity& of);
+std::string title_in_sentence(const ResultQuantity& result_quantity);
 
 /// The key of a quantity in a file that holds it in the units of a system: "peak_acceleration_g".
-std::string key_with_unit(const ResultQuantity& of, const UnitSystem& units = plain_si());
+std::string key_with_unit(const ResultQuantity& result_quantity, const UnitSystem& units = plain_si());
 
 }  // namespace dashpad

@@ -63,9 +63,9 @@ inline constexpr std::array<Defect, 4> defects{{
 struct Settings {
   Arithmetic arithmetic = Arithmetic::pdp10;
   Defects defects;
-  int most_steps = 1000;                ///< dimension of the time history; ABEND 902 beyond
-  int most_stations = 1000;             ///< dimension of the contact field; ABEND 904 beyond
-  int most_iterations = 100;            ///< ABEND 900 beyond
+  int max_steps = 1000;                 ///< dimension of the time history; ABEND 902 beyond
+  int max_stations = 1000;              ///< dimension of the contact field; ABEND 904 beyond
+  int max_iterations = 100;             ///< ABEND 900 beyond
   double equilibrium_tolerance = 0.02;  ///< TOLMAX, of the force; Eq. 21
   double precision_tolerance = 1e-5;    ///< TOL, of the penetration; Eq. 23
 };
@@ -110,9 +110,9 @@ struct Run {
   bool last_step_accepted = true;
   std::optional<double> speed_error;  ///< Eq. 27, with ABEND 903 only; fraction of the last speed
   std::vector<PrecisionStop> precision_stops;
-  int halvings = 0;       ///< of the time step, at the end
-  int most_stations = 0;  ///< that the contact field held
-  long trials = 0;        ///< penetrations tried, all steps together
+  int halvings = 0;      ///< of the time step, at the end
+  int max_stations = 0;  ///< that the contact field held
+  long trials = 0;       ///< penetrations tried, all steps together
 };
 
 /// Short names: "binary32", "binary64", "pdp10".

@@ -44,7 +44,7 @@ struct Distribution {
 };
 
 /// That of one of the probabilities above. None where no row has a value.
-std::optional<Estimate> quantile(const Distribution& of, double probability);
+std::optional<Estimate> quantile(const Distribution& distribution, double probability);
 
 /// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
 /// the pad bottomed out on a rigid support; from the value to infinity where that is a lower bound; without
@@ -157,7 +157,7 @@ struct CushionCurve {
 };
 
 /// Where on the curve the peak is least. None without a finite one.
-std::optional<std::size_t> least_peak(const CushionCurve& curve);
+std::optional<std::size_t> min_peak(const CushionCurve& curve);
 
 struct CushionCurves {
   struct Drop {

@@ -17,7 +17,7 @@
 namespace dashpad::uncertainty {
 
 /// Impacts that are solved for the ends of ranges and the axes of a posterior, at most.
-inline constexpr int most_impacts = 12;
+inline constexpr int max_impacts = 12;
 
 /// Sets solution.summary.intervals of a solved impact. Further impacts are solved, on all cores and to a
 /// tolerance of 1e-3, only for sources that are open and that the impact reaches. `dwell_levels`: m/s2, of

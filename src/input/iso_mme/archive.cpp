@@ -23,7 +23,7 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t max_entries = 10'000;
 constexpr std::size_t longest_name = 1000;
 /// What a tar claims to hold in all. To pass over a file of a tar is to unpack it; of a zip it costs nothing.
 constexpr std::int64_t largest_tar = std::int64_t{1} << 34;
@@ -56,8 +56,7 @@ class Archive {
       const int result = ::archive_read_next_header(archive_.get(), &entry_);
       if (result == ARCHIVE_EOF) return false;
       if (result < ARCHIVE_WARN) refuse_file(name_, no_archive);
-      if (++entries_ > most_entries)
-        refuse_file(name_, fmt::format("holds more than {} files", most_entries));
+      if (++entries_ > max_entries) refuse_file(name_, fmt::format("holds more than {} files", max_entries));
       if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR) count_size();
       name = safe_name();
       if (::archive_entry_filetype(entry_) == AE_IFREG && ::archive_entry_hardlink(entry_) == nullptr)

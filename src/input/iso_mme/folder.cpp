@@ -21,7 +21,7 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t most_names = 100'000;
+constexpr std::size_t max_names = 100'000;
 
 struct Closer {
   void operator()(DIR* folder) const { ::closedir(folder); }
@@ -56,7 +56,7 @@ std::vector<std::string> list(DIR* folder, const std::string& prefix, std::vecto
     if (is_a(::dirfd(folder), entry->d_name, S_IFREG)) names.push_back(prefix + name);
     if (lower_case(name) == "channel" && is_a(::dirfd(folder), entry->d_name, S_IFDIR))
       channel_folders.push_back(name);
-    if (names.size() > most_names) break;
+    if (names.size() > max_names) break;
   }
   return channel_folders;
 }
@@ -82,7 +82,7 @@ std::vector<std::string> names_in_folder(const std::filesystem::path& folder) {
   for (const std::string& name : channel_folders)
     if (const OpenFolder channels = open_folder(::dirfd(root.get()), name, O_NOFOLLOW))
       list(channels.get(), name + "/", names);
-  if (names.size() > most_names) refuse_file(folder, "holds too many files");
+  if (names.size() > max_names) refuse_file(folder, "holds too many files");
   return names;
 }
 

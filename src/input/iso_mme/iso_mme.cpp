@@ -183,7 +183,8 @@ Channels list(const MmeTestFiles& test) {
 
 std::string listing(const Channels& channels) {
   std::vector<std::string> all;
-  for (const IsoMmeChannel& of : channels) all.push_back(fmt::format("{} ({})", of.code, of.number));
+  for (const IsoMmeChannel& iso_mme_channel : channels)
+    all.push_back(fmt::format("{} ({})", iso_mme_channel.code, iso_mme_channel.number));
   return short_listing(all);
 }
 

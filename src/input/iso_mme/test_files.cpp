@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t beginning = 65536;  // bytes; enough for all labels
-constexpr std::size_t most_digits = 5;
+constexpr std::size_t max_digits = 5;
 
 /// A name in its parts; folder and ending without their / and point.
 struct Name {
@@ -41,8 +41,8 @@ std::optional<int> number_of_ending(const std::string& ending) {
   int number = 0;
   const auto [end, error] = std::from_chars(ending.data(), ending.data() + ending.size(), number);
   const bool is_all = error == std::errc{} && end == ending.data() + ending.size();
-  return is_all && ending.size() >= 3 && ending.size() <= most_digits && number > 0 ? std::optional{number}
-                                                                                    : std::nullopt;
+  return is_all && ending.size() >= 3 && ending.size() <= max_digits && number > 0 ? std::optional{number}
+                                                                                   : std::nullopt;
 }
 
 /// The name of the .mme file in the folder or archive.
@@ -62,12 +62,12 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
 }
 
 constexpr std::string_view no_value = "NOVALUE";
-constexpr std::size_t most_labels = 10'000;
+constexpr std::size_t max_labels = 10'000;
 
 /// Takes the labels off; false once `line` is none.
 bool take_label(std::string_view line, std::size_t number, MmeLabels& labels) {
   const auto colon = line.find(':');
-  if (colon == std::string_view::npos || labels.all().size() == most_labels) return false;
+  if (colon == std::string_view::npos || labels.all().size() == max_labels) return false;
   const std::string value = to_utf8(without_blanks(line.substr(colon + 1)));
   labels.add({to_utf8(without_blanks(line.substr(0, colon))), value == no_value ? "" : value, number});
   return true;
@@ -183,8 +183,8 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
     in_labels = false;
     if (blank_line != 0) faults.add(blank_line, "sample", "", rule_for(NumberKind::empty));
     blank_line = 0;
-    if (channel.values.size() == most_samples)
-      faults.refuse(lines.number(), "", "", fmt::format("more than {} samples", most_samples));
+    if (channel.values.size() == max_samples)
+      faults.refuse(lines.number(), "", "", fmt::format("more than {} samples", max_samples));
     const ReadNumber number = read_number(line);
     if (number.kind != NumberKind::number)
       faults.add(lines.number(), "sample", line,

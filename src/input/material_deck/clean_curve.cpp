@@ -100,7 +100,7 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
     }
   }
   if (!sound) return std::nullopt;
-  if (clean.table.strain.size() > TableCurve::most_points) {
+  if (clean.table.strain.size() > TableCurve::max_points) {
     faults.add(curve.line, curve.name, "", too_many_points(clean.table.strain.size()));
     return std::nullopt;
   }
@@ -108,8 +108,8 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
   return clean;
 }
 
-bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& of, MeasurementFaults& faults,
-                           std::vector<std::string>& differences) {
+bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& deck_curve,
+                           MeasurementFaults& faults, std::vector<std::string>& differences) {
   const std::vector<double>&strain = curve.table.strain, &stress = curve.table.stress;
   const auto is_below_line = [&](std::size_t i) { return stress[i] <= modulus * strain[i] * (1 + 1e-12); };
   std::size_t first = 0;
@@ -117,7 +117,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& o
   const double at_zero = std::max(curve.stress_at_zero.value_or(0), 0.0);
   if (first == 0 && at_zero == 0) return true;
   if (first == strain.size()) {
-    faults.add(of.line, of.name, "",
+    faults.add(deck_curve.line, deck_curve.name, "",
                fmt::format("lies above the elastic line of the modulus, {:.6g} Pa, throughout", modulus));
     return false;
   }
@@ -128,7 +128,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& o
   // Points along the line keep the curve through them as straight as it is.
   TableCurve limited{{yield / 3, 2 * yield / 3, yield},
                      {modulus * yield / 3, modulus * (2 * yield / 3), modulus * yield}};
-  std::vector<std::size_t> lines(3, of.line);
+  std::vector<std::size_t> lines(3, deck_curve.line);
   for (std::size_t i = first; i < strain.size(); ++i)
     if (strain[i] > yield * (1 + 1e-9) && stress[i] > limited.stress.back()) {
       limited.strain.push_back(strain[i]);
@@ -138,20 +138,20 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& o
   differences.push_back(
       fmt::format("{}: up to a strain of {:.3g} the stress rises along the modulus, {:.6g} Pa, "
                   "as the solver has it.",
-                  of.name, yield, modulus));
+                  deck_curve.name, yield, modulus));
   curve.table = std::move(limited);
   curve.lines = std::move(lines);
   return true;
 }
 
-bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& of, MeasurementFaults& faults) {
+bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& deck_curve, MeasurementFaults& faults) {
   if (air.pressure == 0) return true;
   for (std::size_t i = 0; i < curve.table.strain.size(); ++i) {
     const double e = curve.table.strain[i];
     const double room = 1 - e - air.relative_density;
     if (!(room > 0)) {
       faults.add(
-          curve.lines[i], of.name + ": strain", written_number(e),
+          curve.lines[i], deck_curve.name + ": strain", written_number(e),
           fmt::format("must be less than 1 - Phi, {:.6g}, where no air is left", 1 - air.relative_density));
       return false;
     }

@@ -59,8 +59,8 @@ class DeckFields {
 };
 
 /// Limits on what a file may ask for.
-inline constexpr std::size_t most_foams_of_deck = 500;
-inline constexpr std::size_t most_lines_of_curve = 10'000;
+inline constexpr std::size_t max_foams_of_deck = 500;
+inline constexpr std::size_t max_lines_of_curve = 10'000;
 
 /// The blocks with a number, by it. A number that stands twice is a fault.
 class NumberedBlocks {
@@ -159,10 +159,10 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
 
 /// The stress of a crushed foam that cannot rise faster than along its modulus: points above that line give
 /// way to it. Tells `differences`. False after a fault.
-bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& of, MeasurementFaults& faults,
-                           std::vector<std::string>& differences);
+bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& deck_curve,
+                           MeasurementFaults& faults, std::vector<std::string>& differences);
 
 /// Adds the air to each point. False after a fault.
-bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& of, MeasurementFaults& faults);
+bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& deck_curve, MeasurementFaults& faults);
 
 }  // namespace dashpad::input

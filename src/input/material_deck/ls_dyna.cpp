@@ -55,7 +55,7 @@ const LsDynaFoam* ls_dyna_foam(std::string_view keyword) {
   return found == std::end(ls_dyna_foams) ? nullptr : found;
 }
 
-constexpr std::size_t most_materials_listed = 10;
+constexpr std::size_t max_materials_listed = 10;
 
 /// "*MAT_057_TITLE +": the keyword, and whether its fields are long.
 DeckBlock begun_block(const DeckLine& line, bool all_long) {
@@ -142,10 +142,10 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
     while (!block.lines.empty() && without_blanks(block.lines.back().text).empty() && !foam)
       block.lines.pop_back();
     if (foam) {
-      if (deck.foams.size() == most_foams_of_deck)
-        faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", most_foams_of_deck));
+      if (deck.foams.size() == max_foams_of_deck)
+        faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", max_foams_of_deck));
       deck.foams.push_back(std::move(block));
-    } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < most_materials_listed)
+    } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < max_materials_listed)
       deck.other_materials.push_back("*" + to_utf8(keyword));
     else if (keyword.starts_with("INCLUDE"))
       deck.includes_files = true;
@@ -164,7 +164,7 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const 
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);
-  if (lines.size() > most_lines_of_curve) {
+  if (lines.size() > max_lines_of_curve) {
     faults.add(block->head.number, fmt::format("curve {}", id), "", too_many_points(lines.size() - 1));
     return std::nullopt;
   }
@@ -204,9 +204,9 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck
   DeckFields head(lines.front(), equal_widths(3, block->long_format), true, faults);
   constexpr const char* keys_of_rate[]{"SFA", "OFFA"};
   const Shift of_rate = read_shift(head, 1, 2, keys_of_rate, units.rate);
-  if (lines.size() < 2 || lines.size() > most_rates + 1) {
+  if (lines.size() < 2 || lines.size() > max_rates + 1) {
     faults.add(block->head.number, name, "",
-               fmt::format("has {} rates; must have between 1 and {}", lines.size() - 1, most_rates));
+               fmt::format("has {} rates; must have between 1 and {}", lines.size() - 1, max_rates));
     return std::nullopt;
   }
   std::vector<DeckRateCurve> rows;

@@ -366,7 +366,7 @@ std::string others_listed(const std::vector<std::string>& other_materials) {
 }
 
 std::string too_many_points(std::size_t count) {
-  return fmt::format("has {} points; {} are the most", count, TableCurve::most_points);
+  return fmt::format("has {} points; {} are the most", count, TableCurve::max_points);
 }
 
 }  // namespace dashpad::input

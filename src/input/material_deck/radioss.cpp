@@ -83,7 +83,7 @@ std::optional<DeckRateCurve> row_of(LawLines& lines) {
   return DeckRateCurve{(*row)("Eps_dot"), row->line, *std::move(curve)};
 }
 
-constexpr std::size_t most_laws_listed = 10;
+constexpr std::size_t max_laws_listed = 10;
 
 std::string keyword_in_capitals(std::string_view line) {
   return upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
@@ -95,11 +95,11 @@ void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
   while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
   const bool material = parts.size() > 2 && parts[0] == "MAT";
   if (material && radioss_law(parts[1]) != nullptr) {
-    if (deck.foams.size() == most_foams_of_deck)
-      faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", most_foams_of_deck));
+    if (deck.foams.size() == max_foams_of_deck)
+      faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", max_foams_of_deck));
     deck.foams.push_back(std::move(block));
   } else if (material) {
-    if (deck.other_materials.size() < most_laws_listed)
+    if (deck.other_materials.size() < max_laws_listed)
       deck.other_materials.push_back(to_utf8("/MAT/" + parts[1]));
   } else if (parts[0] == "FUNCT" && number_in(parts, 1) != 0) {
     deck.functions.add(number_in(parts, 1), std::move(block), faults);
@@ -183,11 +183,13 @@ std::optional<CardNumbers> LawLines::next(DeckCard card) {
   return numbers;
 }
 
-std::optional<long> LawLines::count(const CardNumbers& of, const char* field, long fewest, std::size_t most) {
-  const double count = of(field);
+std::optional<long> LawLines::count(const CardNumbers& card_numbers, const char* field, long fewest,
+                                    std::size_t most) {
+  const double count = card_numbers(field);
   if (std::isnan(count)) return std::nullopt;
-  if (count >= static_cast<double>(fewest) && count <= static_cast<double>(most)) return of.whole(field);
-  from_.faults.add(of.line, key(field), fmt::format("{}", of.whole(field)),
+  if (count >= static_cast<double>(fewest) && count <= static_cast<double>(most))
+    return card_numbers.whole(field);
+  from_.faults.add(card_numbers.line, key(field), fmt::format("{}", card_numbers.whole(field)),
                    fmt::format("must be between {} and {}", fewest, most));
   return std::nullopt;
 }
@@ -213,7 +215,7 @@ std::optional<DeckCurve> LawLines::function(long id, double scale, const char* f
     return std::nullopt;
   }
   DeckCurve curve{fmt::format("function {}", id), block->head.number, {}, {}, {}};
-  if (block->lines.size() > most_lines_of_curve) {
+  if (block->lines.size() > max_lines_of_curve) {
     from_.faults.add(curve.line, curve.name, "", too_many_points(block->lines.size() - 1));
     return std::nullopt;
   }

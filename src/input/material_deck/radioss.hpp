@@ -47,8 +47,8 @@ class LawLines {
   [[nodiscard]] std::string key(const std::string& field) const { return name_ + ": " + field; }
 
   /// The number of rows or terms in a field; absent where it is none that can be.
-  std::optional<long> count(const CardNumbers& of, const char* field, long fewest,
-                            std::size_t most = most_rates);
+  std::optional<long> count(const CardNumbers& card_numbers, const char* field, long fewest,
+                            std::size_t most = max_rates);
   /// So many lines with function, rate and scale; false where one is missing or at fault.
   bool rows(long count, std::vector<DeckRateCurve>& rows);
   /// The points of a function, stresses times `scale`, which is 1 where it is blank.

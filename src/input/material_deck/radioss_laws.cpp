@@ -15,13 +15,13 @@ namespace dashpad::input {
 namespace {
 
 /// Terms of the curve, and branches, that a card has.
-constexpr std::size_t most_terms = 2;
-using Terms = std::array<double, most_terms>;
+constexpr std::size_t max_terms = 2;
+using Terms = std::array<double, max_terms>;
 
 /// A line of one number for each term; its number in the deck, absent after a fault.
 std::optional<std::size_t> read_terms(long count, const char* name, const DeckUnit& unit, LawLines& lines,
                                       Terms& terms) {
-  auto line = lines.next(Widths(most_terms, 20));
+  auto line = lines.next(Widths(max_terms, 20));
   if (!line) return std::nullopt;
   bool sound = true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -32,12 +32,12 @@ std::optional<std::size_t> read_terms(long count, const char* name, const DeckUn
 }
 
 /// The share of a sudden stress that lasts; absent where the solver takes no such ratios.
-std::optional<double> lasting_share(const Terms& ratios, std::size_t line, const LawLines& of,
+std::optional<double> lasting_share(const Terms& ratios, std::size_t line, const LawLines& law_lines,
                                     MeasurementFaults& faults) {
   const auto [lowest, highest] = std::ranges::minmax(ratios);
   const double lasting = 1 - ratios[0] - ratios[1];
   if (lowest >= 0 && highest <= 1 && lasting > 0) return lasting;
-  faults.add(line, of.key("gamma_i"), fmt::format("{:g}, {:g}", ratios[0], ratios[1]),
+  faults.add(line, law_lines.key("gamma_i"), fmt::format("{:g}, {:g}", ratios[0], ratios[1]),
              "must each be in [0, 1], and their sum be less than 1");
   return std::nullopt;
 }
@@ -109,8 +109,8 @@ bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   constexpr double longest_time = 1e15;  // s, that a card may have
   const auto flags = lines.next(deck::law_62_flags);
   if (!flags) return false;
-  const auto terms = lines.count(*flags, "N", 1, most_terms),
-             branches = lines.count(*flags, "M", 0, most_terms);
+  const auto terms = lines.count(*flags, "N", 1, max_terms),
+             branches = lines.count(*flags, "M", 0, max_terms);
   if (!terms || !branches || !flags->are_sound()) return false;
 
   Terms mu{}, alpha{1, 1}, gamma{}, tau{1, 1};

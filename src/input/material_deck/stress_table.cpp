@@ -15,7 +15,7 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t most_rows_of_stresses = 10'000;
+constexpr std::size_t max_rows_of_stresses = 10'000;
 
 /// A header in parts: "stress_kPa @ 10 1/s" is "stress", "kPa" and "10 1/s".
 struct StressHeader {
@@ -165,8 +165,8 @@ Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::
       curves.push_back({column.of.name, columns.line, {}, {}, {}});
     std::size_t count = 0;
     each_row(csv, faults, [&](const CsvRow& row) {
-      if (count++ == most_rows_of_stresses)
-        faults.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows_of_stresses));
+      if (count++ == max_rows_of_stresses)
+        faults.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows_of_stresses));
       take_row(row, columns, csv.separator, curves, faults);
     });
     faults.throw_if_any();

@@ -12,8 +12,8 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t most_header_rows = 1000;
-constexpr std::size_t most_namesakes = 5;
+constexpr std::size_t max_header_rows = 1000;
+constexpr std::size_t max_namesakes = 5;
 constexpr std::size_t longest_name = 100;  // of a column, in messages and results
 
 using Columns = std::vector<injury::MeasuredColumn>;
@@ -67,7 +67,8 @@ const CsvHeader::Row* row_of_names(const CsvHeader& header) {
 
 std::string listing(const Columns& columns) {
   std::vector<std::string> all;
-  for (const injury::MeasuredColumn& of : columns) all.push_back(fmt::format("{} ({})", of.name, of.number));
+  for (const injury::MeasuredColumn& measured_column : columns)
+    all.push_back(fmt::format("{} ({})", measured_column.name, measured_column.number));
   return short_listing(all);
 }
 
@@ -135,7 +136,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
              looks_like(kind, injury::MeasuredColumn{.name = split_header(column.name).name}))
       text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
                           kind == ColumnKind::time ? "time" : "acceleration");
-    if (text.size() > before && ++count == most_namesakes) break;
+    if (text.size() > before && ++count == max_namesakes) break;
   }
   return text;
 }
@@ -186,12 +187,12 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   CsvRow row;
   std::optional<CsvHeader> fallback;
   std::string_view comment;
-  while (header.rows.size() < most_header_rows && rows.next(row)) {
+  while (header.rows.size() < max_header_rows && rows.next(row)) {
     const auto is_number = [&](std::string_view field) { return is_number_like(field, separator); };
     const auto numbers = std::ranges::count_if(row.fields, is_number);
-    const auto begin_numbers = [&](CsvHeader& of) {
-      of.first_line = row.line;
-      of.width = row.filled();
+    const auto begin_numbers = [&](CsvHeader& csv_header) {
+      csv_header.first_line = row.line;
+      csv_header.width = row.filled();
     };
     if (numbers >= fewest && !fallback) {
       begin_numbers(fallback.emplace(header));

@@ -55,7 +55,7 @@ std::size_t require_regular(int descriptor, const std::string& name) {
 
 void MeasurementFaults::add(std::size_t line, std::string key, std::string_view value, std::string rule) {
   faults_.push_back({file_, static_cast<int>(line), std::move(key), quoted_part(value), std::move(rule)});
-  if (faults_.size() == most_measurement_faults) {
+  if (faults_.size() == max_measurement_faults) {
     faults_.back().rule += "; reading stopped here, after so many faults";
     throw_all();
   }

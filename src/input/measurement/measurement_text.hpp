@@ -12,8 +12,8 @@
 namespace dashpad::input {
 
 inline constexpr std::size_t largest_measurement = std::size_t{1} << 30;  // bytes
-inline constexpr std::size_t most_samples = 50'000'000;
-inline constexpr std::size_t most_measurement_faults = 200;
+inline constexpr std::size_t max_samples = 50'000'000;
+inline constexpr std::size_t max_measurement_faults = 200;
 
 /// The faults of one file; stops the reading, by an exception, when there are too many.
 class MeasurementFaults {

@@ -16,7 +16,7 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t most_gap_remarks = 20;
+constexpr std::size_t max_gap_remarks = 20;
 
 /// What was met on the way through the numbers.
 struct Findings {
@@ -167,8 +167,8 @@ class NumberReader {
         return;
       }
     }
-    if (pulse.time.size() == most_samples)
-      faults_.refuse(row.line, "", "", fmt::format("more than {} samples", most_samples));
+    if (pulse.time.size() == max_samples)
+      faults_.refuse(row.line, "", "", fmt::format("more than {} samples", max_samples));
     const double value = components.empty() ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
     if (!std::isfinite(value)) {
       faults_.add(row.line, "", "", "the resultant is too large to compute with");
@@ -233,11 +233,11 @@ void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time,
       faults.add(numbers.lines[gap.after + 1], time.name, "",
                  fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps takes a straight line",
                              words(gap), 1e3 * gaps.usual_step));
-  for (std::size_t i = 0; i < std::min(gaps.all.size(), most_gap_remarks); ++i)
+  for (std::size_t i = 0; i < std::min(gaps.all.size(), max_gap_remarks); ++i)
     remarks.push_back(words(gaps.all[i]) + "; a straight line was taken");
-  if (gaps.all.size() > most_gap_remarks)
+  if (gaps.all.size() > max_gap_remarks)
     remarks.push_back(fmt::format("{} more gaps between the times; straight lines were taken",
-                                  gaps.all.size() - most_gap_remarks));
+                                  gaps.all.size() - max_gap_remarks));
 }
 
 }  // namespace

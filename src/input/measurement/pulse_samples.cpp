@@ -40,11 +40,11 @@ void judge_pulse(const Pulse& pulse, std::size_t line, MeasurementFaults& faults
 namespace {
 
 constexpr double rounding = 1e-6;  // of times that were written with few digits
-constexpr double most_on_even_grid = 1.5 + rounding;
+constexpr double max_on_even_grid = 1.5 + rounding;
 constexpr double evenness = 0.25 + rounding;
 constexpr std::size_t few_gaps = 3;
-constexpr double most_on_any_grid = 10;
-constexpr double most_of_neighbours = 3;
+constexpr double max_on_any_grid = 10;
+constexpr double max_of_neighbours = 3;
 
 double median_step(const std::vector<double>& times) {
   std::vector<double> steps(times.size() - 1);
@@ -59,7 +59,7 @@ bool is_even_but_for_gaps(const std::vector<double>& times, double usual) {
   std::size_t longer = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double step = times[i + 1] - times[i];
-    if (step > most_on_even_grid * usual)
+    if (step > max_on_even_grid * usual)
       ++longer;
     else if (std::abs(step - usual) > evenness * usual)
       return false;
@@ -67,8 +67,8 @@ bool is_even_but_for_gaps(const std::vector<double>& times, double usual) {
   return 2 * longer < count && (longer <= few_gaps || 10 * longer <= count);
 }
 
-constexpr double far = 1000;             // of the record
-constexpr std::size_t most_digits = 18;  // of a whole part: all of them fit into 64 bits
+constexpr double far = 1000;            // of the record
+constexpr std::size_t max_digits = 18;  // of a whole part: all of them fit into 64 bits
 constexpr std::string_view digits = "0123456789";
 
 }  // namespace
@@ -77,14 +77,14 @@ PulseGaps find_gaps(const std::vector<double>& times) {
   if (times.size() < 4) return {};
   PulseGaps gaps{.usual_step = median_step(times)};
   const bool even = is_even_but_for_gaps(times, gaps.usual_step);
-  const double longest = (even ? most_on_even_grid : most_on_any_grid) * gaps.usual_step;
+  const double longest = (even ? max_on_even_grid : max_on_any_grid) * gaps.usual_step;
   const std::size_t count = times.size() - 1;
   for (std::size_t i = 0; i < count; ++i) {
     const double step = times[i + 1] - times[i];
     if (!(step > longest)) continue;
     const double before = i > 0 ? times[i] - times[i - 1] : 0;
     const double behind = i + 1 < count ? times[i + 2] - times[i + 1] : 0;
-    if (even || step > most_of_neighbours * std::max(before, behind)) gaps.all.push_back({i, step});
+    if (even || step > max_of_neighbours * std::max(before, behind)) gaps.all.push_back({i, step});
   }
   return gaps;
 }
@@ -108,7 +108,7 @@ std::optional<ExactTime> exact_time(std::string_view number) {
   if (all.empty() || all.find_first_not_of(digits) != std::string::npos) return std::nullopt;
   // The point among all digits; beyond either end there are zeros.
   const std::int64_t place = static_cast<std::int64_t>(point) + exponent;
-  if (place > static_cast<std::int64_t>(most_digits)) return std::nullopt;
+  if (place > static_cast<std::int64_t>(max_digits)) return std::nullopt;
   const auto whole_digits = static_cast<std::size_t>(std::max<std::int64_t>(place, 0));
   if (whole_digits > all.size()) all.append(whole_digits - all.size(), '0');
   ExactTime time;

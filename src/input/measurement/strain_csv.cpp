@@ -12,8 +12,8 @@
 namespace dashpad::input {
 namespace {
 
-constexpr std::size_t most_rows_of_a_test = 10'000;
-constexpr double least_strain_of_a_test = 1e-9;
+constexpr std::size_t max_rows_of_a_test = 10'000;
+constexpr double min_strain_of_a_test = 1e-9;
 
 /// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
 HeaderText without_unit(const injury::MeasuredColumn& column) {
@@ -105,8 +105,8 @@ class TestReader {
       : columns_(columns), separator_(separator), faults_(faults) {}
 
   void add(const CsvRow& row) {
-    if (table.strain.size() == most_rows_of_a_test)
-      faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", most_rows_of_a_test));
+    if (table.strain.size() == max_rows_of_a_test)
+      faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", max_rows_of_a_test));
     const auto strain = value(row, columns_.strain, "1");
     const auto stress = value(row, columns_.stress, "Pa");
     double time = 0;
@@ -141,14 +141,14 @@ class TestReader {
     if (!(largest > 0) || -least > largest)
       faults_.refuse(0, columns_.strain.name, "",
                      "is negative: compression counts positive here, strain and stress alike");
-    if (!(largest > least_strain_of_a_test))
+    if (!(largest > min_strain_of_a_test))
       faults_.refuse(0, columns_.strain.name, "",
-                     fmt::format("is nowhere above {:g}: nothing was compressed", least_strain_of_a_test));
-    const double least_stress = measured_magnitudes("Pa").least, most_stress = std::ranges::max(table.stress);
-    if (most_stress > 0 && most_stress < least_stress)
+                     fmt::format("is nowhere above {:g}: nothing was compressed", min_strain_of_a_test));
+    const double min_stress = measured_magnitudes("Pa").least, max_stress = std::ranges::max(table.stress);
+    if (max_stress > 0 && max_stress < min_stress)
       faults_.refuse(0, columns_.stress.name, "",
-                     fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", least_stress));
-    if (!(most_stress > 0))
+                     fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
+    if (!(max_stress > 0))
       faults_.refuse(0, columns_.stress.name, "", "is nowhere above 0: compression counts positive here");
   }
 
@@ -171,8 +171,8 @@ class TestReader {
   double last_time_ = 0;
 };
 
-constexpr std::size_t most_rows = 10'000;
-constexpr double least_strain = 1e-12;  // the largest of a history; below it, rounding is not small
+constexpr std::size_t max_rows = 10'000;
+constexpr double min_strain = 1e-12;  // the largest of a history; below it, rounding is not small
 
 /// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
 std::optional<injury::MeasuredColumn> as_strain(injury::MeasuredColumn column) {
@@ -238,7 +238,7 @@ class StrainReader {
     const auto time = number_in(row, columns_.time, separator_, faults_);
     const auto strain = number_in(row, columns_.strain, separator_, faults_);
     if (!time || !strain) return;
-    if (rows_++ == most_rows) faults_.refuse(row.line, "", "", fmt::format("more than {} rows", most_rows));
+    if (rows_++ == max_rows) faults_.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows));
     if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
       ++repeated_;
       return;
@@ -276,7 +276,7 @@ class StrainReader {
              !(span <= most))
       faults_.add(0, columns_.time.name, "",
                   fmt::format("goes on for {:.3g} s; must be within {:g} s", span, most));
-    else if (const double largest = std::ranges::max(table.strain); !(largest > least_strain))
+    else if (const double largest = std::ranges::max(table.strain); !(largest > min_strain))
       faults_.add(0, columns_.strain.name, "",
                   largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
   }

@@ -315,8 +315,8 @@ class ColumnField {
     const double widest = station_spacing.of_gap * resolution_;
     const double* depth = columns_.depth();
     for (std::size_t j = 0;
-         j + 1 < live_ && depth[j] <= station_spacing.graded * gap && columns_.size() < most_stations; ++j)
-      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < most_stations)
+         j + 1 < live_ && depth[j] <= station_spacing.graded * gap && columns_.size() < max_stations; ++j)
+      while (depth[j + 1] - depth[j] > widest * (gap + depth[j]) && columns_.size() < max_stations)
         insert_after(j, std::sqrt((gap + depth[j]) * (gap + depth[j + 1])) - gap);
   }
 

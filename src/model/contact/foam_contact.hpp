@@ -63,9 +63,9 @@ class FoamContact {
 
   [[nodiscard]] bool is_of(const PadLaw& law) const {
     return std::visit(
-        [&]<class Of>(const Of& of) {
+        [&]<class Of>(const Of& owner) {
           const Of* same = std::get_if<Of>(&law);
-          return same != nullptr && *same == of;
+          return same != nullptr && *same == owner;
         },
         law_);
   }
@@ -133,7 +133,7 @@ class FoamContact {
   }
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
-    return trial_penetration_ > 0 ? most_pressed_ : not_pressed;
+    return trial_penetration_ > 0 ? max_pressed_ : not_pressed;
   }
 
   void accept(const PadTrial& trial) {
@@ -228,7 +228,7 @@ class FoamContact {
   static constexpr int ring_bits = 12;      ///< precision of the place of the last pressing ring, bits
 
   static FoamStress made_of(const Law& law) {
-    return std::visit([](const auto& of) { return FoamStress(of); }, law);
+    return std::visit([](const auto& given) { return FoamStress(given); }, law);
   }
   /// Sets the pieces over which the nose is integrated.
   void cut_nose(double resolution) {
@@ -244,7 +244,7 @@ class FoamContact {
   /// The force at the end of the trial before `factor`, N; also sets the trial's other results.
   double integrate() {
     relaxing_ = 0;
-    most_pressed_ = -infinite;
+    max_pressed_ = -infinite;
     trial_pressing_ = -1;
     points_ = 0;
     const double Y = trial_penetration_;
@@ -321,7 +321,7 @@ class FoamContact {
     const double high = std::sqrt(top);
     const double middle = std::sqrt(std::clamp(stress_.longest_pressed(ahead_) - ahead_, edge, top));
     const double most = at(middle);
-    most_pressed_ = std::max(most_pressed_, most);
+    max_pressed_ = std::max(max_pressed_, most);
     if (most > 0) {
       const double f_low = at(low);
       const double f_high = at(high);
@@ -351,8 +351,9 @@ class FoamContact {
       const FoamStress::Place place = stress_.at(leading((trial_penetration_ - depth) / thickness_, top));
       return place.base.stress - stress_.slope_back(place.strain) * ahead_;
     };
-    const auto of_thin = [&](const ThinStretch& of) {
-      return of.inner_area * stress(of.inner) + of.outer_area * stress(of.outer);
+    const auto of_thin = [&](const ThinStretch& thin_stretch) {
+      return thin_stretch.inner_area * stress(thin_stretch.inner) +
+             thin_stretch.outer_area * stress(thin_stretch.outer);
     };
     return over_pieces(from, to, of_thin, of_piece);
   }
@@ -425,16 +426,16 @@ class FoamContact {
     return force;
   }
   double integral_below_shape(double edge, double from, double to, double top) {
-    const auto of_thin = [&](const ThinStretch& of) { return thin_force(of, top); };
+    const auto of_thin = [&](const ThinStretch& thin_stretch) { return thin_force(thin_stretch, top); };
     const auto of_piece = [&](double outer, double inner) {
       return integral_below_piece(edge, outer, inner, top);
     };
     return over_pieces(from, to, of_thin, of_piece);
   }
-  double thin_force(const ThinStretch& of, double top) {
+  double thin_force(const ThinStretch& thin_stretch, double top) {
     double force = 0;
-    for (const auto& [depth, area] :
-         {std::pair{of.inner, of.inner_area}, std::pair{of.outer, of.outer_area}}) {
+    for (const auto& [depth, area] : {std::pair{thin_stretch.inner, thin_stretch.inner_area},
+                                      std::pair{thin_stretch.outer, thin_stretch.outer_area}}) {
       const FoamStress::Place place = stress_.at(leading((trial_penetration_ - depth) / thickness_, top));
       const FoamStress::Ratio ratio_here = ratio(place);
       press(place, ratio_here);
@@ -529,9 +530,9 @@ class FoamContact {
   }
   /// Returns a value with the sign of the stress: the ratio, which is smooth up to the edge; for crushed foam
   /// the stress, which without its lower limit changes sign at the gap.
-  double press(const FoamStress::Place& place, FoamStress::Ratio of) {
-    const double value = stress_.stays_crushed() ? of.stress * place.base.stress : of.stress;
-    most_pressed_ = std::max(most_pressed_, value);
+  double press(const FoamStress::Place& place, FoamStress::Ratio ratio) {
+    const double value = stress_.stays_crushed() ? ratio.stress * place.base.stress : ratio.stress;
+    max_pressed_ = std::max(max_pressed_, value);
     return value;
   }
   double sign_at(double strain, double top) {
@@ -616,7 +617,7 @@ class FoamContact {
   double slip_rate_ = 0;
   Overstress::AtRate at_rate_;
   double relaxing_ = 0;
-  double most_pressed_ = 0;   ///< largest value of press() in this trial
+  double max_pressed_ = 0;    ///< largest value of press() in this trial
   std::size_t points_ = 0;    ///< columns evaluated in this trial
   std::size_t stations_ = 0;  ///< largest points_ since the start
   std::size_t updates_ = 0;

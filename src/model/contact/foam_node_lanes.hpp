@@ -55,39 +55,39 @@ HWY_INLINE Lanes work_beyond(const FoamCurve::Rows& base, Lanes strain, Lanes co
 }
 
 /// m - 1 and its derivative, as Over.
-HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& of, Lanes strain, const Places& at) {
-  const auto& [by_power, exponent, exponent_slope, linear, before, next] = of.overstress;
-  if (by_power) return over_by_power(exponent, exponent_slope, of.rate.log_rate, strain);
+HWY_INLINE Over<Lanes> over_at(const FoamStress::Rows& rows, Lanes strain, const Places& at) {
+  const auto& [by_power, exponent, exponent_slope, linear, before, next] = rows.overstress;
+  if (by_power) return over_by_power(exponent, exponent_slope, rows.rate.log_rate, strain);
   const Lanes slowest(linear ? 1.0 : 0.0);
   return over_between(linear, before == nullptr ? slowest : value_at(before, at), value_at(next, at),
-                      of.rate.weight);
+                      rows.rate.weight);
 }
 
 /// Puts the values of nodes from the j-th on, by theory.md, Eq. 32, as FoamStress::ratio().
 HWY_INLINE void put(const FoamNodes& nodes, Lanes strain, Lanes complement, const Places& at, Lanes work,
                     std::size_t j, NodeValues& values) {
   using R = Register<Lanes>;
-  const FoamStress::Rows& of = nodes.stress;
+  const FoamStress::Rows& rows = nodes.stress;
   Lanes remaining(1.0);
-  if (of.remaining != nullptr) {
-    const Lanes largest = strain + of.ahead;
+  if (rows.remaining != nullptr) {
+    const Lanes largest = strain + rows.ahead;
     const Lanes most = choose(
-        largest < of.base.beyond.strain,
-        [&] { return work_within(of.base, places_of(sqrt(largest) * of.base.cells.per_width)); },
-        [&] { return work_beyond(of.base, largest, complement - of.ahead); });
-    remaining = value_at(of.remaining, places_of(sqrt(work / most) * double(Cells::count)));
+        largest < rows.base.beyond.strain,
+        [&] { return work_within(rows.base, places_of(sqrt(largest) * rows.base.cells.per_width)); },
+        [&] { return work_beyond(rows.base, largest, complement - rows.ahead); });
+    remaining = value_at(rows.remaining, places_of(sqrt(work / most) * double(Cells::count)));
   }
-  Lanes over(of.rate.at_all_strains.stress);
-  Lanes rise(of.rate.at_all_strains.rise);
-  if (!of.rate.even) {
-    const auto [more, steeper] = over_at(of, strain, at);
-    over = of.rate.friction + of.rate.share * more;
-    rise = of.rate.friction_rise + std::abs(of.rate.share) * of.rate.weight_rise * steeper;
+  Lanes over(rows.rate.at_all_strains.stress);
+  Lanes rise(rows.rate.at_all_strains.rise);
+  if (!rows.rate.even) {
+    const auto [more, steeper] = over_at(rows, strain, at);
+    over = rows.rate.friction + rows.rate.share * more;
+    rise = rows.rate.friction_rise + std::abs(rows.rate.share) * rows.rate.weight_rise * steeper;
   }
   const Lanes area = max(nodes.rate_at_zero + nodes.rate_slope * strain, Lanes(0.0));
   R::store(work, &values.work[j]);
-  R::store(area * (of.lasting * remaining + over - nodes.common.stress), &values.stress[j]);
-  R::store(area * (of.relaxation * rise - nodes.common.relaxing), &values.relaxing[j]);
+  R::store(area * (rows.lasting * remaining + over - nodes.common.stress), &values.stress[j]);
+  R::store(area * (rows.relaxation * rise - nodes.common.relaxing), &values.relaxing[j]);
 }
 
 /// Numbers of the nodes from the j-th of a row on; beyond its end the last one is repeated.

@@ -224,8 +224,8 @@ FoamCurve::Point LayeredContact::edge_of_contact() const {
       {trial_penetration_ - nose_.depth, (series_.thickness() - trial_penetration_) + nose_.depth}));
 }
 
-Strain LayeredContact::pad_strain(const Shortening& of) const {
-  return {of.y / series_.thickness(), of.gap / series_.thickness()};
+Strain LayeredContact::pad_strain(const Shortening& shortening) const {
+  return {shortening.y / series_.thickness(), shortening.gap / series_.thickness()};
 }
 
 double LayeredContact::force_rate_when_held(const PadTrial& trial) {
@@ -235,7 +235,7 @@ double LayeredContact::force_rate_when_held(const PadTrial& trial) {
   const auto rate_of = [&](std::size_t j) {
     if (!(next.stress[j] > 0)) return 0.0;
     LayerStates states;
-    std::array<Strain, most_layers> strain;
+    std::array<Strain, max_layers> strain;
     for (std::size_t i = 0; i < series_.size(); ++i) {
       states[i] = {next.strain[i][j], next.largest[i][j], next.rate[i][j], next.memory[i][j]};
       strain[i] = strain_of(next.strain[i][j]);

@@ -34,23 +34,23 @@ class LayerColumns {
     double* y = nullptr;            ///< shortening, m
     double* flexibility = nullptr;  ///< dy/d(stress) over the step, m/Pa
     /// Arrays for each layer.
-    std::array<double*, most_layers> strain{}, largest{}, rate{}, memory{}, layer_flexibility{};
+    std::array<double*, max_layers> strain{}, largest{}, rate{}, memory{}, layer_flexibility{};
   };
 
   explicit LayerColumns(std::size_t layers) : layers_(layers) {
-    memory_ = std::make_unique_for_overwrite<double[]>((6 + 2 * (3 + 5 * layers)) * most_stations);
+    memory_ = std::make_unique_for_overwrite<double[]>((6 + 2 * (3 + 5 * layers)) * max_stations);
     double* next = memory_.get();
     const auto take = [&next] {
       double* array = next;
-      next += most_stations;
+      next += max_stations;
       return array;
     };
     for (double** array : {&depth_, &inner_, &outer_, &shape, &measure, &chord}) *array = take();
     for (Moment* moment : {&now, &next_moment}) {
       for (double** array : {&moment->stress, &moment->y, &moment->flexibility}) *array = take();
-      for (auto* of :
+      for (auto* each :
            {&moment->strain, &moment->largest, &moment->rate, &moment->memory, &moment->layer_flexibility})
-        for (std::size_t i = 0; i < layers; ++i) (*of)[i] = take();
+        for (std::size_t i = 0; i < layers; ++i) (*each)[i] = take();
     }
   }
 
@@ -148,7 +148,7 @@ class LayeredContact {
   [[nodiscard]] Ends g(const Cell& cell) const;
   /// A and w at the edge of the contact.
   [[nodiscard]] FoamCurve::Point edge_of_contact() const;
-  [[nodiscard]] Strain pad_strain(const Shortening& of) const;
+  [[nodiscard]] Strain pad_strain(const Shortening& shortening) const;
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
   }

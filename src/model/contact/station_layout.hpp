@@ -23,7 +23,7 @@ struct StationSpacing {
 inline constexpr StationSpacing station_spacing;
 
 /// Largest number of stations. A run that needs more is incomplete and is not used.
-inline constexpr std::size_t most_stations = 20'000;
+inline constexpr std::size_t max_stations = 20'000;
 
 /// Requirements on the stations, m.
 struct StationPlan {
@@ -58,7 +58,7 @@ template <class Append>
 void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append) {
   // Least width of the cell inside the rim over the rim's depth, so that its strains differ by more than
   // rounding.
-  constexpr double least_rim = 1e-6;
+  constexpr double min_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
   const double end = std::min(plan.reach, nose.depth);
   const double widest = station_spacing.even * plan.resolution * std::min(plan.expected, end);
@@ -73,12 +73,12 @@ void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append
   append(0.0);
   KnotsAhead knots(nose);
   for (double depth = knots.stop(std::min(first, of_gap * plan.gap), 0);
-       depth < end * (1 - (has_rim ? least_rim : 1e-9)) && count < most_stations; ++count) {
+       depth < end * (1 - (has_rim ? min_rim : 1e-9)) && count < max_stations; ++count) {
     append(depth);
     const double step = spacing(depth);
     depth = knots.stop(depth + step, step);
   }
-  if (has_rim && count < most_stations) append(end);
+  if (has_rim && count < max_stations) append(end);
 }
 
 }  // namespace dashpad

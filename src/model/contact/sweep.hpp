@@ -21,10 +21,10 @@ namespace dashpad {
 
 /// State of the columns; `part` holds the numbers of the law's strain part.
 struct Columns {
-  static constexpr std::size_t most_parts = 3;
+  static constexpr std::size_t max_parts = 3;
 
   double* stress = nullptr;
-  std::array<double*, most_parts> part{};
+  std::array<double*, max_parts> part{};
   double* shape = nullptr;    ///< A
   double* measure = nullptr;  ///< w
   double* ratio = nullptr;    ///< stress over A, Pa; only for columns under strain
@@ -99,7 +99,7 @@ class ColumnStorage {
 
  private:
   static constexpr std::size_t spare = 64;  ///< lanes of the widest known vector
-  static constexpr std::size_t stride = most_stations + spare;
+  static constexpr std::size_t stride = max_stations + spare;
 
   std::unique_ptr<double[]> memory_ = std::make_unique_for_overwrite<double[]>(17 * stride);
   double* depth_ = nullptr;  ///< s, increasing

@@ -10,9 +10,9 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
   using R = Register<N>;
   const Formulas<Law> formulas{law, power, rate, time};
   constexpr std::size_t parts = Formulas<Law>::parts;
-  static_assert(parts <= Columns::most_parts, "columns keep no more numbers of a law's strain part");
+  static_assert(parts <= Columns::max_parts, "columns keep no more numbers of a law's strain part");
   const N per_thickness(1 / step.thickness);
-  const N least(least_strain);
+  const N least(min_strain);
   const bool loading = step.after > step.before;
   const N per_advance(loading ? 1 / (step.after - step.before) : 0);
   for (std::size_t j = 0; j < step.count; j += R::size()) {
@@ -61,7 +61,7 @@ void replay_columns(const PowerShape& power, const LoadingStep* first, const Loa
   for (std::size_t j = 0; j < step.count; j += R::size()) {
     const N depth = R::load(step.depth + j);
     const auto strains_at = [&](double penetration) {
-      return Strains<N>{max((penetration - depth) * per_thickness, N(least_strain)),
+      return Strains<N>{max((penetration - depth) * per_thickness, N(min_strain)),
                         ((step.thickness - penetration) + depth) * per_thickness};
     };
     N stress(0.0);
@@ -71,7 +71,7 @@ void replay_columns(const PowerShape& power, const LoadingStep* first, const Loa
       if (now->penetration <= step.depth[j]) continue;
       const N modulus(now->modulus);
       const Strains<N> e = strains_at(now->penetration);
-      const N shape_after = select(e.value <= least_strain, N(0.0), shape_at(power, e).shape);
+      const N shape_after = select(e.value <= min_strain, N(0.0), shape_at(power, e).shape);
       stress = (stress - modulus * shape) * now->decay + modulus * shape_after;
       shape = shape_after;
     }

@@ -57,8 +57,8 @@ class WorkIntegral {
   void take(const WorkStretch& over, double last, NodeValues& values, Put&& put, Within&& within,
             Beyond&& beyond) {
     const auto count = [](double wanted, double least) {
-      constexpr double most_panels = 2000;
-      return static_cast<std::size_t>(std::clamp(std::ceil(wanted), least, most_panels));
+      constexpr double max_panels = 2000;
+      return static_cast<std::size_t>(std::clamp(std::ceil(wanted), least, max_panels));
     };
     at_edge_ = over.from_edge;
     values.work[0] = over.first.base.work;
@@ -101,14 +101,14 @@ class WorkIntegral {
       const double g = work[i + 1] - work[i];
       const double h = work[i + 2] - work[i + 1];
       if (!(g > 0 && h > 0)) continue;
-      const PanelWeights of = at_edge_ ? line(g, h) : parabola(g, h);
-      stress += of.middle * f[i + 1] + of.last * f[i + 2];
-      relaxing += of.middle * r[i + 1] + of.last * r[i + 2];
+      const PanelWeights panel_weights = at_edge_ ? line(g, h) : parabola(g, h);
+      stress += panel_weights.middle * f[i + 1] + panel_weights.last * f[i + 2];
+      relaxing += panel_weights.middle * r[i + 1] + panel_weights.last * r[i + 2];
       if (at_edge_) continue;
-      stress += of.first * f[i];
-      relaxing += of.first * r[i];
+      stress += panel_weights.first * f[i];
+      relaxing += panel_weights.first * r[i];
     }
-    for (auto* of : {&values.work, &values.stress, &values.relaxing}) (*of)[0] = (*of)[count];
+    for (auto* each : {&values.work, &values.stress, &values.relaxing}) (*each)[0] = (*each)[count];
   }
 
   bool at_edge_ = false;

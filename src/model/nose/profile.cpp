@@ -63,7 +63,9 @@ class ProfileSections final : public SectionShape {
     return at.rate_at(s - at.from);
   }
   [[nodiscard]] double depth_at(double area) const override {
-    const auto reaches = [area](const Stretch& of) { return of.area_at(of.to - of.from) < area; };
+    const auto reaches = [area](const Stretch& stretch) {
+      return stretch.area_at(stretch.to - stretch.from) < area;
+    };
     const auto at = std::min(std::ranges::partition_point(stretches_, reaches), stretches_.end() - 1);
     const double ring = (area - at->area) * std::numbers::inv_pi;
     if (ring <= 0) return at->from;
@@ -74,16 +76,18 @@ class ProfileSections final : public SectionShape {
   [[nodiscard]] std::vector<SectionPiece> pieces(double) const override {
     std::vector<SectionPiece> pieces;
     pieces.reserve(stretches_.size());
-    for (const Stretch& of : stretches_)
-      pieces.push_back(
-          {.from = of.from, .to = of.to, .width = of.width + of.taper * of.from, .taper = of.taper});
+    for (const Stretch& stretch : stretches_)
+      pieces.push_back({.from = stretch.from,
+                        .to = stretch.to,
+                        .width = stretch.width + stretch.taper * stretch.from,
+                        .taper = stretch.taper});
     return pieces;
   }
 
  private:
   /// The part at a depth; at a knot the one that ends there.
   [[nodiscard]] const Stretch& stretch_of(double s) const {
-    const auto ends_before = [s](const Stretch& of) { return of.to < s; };
+    const auto ends_before = [s](const Stretch& stretch) { return stretch.to < s; };
     return *std::min(std::ranges::partition_point(stretches_, ends_before), stretches_.end() - 1);
   }
 
@@ -131,10 +135,9 @@ Sections Profile::sections() const {
 }
 
 std::vector<Profile::Fault> Profile::faults() const {
-  constexpr double least_advance = 1e-9;
+  constexpr double min_advance = 1e-9;
   if (points.size() < 2) return {{0, "needs two points or more"}};
-  if (points.size() > most_points)
-    return {{most_points, fmt::format("has more than {} points", most_points)}};
+  if (points.size() > max_points) return {{max_points, fmt::format("has more than {} points", max_points)}};
   const char* const what = of == Of::radius ? "radius" : "area";
   std::vector<Fault> broken;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -144,7 +147,7 @@ std::vector<Profile::Fault> Profile::faults() const {
       broken.push_back({i, "must be finite"});
     else if (!before && now.depth != 0)
       broken.push_back({i, "the first depth must be 0: depths are counted from the tip"});
-    else if (before && now.depth < before->depth + least_advance)
+    else if (before && now.depth < before->depth + min_advance)
       broken.push_back({i, "the depth must be more than that before, by 1e-9 m or more"});
     else if (now.size < 0)
       broken.push_back({i, fmt::format("the {} must not be below 0", what)});

@@ -28,7 +28,7 @@ struct Shape {
 };
 
 /// Least strain, so that a column that the nose does not reach has a logarithm.
-inline constexpr double least_strain = 1e-300;
+inline constexpr double min_strain = 1e-300;
 
 template <class N>
 DASHPAD_FORMULA Shape<N> shape_at(const PowerShape& power, Strains<N> e) {

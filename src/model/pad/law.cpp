@@ -74,9 +74,9 @@ BlowMemory blow_memory(const PadLaw& law) {
 
 std::vector<double> softening_rates(const PadLaw& law) {
   return std::visit(
-      []<class Law>(const Law& of) -> std::vector<double> {
+      []<class Law>(const Law& law) -> std::vector<double> {
         if constexpr (SharesSlip<Law>)
-          return softening_rates(of.curves);
+          return softening_rates(law.curves);
         else
           return {};
       },

@@ -99,10 +99,10 @@ void check_uncertainty(const Material& material, std::vector<Violation>& broken)
           {"uncertainty.misfit.impacts", double(misfit->impacts), "must be a whole number, 1 or more"});
   }
   const PosteriorAxes& axes = of.posterior;
-  if (axes.minus.size() != axes.plus.size() || axes.minus.size() > most_posterior_axes ||
-      axes.keys.size() > most_posterior_keys)
+  if (axes.minus.size() != axes.plus.size() || axes.minus.size() > max_posterior_axes ||
+      axes.keys.size() > max_posterior_keys)
     broken.push_back({"uncertainty.posterior.plus", double(axes.plus.size()),
-                      fmt::format("must have a row for each of minus, {} at most", most_posterior_axes)});
+                      fmt::format("must have a row for each of minus, {} at most", max_posterior_axes)});
   for (const auto* rows : {&axes.minus, &axes.plus})
     for (const std::vector<double>& row : *rows)
       if (row.size() != axes.keys.size())

@@ -19,7 +19,7 @@ auto choose(bool where, Yes&& yes, No&& no) {
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline bool both(bool a, bool b) { return a && b; }
-inline bool all(bool of) { return of; }
+inline bool all(bool given) { return given; }
 inline double select(bool where, double yes, double no) { return where ? yes : no; }
 
 /// Loads and stores numbers of a type, one or several at a time.
@@ -40,7 +40,7 @@ struct Dual {
 
   Dual() = default;
   Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
-  Dual(double of, double by_strain) : value(of), slope(by_strain) {}
+  Dual(double number, double by_strain) : value(number), slope(by_strain) {}
 
   friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
   friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }

@@ -197,8 +197,8 @@ class Foundation {
                                       double force_rate) const;
   [[nodiscard]] BackState after_creep(const BackState& now, const StepForce& force, double ahead) const;
   [[nodiscard]] BackState after_swing(const BackState& now, const StepForce& force, double mass) const;
-  [[nodiscard]] bool rests_on_stop(const BackState& of) const {
-    return of.deflection <= stop_ && of.rate <= 0;
+  [[nodiscard]] bool rests_on_stop(const BackState& back_state) const {
+    return back_state.deflection <= stop_ && back_state.rate <= 0;
   }
   /// Rate of a damper as a backward difference: rate = slope x - rest, with x at the end of a step.
   struct Backward {

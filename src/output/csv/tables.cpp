@@ -34,15 +34,18 @@ Column column(const char* key, std::vector<double> values, const UnitSystem& uni
 /// A header row, then the rows; what is not finite is an empty field.
 std::string csv_text(const std::vector<Column>& columns) {
   fmt::memory_buffer text;
-  const auto end_field = [&](const Column& of) { text.push_back(&of == &columns.back() ? '\n' : ','); };
-  for (const Column& of : columns) {
-    text.append(of.header);
-    end_field(of);
+  const auto end_field = [&](const Column& column) {
+    text.push_back(&column == &columns.back() ? '\n' : ',');
+  };
+  for (const Column& column : columns) {
+    text.append(column.header);
+    end_field(column);
   }
   for (std::size_t row = 0; row < columns.front().values.size(); ++row)
-    for (const Column& of : columns) {
-      if (std::isfinite(of.values[row])) fmt::format_to(std::back_inserter(text), "{}", of.values[row]);
-      end_field(of);
+    for (const Column& column : columns) {
+      if (std::isfinite(column.values[row]))
+        fmt::format_to(std::back_inserter(text), "{}", column.values[row]);
+      end_field(column);
     }
   return fmt::to_string(text);
 }
@@ -70,9 +73,9 @@ std::string history_csv(const History& history, const UnitSystem& units) {
     columns.push_back(column("axis_strain", history.layer_strain[i], units));
     columns.back().header += fmt::format("_layer_{}", i + 1);
   }
-  for (const Column& of : columns)
-    if (of.values.size() != history.size())
-      throw std::invalid_argument("history: " + of.header + " has gaps");
+  for (const Column& column : columns)
+    if (column.values.size() != history.size())
+      throw std::invalid_argument("history: " + column.header + " has gaps");
   return csv_text(columns);
 }
 
@@ -89,18 +92,19 @@ std::string material_test_csv(const laboratory::MaterialTestReport& report, cons
       strain_rate{"strain_rate_1_per_s"}, stress{"stress_" + unit_for(units, "Pa")},
       stress_1984{"stress_1984_" + unit_for(units, "Pa")};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::ColumnTest& of = run.column;
+    const laboratory::ColumnTest& column_test = run.column;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < of.size(); ++i) {
+    for (std::size_t i = 0; i < column_test.size(); ++i) {
       rate.values.push_back(run.rate.value_or(NAN));
-      time.values.push_back(time_unit * of.time[i]);
-      strain.values.push_back(of.strain[i]);
-      strain_rate.values.push_back(of.rate[i]);
-      stress.values.push_back(stress_unit * of.stress[i]);
+      time.values.push_back(time_unit * column_test.time[i]);
+      strain.values.push_back(column_test.strain[i]);
+      strain_rate.values.push_back(column_test.rate[i]);
+      stress.values.push_back(stress_unit * column_test.stress[i]);
       if (!run.update_of_1984) continue;
       // It has fewer places; each of them is one of the exact stress.
       const laboratory::UpdateOf1984& update = *run.update_of_1984;
-      const bool is_place = next < update.time.size() && of.time[i] >= update.time[next] - 1e-6 * update.step;
+      const bool is_place =
+          next < update.time.size() && column_test.time[i] >= update.time[next] - 1e-6 * update.step;
       stress_1984.values.push_back(is_place ? stress_unit * update.stress[next++] : NAN);
     }
   }

@@ -50,11 +50,11 @@ std::string unit_triple(const UnitSystem& units) {
 
 std::string curve_csv(const CurveFile& file) {
   if (file.curves.size() != 1) throw std::invalid_argument("a CSV file holds one curve");
-  const FileCurve& of = file.curves.front();
-  const Curve curve = in_units_of(file, of.curve);
+  const FileCurve& file_curve = file.curves.front();
+  const Curve curve = in_units_of(file, file_curve.curve);
   fmt::memory_buffer text;
   for (const std::string& line : heading(file)) text.append(comment("#", line));
-  text.append(comment("#", of.curve.name + ": " + of.remark));
+  text.append(comment("#", file_curve.curve.name + ": " + file_curve.remark));
   fmt::format_to(std::back_inserter(text), "{},{}\n", column_name(curve.abscissa),
                  column_name(curve.ordinate));
   for (std::size_t i = 0; i < curve.size(); ++i)
@@ -70,10 +70,12 @@ std::string ls_dyna_text(const CurveFile& file) {
       comment("$", "LS-DYNA resamples a curve at LCINT equal steps (*CONTROL_SOLUTION; 100 unless told).");
   text += plain_ascii("$ Dashpad: " + file.title).substr(0, width) + "\n";
   int id = checked_first_id(file);
-  for (const FileCurve& of : file.curves) {
-    text += "$\n" + comment("$", fmt::format("{}, curve {}: {}", of.curve.name, id, of.remark), width);
-    if (of.curve.exists()) {
-      const Curve curve = in_units_of(file, of.curve);
+  for (const FileCurve& file_curve : file.curves) {
+    text +=
+        "$\n" +
+        comment("$", fmt::format("{}, curve {}: {}", file_curve.curve.name, id, file_curve.remark), width);
+    if (file_curve.curve.exists()) {
+      const Curve curve = in_units_of(file, file_curve.curve);
       text += define_curve(fmt::format("Dashpad {}: {}", curve.name, caption(curve)), id,
                            "$                 A1                  O1", number_rows(curve));
     }
@@ -91,9 +93,10 @@ std::string radioss_text(const CurveFile& file) {
               "Radioss goes on beyond a function's ends along its first and last two points: end what uses "
               "it (Tstop) where it ends.");
   int id = checked_first_id(file);
-  for (const FileCurve& of : file.curves) {
-    text += "#\n" + comment("#", fmt::format("{}, function {}: {}", of.curve.name, id, of.remark));
-    if (of.curve.exists()) text += function_block(in_units_of(file, of.curve), id);
+  for (const FileCurve& file_curve : file.curves) {
+    text += "#\n" +
+            comment("#", fmt::format("{}, function {}: {}", file_curve.curve.name, id, file_curve.remark));
+    if (file_curve.curve.exists()) text += function_block(in_units_of(file, file_curve.curve), id);
     ++id;
   }
   return text;

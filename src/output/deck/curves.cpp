@@ -146,13 +146,13 @@ Curve unloading_branch(const Solution& solution) {
   return builder.take();
 }
 
-ThinnedCurve thinned(const Curve& curve, std::size_t most_points) {
-  if (most_points < 2) throw std::invalid_argument("a curve needs 2 points");
-  if (curve.size() <= most_points) return {curve, 0};
+ThinnedCurve thinned(const Curve& curve, std::size_t max_points) {
+  if (max_points < 2) throw std::invalid_argument("a curve needs 2 points");
+  if (curve.size() <= max_points) return {curve, 0};
   std::priority_queue<Stretch> stretches;
   stretches.push(stretch(curve, 0, curve.size() - 1));
   std::vector<std::size_t> kept{0, curve.size() - 1};
-  while (kept.size() < most_points && stretches.top().error > 0) {
+  while (kept.size() < max_points && stretches.top().error > 0) {
     const Stretch worst = stretches.top();
     stretches.pop();
     kept.push_back(worst.furthest);

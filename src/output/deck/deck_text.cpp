@@ -41,13 +41,13 @@ std::string bound(double fraction) {
 }
 
 FileCurve file_curve(const std::string& name, const Solution& solution,
-                     std::optional<std::size_t> most_points) {
+                     std::optional<std::size_t> max_points) {
   FileCurve of{curve(name, solution), ""};
   const std::size_t all = of.curve.size();
   if (!of.curve.exists()) {
     of.remark = why_missing(of.curve, solution.summary);
-  } else if (most_points && all > *most_points) {
-    ThinnedCurve few = thinned(of.curve, *most_points);
+  } else if (max_points && all > *max_points) {
+    ThinnedCurve few = thinned(of.curve, *max_points);
     double largest = 0;
     for (const double y : of.curve.y) largest = std::max(largest, std::abs(y));
     of.curve = std::move(few.curve);
@@ -92,14 +92,14 @@ std::vector<std::string> flags_of(const Summary& summary) {
 }
 
 CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
-                     const std::vector<std::string>& names, std::optional<std::size_t> most_points) {
+                     const std::vector<std::string>& names, std::optional<std::size_t> max_points) {
   ImpactCase untitled = impact;
   untitled.title.clear();
   CurveFile file;
   file.title = impact.title;
   file.origin = lines_of(case_text(untitled, unit_system("si")));
   file.flags = flags_of(solution.summary);
-  for (const std::string& name : names) file.curves.push_back(file_curve(name, solution, most_points));
+  for (const std::string& name : names) file.curves.push_back(file_curve(name, solution, max_points));
   return file;
 }
 

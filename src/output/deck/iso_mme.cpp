@@ -18,7 +18,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_histories = 999;
+constexpr std::size_t max_histories = 999;
 constexpr std::size_t longest_test_name = 100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -44,8 +44,7 @@ void check(const IsoMmeTest& test) {
   require(std::isfinite(test.time_of_first_sample) && std::isfinite(test.sampling_interval) &&
               test.sampling_interval > 0,
           "the times need a finite beginning and an interval of more than 0");
-  require(!test.histories.empty() && test.histories.size() <= most_histories,
-          "1 to 999 histories are needed");
+  require(!test.histories.empty() && test.histories.size() <= max_histories, "1 to 999 histories are needed");
   std::set<std::string> codes;
   for (const IsoMmeHistory& history : test.histories) {
     require(history.code.size() == 16 &&
@@ -180,8 +179,8 @@ std::string iso_mme_zip(const CurveFile& file) {
   for (const std::string& line : file.origin) test.comment += "; " + line;
   for (const std::string& flag : file.flags) test.comment += "; " + flag;
   test.sampling_interval = iso_mme_interval;
-  for (const FileCurve& of : file.curves)
-    test.histories.push_back(history_of(of.curve, file.acceleration_in_g));
+  for (const FileCurve& file_curve : file.curves)
+    test.histories.push_back(history_of(file_curve.curve, file.acceleration_in_g));
   return zip_of(iso_mme_files(test));
 }
 

@@ -90,9 +90,9 @@ std::string why_no_material_deck(const Material& material, const MaterialDeckOpt
   if (!material.density)
     return fmt::format("{} has no density, which {} needs; add density = \"... kg/m3\" to the card",
                        material.name, format->card);
-  if (options.first_id < 1 || options.first_id > highest_curve_id - 2 * static_cast<int>(most_rates))
+  if (options.first_id < 1 || options.first_id > highest_curve_id - 2 * static_cast<int>(max_rates))
     return fmt::format("number {}: must be from 1 to {}", options.first_id,
-                       highest_curve_id - 2 * static_cast<int>(most_rates));
+                       highest_curve_id - 2 * static_cast<int>(max_rates));
   return "";
 }
 

@@ -57,7 +57,7 @@ TableCurve scaled(TableCurve curve, Factor factor) {
 /// The rates at which a power of the rate is given: a decade apart, and the highest.
 std::vector<double> decades(double slowest, double highest) {
   std::vector<double> rates;
-  for (double rate = 10 * slowest; rate < highest / 2 && rates.size() + 2 < most_rates; rate *= 10)
+  for (double rate = 10 * slowest; rate < highest / 2 && rates.size() + 2 < max_rates; rate *= 10)
     rates.push_back(rounded_to(rate, digits_of_formula));
   rates.push_back(highest);
   return rates;
@@ -100,12 +100,12 @@ void add_rates(const FoamCurves& curves, MaterialPoints& points) {
 MaterialPoints material_points(const PadLaw& law, bool with_rates) {
   MaterialPoints points;
   std::visit(
-      [&]<class Law>(const Law& of) {
+      [&]<class Law>(const Law& law) {
         if constexpr (SharesSlip<Law>) {
-          points.loading.push_back({of.curves.slowest_rate, base_points(of.curves.base, points.remarks)});
-          if (with_rates) add_rates(of.curves, points);
+          points.loading.push_back({law.curves.slowest_rate, base_points(law.curves.base, points.remarks)});
+          if (with_rates) add_rates(law.curves, points);
         }
-        if constexpr (std::is_same_v<Law, Foam>) points.unloading = of.unloading_curve;
+        if constexpr (std::is_same_v<Law, Foam>) points.unloading = law.unloading_curve;
       },
       law);
   return points;

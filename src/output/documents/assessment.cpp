@@ -93,8 +93,8 @@ std::vector<Basis> sources_in_full(const injury::Standard& standard) {
   const auto add = [&](const injury::Origin& origin, const std::string& name) {
     const std::string source = fmt::format("{} ({})", one_line(origin.source), to_string(origin.kind));
     const char* const doubt = origin.verified ? "" : "unverified";
-    const auto known =
-        std::ranges::find_if(all, [&](const Basis& of) { return of.source == source && of.doubt == doubt; });
+    const auto known = std::ranges::find_if(
+        all, [&](const Basis& basis) { return basis.source == source && basis.doubt == doubt; });
     if (known == all.end())
       all.push_back({.what = "", .value = capitalised(name), .source = source, .doubt = doubt});
     else
@@ -263,8 +263,8 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
                        {.heading = "Figures", .rows = {{"", std::move(rows)}}}};
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
-    for (const injury::CriterionResult& of : assessment.results)
-      limited.emplace_back(injury::quantity_of(of.criterion.metric).key);
+    for (const injury::CriterionResult& criterion_result : assessment.results)
+      limited.emplace_back(injury::quantity_of(criterion_result.criterion.metric).key);
     document.sections.push_back({.heading = "How sure the figures are",
                                  .paragraphs = {source_paragraph(*intervals)},
                                  .tables = {interval_table(report.solution.summary, units, limited)}});
@@ -344,7 +344,7 @@ std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResul
                                             brief_quantity(result.criterion.limit, "m/s2", units)),
                        .style = SeriesStyle::horizontal_line,
                        .y = {result.criterion.limit / standard_gravity},
-                       .turn = 1});
+                       .palette_index = 1});
   return lines;
 }
 

@@ -25,43 +25,47 @@ namespace dashpad::output {
 
 namespace {
 
-double place_of(const fit::FittedUnknown& of, double value) {
-  return std::clamp(fit::place_between(of.lowest, of.highest, of.is_logarithmic, value), 0.0, 1.0);
+double place_of(const fit::FittedUnknown& fitted_unknown, double value) {
+  return std::clamp(
+      fit::place_between(fitted_unknown.lowest, fitted_unknown.highest, fitted_unknown.is_logarithmic, value),
+      0.0, 1.0);
 }
 
-RangeBar bar_of(const fit::FittedUnknown& of, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
-  return {.label = factor_title(of.key),
-          .value = shown(of.value),
-          .words =
-              interval_words(of, units) +
-              (of.standard_error ? "; standard error " + brief_quantity(*of.standard_error, of.unit, units, 2)
-                                 : "; no standard error"),
-          .lowest = shown(of.lowest),
-          .highest = shown(of.highest),
-          .place = place_of(of, of.value),
-          .from = of.low ? place_of(of, *of.low) : 0,
-          .to = of.high ? place_of(of, *of.high) : 1,
-          .open_below = !of.low && !of.is_identified(),
-          .open_above = !of.high && !of.is_identified()};
+RangeBar bar_of(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
+  return {.label = factor_title(fitted_unknown.key),
+          .value = shown(fitted_unknown.value),
+          .words = interval_words(fitted_unknown, units) +
+                   (fitted_unknown.standard_error
+                        ? "; standard error " +
+                              brief_quantity(*fitted_unknown.standard_error, fitted_unknown.unit, units, 2)
+                        : "; no standard error"),
+          .lowest = shown(fitted_unknown.lowest),
+          .highest = shown(fitted_unknown.highest),
+          .place = place_of(fitted_unknown, fitted_unknown.value),
+          .from = fitted_unknown.low ? place_of(fitted_unknown, *fitted_unknown.low) : 0,
+          .to = fitted_unknown.high ? place_of(fitted_unknown, *fitted_unknown.high) : 1,
+          .open_below = !fitted_unknown.low && !fitted_unknown.is_identified(),
+          .open_above = !fitted_unknown.high && !fitted_unknown.is_identified()};
 }
 
 /// What could turn the answer round.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
-  for (const fit::FittedUnknown& of : report.unknowns)
-    if (!of.is_identified() && !of.is_nuisance)
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    if (!fitted_unknown.is_identified() && !fitted_unknown.is_nuisance)
       all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
-                                factor_words(of.key), interval_words(of, units)));
-  for (const fit::FittedUnknown& of : report.unknowns)
-    if (of.is_identified() && of.rests_on_prior() && !of.is_nuisance)
+                                factor_words(fitted_unknown.key), interval_words(fitted_unknown, units)));
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    if (fitted_unknown.is_identified() && fitted_unknown.rests_on_prior() && !fitted_unknown.is_nuisance)
       all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
-                                factor_words(of.key)));
-  for (const fit::FittedUnknown& of : report.unknowns)
-    if (of.wants_beyond())
+                                factor_words(fitted_unknown.key)));
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    if (fitted_unknown.wants_beyond())
       all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
-                                factor_words(of.key), of.is_at_lowest ? "lower" : "upper"));
+                                factor_words(fitted_unknown.key),
+                                fitted_unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
                               report.starts_at_best, report.starts));
@@ -88,14 +92,15 @@ std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem
   add_misses(figures, report, false);
   add_misses(figures, report, true);
   for (const bool identified : {false, true})
-    for (const fit::FittedUnknown& of : report.unknowns)
-      if (!of.is_nuisance && of.is_identified() == identified)
+    for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+      if (!fitted_unknown.is_nuisance && fitted_unknown.is_identified() == identified)
         figures.push_back(
-            {.label = capitalised(factor_words(of.key)),
-             .value = brief_quantity(of.value, of.unit, units, 3),
-             .remark = (of.rests_on_prior() ? "mostly from its prior; 95 % interval " : "95 % interval ") +
-                       interval_words(of, units),
-             .tone = identified && !of.rests_on_prior() ? Tone::plain : Tone::doubtful});
+            {.label = capitalised(factor_words(fitted_unknown.key)),
+             .value = brief_quantity(fitted_unknown.value, fitted_unknown.unit, units, 3),
+             .remark = (fitted_unknown.rests_on_prior() ? "mostly from its prior; 95 % interval "
+                                                        : "95 % interval ") +
+                       interval_words(fitted_unknown, units),
+             .tone = identified && !fitted_unknown.rests_on_prior() ? Tone::plain : Tone::doubtful});
   return figures;
 }
 
@@ -122,7 +127,8 @@ Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) 
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
       "Where a bar fades, the interval is open: the data do not end it."};
-  for (const fit::FittedUnknown& of : report.unknowns) unknowns.ranges.push_back(bar_of(of, units));
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    unknowns.ranges.push_back(bar_of(fitted_unknown, units));
   return unknowns;
 }
 
@@ -202,9 +208,9 @@ std::string fitted_case_toml(const fit::FitReport& report) {
 
 std::string posterior_csv(const fit::FitReport& report) {
   std::string text;
-  for (const fit::FittedUnknown& of : report.unknowns)
-    text += fmt::format("{}{}{}", text.empty() ? "" : ",", of.key,
-                        of.unit == "1" ? "" : fmt::format(" [{}]", of.unit));
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", fitted_unknown.key,
+                        fitted_unknown.unit == "1" ? "" : fmt::format(" [{}]", fitted_unknown.unit));
   text += "\n";
   for (const std::vector<double>& draw : report.posterior) {
     std::string row;

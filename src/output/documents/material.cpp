@@ -52,11 +52,11 @@ using Rows = std::vector<std::vector<std::string>>;
 
 /// Key, symbol, value, unit, meaning.
 template <class Of>
-void add_parameters(const Of& of, const UnitSystem& units, Rows& rows) {
+void add_parameters(const Of& owner, const UnitSystem& units, Rows& rows) {
   if constexpr (requires { Of::parameters; })
     for (const Parameter<Of>& parameter : Of::parameters)
       rows.push_back({parameter.key, parameter.symbol,
-                      brief(value_in(units, parameter.of(of), parameter.unit)),
+                      brief(value_in(units, parameter.of(owner), parameter.unit)),
                       shown_unit(unit_for(units, parameter.unit)), parameter.meaning});
 }
 
@@ -171,9 +171,9 @@ std::vector<Section> law_sections(const Material& material, const UnitSystem& un
   std::vector<Section> sections{{.heading = "Parameters", .seen = Seen::always}};
   std::visit(
       [&]<class Law>(const Law& law) {
-        const auto add = [&]<class Of>(const char* caption, const Of& of) {
+        const auto add = [&]<class Of>(const char* caption, const Of& owner) {
           Table table{.caption = caption, .columns = {"Key", "Symbol", "Value", "Unit", "Meaning"}};
-          add_parameters(of, units, table.rows);
+          add_parameters(owner, units, table.rows);
           if (!table.rows.empty()) sections.front().tables.push_back(std::move(table));
         };
         add("", law);

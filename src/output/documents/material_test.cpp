@@ -44,8 +44,8 @@ void add_hold(std::vector<ValueRow>& figures, const MaterialTestReport& report, 
 
 void add_limits(std::vector<ValueRow>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
                 const MaterialTestValues& shown) {
-  constexpr std::size_t most_limits = 2;
-  for (std::size_t i = 0; i < run.at_limits.size() && i < most_limits; ++i) {
+  constexpr std::size_t max_limits = 2;
+  for (std::size_t i = 0; i < run.at_limits.size() && i < max_limits; ++i) {
     const std::optional<CushionPoint>& at = run.at_limits[i];
     figures.push_back(
         {.label = "Energy below " + shown.stress(report.test.stress_limits[i]),
@@ -67,40 +67,44 @@ ValueRow strain_reached(const MaterialTestReport& report, const MaterialTestRun&
 
 std::vector<ValueRow> test_figures(const MaterialTestReport& report, const MaterialTestRun& run,
                                    const MaterialTestValues& shown) {
-  const laboratory::CushionFigures& of = run.figures;
+  const laboratory::CushionFigures& cushion_figures = run.figures;
   std::vector<ValueRow> figures;
   add_hold(figures, report, run, shown);
   add_limits(figures, report, run, shown);
   if (runs_out(run)) {
     figures.push_back({.label = "Best used at",
-                       .value = shown.stress(of.best_efficiency.stress),
+                       .value = shown.stress(cushion_figures.best_efficiency.stress),
                        .remark = "the highest energy for its stress"});
     figures.push_back({.label = "Energy taken by then",
-                       .value = shown.energy(of.best_efficiency.energy),
-                       .remark = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
+                       .value = shown.energy(cushion_figures.best_efficiency.energy),
+                       .remark = "efficiency " + brief(cushion_figures.best_efficiency.efficiency, 3)});
     figures.push_back({.label = "Runs out at a strain of",
-                       .value = MaterialTestValues::strain(of.best_efficiency.strain),
+                       .value = MaterialTestValues::strain(cushion_figures.best_efficiency.strain),
                        .remark = "beyond, stress grows faster than energy"});
   } else
     figures.push_back({.label = "Energy taken",
-                       .value = shown.energy(of.best_efficiency.energy),
-                       .remark = "efficiency " + brief(of.best_efficiency.efficiency, 3)});
+                       .value = shown.energy(cushion_figures.best_efficiency.energy),
+                       .remark = "efficiency " + brief(cushion_figures.best_efficiency.efficiency, 3)});
   if (run.unloads)
     figures.push_back(
         {.label = "Given back",
-         .value = of.energy_in > 0 ? MaterialTestValues::share(of.energy_returned / of.energy_in) : "none",
-         .remark = fmt::format("{} of {}", shown.energy(of.energy_returned), shown.energy(of.energy_in))});
+         .value = cushion_figures.energy_in > 0
+                      ? MaterialTestValues::share(cushion_figures.energy_returned / cushion_figures.energy_in)
+                      : "none",
+         .remark = fmt::format("{} of {}", shown.energy(cushion_figures.energy_returned),
+                               shown.energy(cushion_figures.energy_in))});
   figures.push_back(strain_reached(report, run));
-  figures.push_back({.label = "Largest stress",
-                     .value = shown.stress(of.peak_stress),
-                     .remark = "at a strain of " + MaterialTestValues::strain(of.strain_at_peak)});
+  figures.push_back(
+      {.label = "Largest stress",
+       .value = shown.stress(cushion_figures.peak_stress),
+       .remark = "at a strain of " + MaterialTestValues::strain(cushion_figures.strain_at_peak)});
   return figures;
 }
 
 /// Stress over strain, not so high that what is pressed flat hides the rest, with the place that the answer
 /// speaks of and where the foam was tested.
 Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run, const UnitSystem& units) {
-  constexpr double most_over_best = 4;
+  constexpr double max_over_best = 4;
   Panel panel = stress_over_strain(report, units);
   panel.title.clear();
   const CushionPoint& best = run.figures.best_efficiency;
@@ -109,11 +113,11 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
                             .style = SeriesStyle::points,
                             .x = {best.strain},
                             .y = {value_in(units, best.stress, "Pa")},
-                            .turn = report.runs.size(),
+                            .palette_index = report.runs.size(),
                             .label_place = LabelPlace::middle});
-    if (run.figures.peak_stress > most_over_best * best.stress) {
+    if (run.figures.peak_stress > max_over_best * best.stress) {
       panel.y.low = 0;
-      panel.y.high = value_in(units, most_over_best * best.stress, "Pa");
+      panel.y.high = value_in(units, max_over_best * best.stress, "Pa");
       panel.title =
           fmt::format("The stress goes on to {}", MaterialTestValues{units}.stress(run.figures.peak_stress));
     }

@@ -18,7 +18,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_panels_of_still = 4;
+constexpr std::size_t max_panels_of_still = 4;
 
 void add(Document& document, const char* heading, std::vector<CaptionedPlot> figures) {
   if (!figures.empty())
@@ -39,14 +39,16 @@ Plot together(std::vector<CaptionedPlot> figures, const std::string& title) {
   Plot plot{.title = title, .panels = {}, .source = figures.front().plot.source};
   for (CaptionedPlot& figure : figures)
     for (Panel& panel : figure.plot.panels)
-      if (plot.panels.size() < most_panels_of_still) plot.panels.push_back(std::move(panel));
+      if (plot.panels.size() < max_panels_of_still) plot.panels.push_back(std::move(panel));
   return plot;
 }
 
 /// The figures of the kind that answers the study, those of the response with a limit first.
 std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   using Make = std::vector<CaptionedPlot> (*)(const study::StudyAnswers&, const UnitSystem&);
-  constexpr Make indices = [](const study::StudyAnswers& of, const UnitSystem&) { return index_figures(of); };
+  constexpr Make indices = [](const study::StudyAnswers& study_answers, const UnitSystem&) {
+    return index_figures(study_answers);
+  };
   const bool asks_for_limit = !answers.limits.empty();
   std::vector<Make> kinds{cushion_figures, named_figures, map_figures, curve_figures, distribution_figures};
   if (!asks_for_limit) kinds.insert(kinds.begin() + 1, indices);
@@ -55,8 +57,9 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
     if (figures.empty()) continue;
     if (asks_for_limit)
       // Not std::ranges: clang 14 refuses what libstdc++ 12 returns there.
-      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& of) {
-        return of.plot.panels.front().title == title_of(answers.limits[strictest_limit(answers)].response);
+      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& captioned_plot) {
+        return captioned_plot.plot.panels.front().title ==
+               title_of(answers.limits[strictest_limit(answers)].response);
       });
     // One map alone: its legend would be lost among those of others.
     if (make == Make{map_figures}) figures.resize(1);

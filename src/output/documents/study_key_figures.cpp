@@ -44,11 +44,12 @@ AsText in_unit_of(const std::string& response, const UnitSystem& units) {
 }
 
 /// "95 % interval 10.1 to 14.2 %"; empty where there is none.
-std::string interval_of(const study::Estimate& of, const AsText& shown) {
-  const bool has_low = std::isfinite(of.low), has_high = std::isfinite(of.high);
-  if (has_low && has_high) return fmt::format("95 % interval {} to {}", shown(of.low), shown(of.high));
-  if (has_low) return "95 % interval above " + shown(of.low);
-  if (has_high) return "95 % interval below " + shown(of.high);
+std::string interval_of(const study::Estimate& estimate, const AsText& shown) {
+  const bool has_low = std::isfinite(estimate.low), has_high = std::isfinite(estimate.high);
+  if (has_low && has_high)
+    return fmt::format("95 % interval {} to {}", shown(estimate.low), shown(estimate.high));
+  if (has_low) return "95 % interval above " + shown(estimate.low);
+  if (has_high) return "95 % interval below " + shown(estimate.high);
   return "";
 }
 
@@ -69,12 +70,12 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
   const std::optional<double> limit = limit_of(answers, name);
   for (const auto& [probability, words] :
        {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
-    if (const auto of = study::quantile(answers.groups.front().distributions[response], probability)) {
+    if (const auto given = study::quantile(answers.groups.front().distributions[response], probability)) {
       ValueRow figure{.label = fmt::format("{}, {}", title_of(name), words),
-                      .value = shown(of->value),
-                      .remark = interval_of(*of, shown)};
-      if (limit && *limit > 0 && std::isfinite(of->value)) {
-        figure.share = of->value / *limit;
+                      .value = shown(given->value),
+                      .remark = interval_of(*given, shown)};
+      if (limit && *limit > 0 && std::isfinite(given->value)) {
+        figure.share = given->value / *limit;
         figure.remark =
             fmt::format("limit {}{}{}", shown(*limit), figure.remark.empty() ? "" : "; ", figure.remark);
       }
@@ -86,8 +87,8 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
 void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const study::Distribution& of = answers.groups.front().distributions[i];
-    const auto low = study::quantile(of, 0.05), high = study::quantile(of, 0.95);
+    const study::Distribution& distribution = answers.groups.front().distributions[i];
+    const auto low = study::quantile(distribution, 0.05), high = study::quantile(distribution, 0.95);
     if (i == leading || !low || !high) continue;
     const std::string& name = response_name(answers, i);
     figures.push_back({.label = title_of(name),
@@ -101,12 +102,12 @@ void add_medians(Figures& figures, const StudyAnswers& answers, const UnitSystem
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string& name = response_name(answers, i);
     const auto [least, greatest] = extreme_medians(answers, i);
-    const auto add = [&](const char* which, const StudyAnswers::OfGroup* of) {
-      if (of != nullptr)
+    const auto add = [&](const char* which, const StudyAnswers::OfGroup* of_group) {
+      if (of_group != nullptr)
         figures.push_back(
             {.label = fmt::format("{}, {} median", title_of(name), which),
-             .value = in_unit_of(name, units)(study::quantile(of->distributions[i], 0.5)->value),
-             .remark = "at " + words_of_levels(answers, of->group, units)});
+             .value = in_unit_of(name, units)(study::quantile(of_group->distributions[i], 0.5)->value),
+             .remark = "at " + words_of_levels(answers, of_group->group, units)});
     };
     add("least", least);
     add("greatest", greatest);
@@ -118,7 +119,7 @@ void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const
   const study::CushionCurves::Drop& drop = curves.drops.back();
   const AsText shown = [&](double value) { return three_digits("peak_acceleration", value, units); };
   for (const study::CushionCurve& curve : drop.curves)
-    if (const std::optional<std::size_t> least = study::least_peak(curve))
+    if (const std::optional<std::size_t> least = study::min_peak(curve))
       figures.push_back(
           {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
            .value = shown(curve.peak_deceleration[*least]),
@@ -154,11 +155,11 @@ void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem&
   add("least", least);
   if (least && values[*least] != values[*greatest]) add("greatest", greatest);
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const study::Distribution& of = answers.groups.front().distributions[i];
-    if (i == leading || of.rows == 0) continue;
+    const study::Distribution& distribution = answers.groups.front().distributions[i];
+    if (i == leading || distribution.rows == 0) continue;
     const std::string& other = response_name(answers, i);
-    figures.push_back(
-        {.label = title_of(other), .value = three_digit_range(other, of.least, of.greatest, units)});
+    figures.push_back({.label = title_of(other),
+                       .value = three_digit_range(other, distribution.least, distribution.greatest, units)});
   }
 }
 
@@ -173,27 +174,29 @@ std::string part_of_rows(std::uint64_t count, std::uint64_t rows) {
 
 /// A probability for each limit, or where levels vary the strictest limit at each of them.
 void add_probabilities(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
-  constexpr std::size_t most_limits = 2, most_groups = 4;
+  constexpr std::size_t max_limits = 2, max_groups = 4;
   const bool has_levels = answers.groups.size() > 1;
   const std::size_t strictest = strictest_limit(answers);
   // The first and the last of the levels are among them.
-  const std::size_t groups = std::min(answers.groups.size(), most_groups);
+  const std::size_t groups = std::min(answers.groups.size(), max_groups);
   for (std::size_t k = 0; k < groups; ++k) {
     const std::size_t place = groups < 2 ? 0 : k * (answers.groups.size() - 1) / (groups - 1);
     const StudyAnswers::OfGroup& group = answers.groups[place];
-    for (std::size_t i = 0, shown = 0; i < answers.limits.size() && shown < most_limits; ++i) {
+    for (std::size_t i = 0, shown = 0; i < answers.limits.size() && shown < max_limits; ++i) {
       const study::StudyLimit& limit = answers.limits[i];
       if (has_levels && i != strictest) continue;
       ++shown;
-      const study::Exceedance& of = group.exceedances[i];
+      const study::Exceedance& exceedance = group.exceedances[i];
       const std::string above = fmt::format("{} above {}", title_of(limit.response),
                                             in_unit_of(limit.response, units)(limit.value));
       ValueRow figure{.label = has_levels ? words_of_levels(answers, group.group, units) : above};
-      figure.value = group.group.drawn ? per_cent(of.probability.value) : part_of_rows(of.exceeding, of.rows);
+      figure.value = group.group.drawn ? per_cent(exceedance.probability.value)
+                                       : part_of_rows(exceedance.exceeding, exceedance.rows);
       figure.remark = has_levels ? above : "";
-      const std::string interval = group.group.drawn  ? interval_of(of.probability, per_cent)
-                                   : of.undecided > 0 ? fmt::format("{} undecided", of.undecided)
-                                                      : "";
+      const std::string interval = group.group.drawn ? interval_of(exceedance.probability, per_cent)
+                                   : exceedance.undecided > 0
+                                       ? fmt::format("{} undecided", exceedance.undecided)
+                                       : "";
       if (!interval.empty()) figure.remark += (figure.remark.empty() ? "" : "; ") + interval;
       figures.push_back(std::move(figure));
     }
@@ -201,7 +204,7 @@ void add_probabilities(Figures& figures, const StudyAnswers& answers, const Unit
 }
 
 void add_indices(Figures& figures, const StudyAnswers& answers) {
-  constexpr std::size_t most_factors = 4;
+  constexpr std::size_t max_factors = 4;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const auto& of = answers.groups.front().sensitivities[i];
     if (!of || of->indices.empty()) continue;
@@ -209,7 +212,7 @@ void add_indices(Figures& figures, const StudyAnswers& answers) {
     std::ranges::stable_sort(indices, std::ranges::greater(),
                              [](const study::Sensitivity::Index& index) { return index.total.value; });
     for (const study::Sensitivity::Index& index : indices)
-      if (figures.size() < most_factors)
+      if (figures.size() < max_factors)
         figures.push_back(
             {.label =
                  fmt::format("{} by {}", title_of(response_name(answers, i)), factor_words(index.factor)),
@@ -256,7 +259,7 @@ std::vector<ValueRow> study_key_figures(const StudyAnswers& answers, const UnitS
   // They have a place of their own: what else there is makes room for them.
   Figures counts;
   add_counts(counts, answers);
-  figures.resize(std::min(figures.size(), most_key_figures - counts.size()));
+  figures.resize(std::min(figures.size(), max_key_figures - counts.size()));
   figures.insert(figures.end(), counts.begin(), counts.end());
   return figures;
 }

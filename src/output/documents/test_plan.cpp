@@ -50,11 +50,13 @@ std::vector<Combination> combinations(const std::vector<AssessmentReport>& repor
   return all;
 }
 
-std::string full_title(const Combination& of) { return of.name + ", " + full_name(of.report.standard); }
+std::string full_title(const Combination& combination) {
+  return combination.name + ", " + full_name(combination.report.standard);
+}
 
 std::size_t count_of(const std::vector<Combination>& all, injury::Verdict verdict) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      all, [&](const Combination& of) { return of.report.assessment.verdict == verdict; }));
+      all, [&](const Combination& combination) { return combination.report.assessment.verdict == verdict; }));
 }
 
 /// "4 of 6 pass, 1 fails, 1 is undecided".
@@ -69,8 +71,8 @@ std::string counted(const std::vector<Combination>& all) {
   return text;
 }
 
-int rank(const Combination& of) {
-  switch (of.report.assessment.verdict) {
+int rank(const Combination& combination) {
+  switch (combination.report.assessment.verdict) {
     case injury::Verdict::fail: return 0;
     case injury::Verdict::undecided: return 1;
     case injury::Verdict::pass: break;
@@ -81,7 +83,7 @@ int rank(const Combination& of) {
 /// What fails by most first, what passes with most to spare last.
 std::vector<const Combination*> worst_first(const std::vector<Combination>& all) {
   std::vector<const Combination*> sorted;
-  for (const Combination& of : all) sorted.push_back(&of);
+  for (const Combination& combination : all) sorted.push_back(&combination);
   std::ranges::stable_sort(sorted, [](const Combination* a, const Combination* b) {
     return std::pair(rank(*a), -a->next.share.value_or(0)) < std::pair(rank(*b), -b->next.share.value_or(0));
   });
@@ -91,11 +93,12 @@ std::vector<const Combination*> worst_first(const std::vector<Combination>& all)
 /// A row a case, a column a standard. The combinations stand case by case.
 Table plan_table(const std::vector<Combination>& all) {
   Table table{.columns = {"Case"}};
-  for (const Combination& of : all) {
-    if (table.rows.empty() || &of.report.given != &(&of - 1)->report.given) table.rows.push_back({of.name});
-    if (table.rows.size() == 1) table.columns.push_back(full_name(of.report.standard));
-    const Lead& lead = *of.document.lead;
-    table.rows.back().push_back(lead.answer + (of.document.warnings.empty() ? "" : " *"));
+  for (const Combination& combination : all) {
+    if (table.rows.empty() || &combination.report.given != &(&combination - 1)->report.given)
+      table.rows.push_back({combination.name});
+    if (table.rows.size() == 1) table.columns.push_back(full_name(combination.report.standard));
+    const Lead& lead = *combination.document.lead;
+    table.rows.back().push_back(lead.answer + (combination.document.warnings.empty() ? "" : " *"));
   }
   return table;
 }
@@ -104,9 +107,9 @@ Table plan_table(const std::vector<Combination>& all) {
 std::vector<std::string> reservations(const std::vector<Combination>& all) {
   std::vector<std::pair<std::string, std::size_t>> kinds;  // the first text, and how many
   const auto kind_of = [](const std::string& text) { return text.substr(0, text.find(':')); };
-  for (const Combination& of : all) {
+  for (const Combination& combination : all) {
     std::set<std::string> counted;
-    for (const std::string& text : of.document.warnings) {
+    for (const std::string& text : combination.document.warnings) {
       if (!counted.insert(kind_of(text)).second) continue;
       const auto known =
           std::ranges::find_if(kinds, [&](const auto& kind) { return kind_of(kind.first) == kind_of(text); });
@@ -124,13 +127,14 @@ std::vector<std::string> reservations(const std::vector<Combination>& all) {
 }
 
 /// An assessment as a whole: answer, reservations, criteria and figures, the curve with its limits.
-Section section_of(const Combination& of, const UnitSystem& units, Pictures pictures) {
-  Section section{
-      .heading = full_title(of), .seen = Seen::on_pages, .paragraphs = {of.document.lead->answer + "."}};
-  for (const std::string& warning : of.document.warnings) section.paragraphs.push_back(warning);
-  section.rows = {{"", of.document.lead->figures}};
+Section section_of(const Combination& combination, const UnitSystem& units, Pictures pictures) {
+  Section section{.heading = full_title(combination),
+                  .seen = Seen::on_pages,
+                  .paragraphs = {combination.document.lead->answer + "."}};
+  for (const std::string& warning : combination.document.warnings) section.paragraphs.push_back(warning);
+  section.rows = {{"", combination.document.lead->figures}};
   if (pictures == Pictures::drawn)
-    section.figures.push_back({.name = "Deceleration", .plot = deciding_curve(of.report, units)});
+    section.figures.push_back({.name = "Deceleration", .plot = deciding_curve(combination.report, units)});
   return section;
 }
 
@@ -152,17 +156,18 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
                                            rank(worst) == 2 ? "Least to spare" : "First to look at",
                                            full_title(worst), worst.document.lead->answer)}},
       .warnings = reservations(all)};
-  for (const Combination* of : sorted) {
-    ValueRow row = of->next;
-    row.limit = uncapitalised(std::exchange(row.label, full_title(*of))) + " " + row.limit;
-    row.remark = to_string(of->report.assessment.verdict);
+  for (const Combination* combination : sorted) {
+    ValueRow row = combination->next;
+    row.limit = uncapitalised(std::exchange(row.label, full_title(*combination))) + " " + row.limit;
+    row.remark = to_string(combination->report.assessment.verdict);
     document.lead->figures.push_back(std::move(row));
   }
   document.sections.push_back({.heading = "The plan", .seen = Seen::always, .tables = {plan}});
   if (!document.warnings.empty())
     document.sections.back().paragraphs = {
         "* with a reservation, which the assessment of that case by that standard has in full."};
-  for (const Combination& of : all) document.sections.push_back(section_of(of, units, pictures));
+  for (const Combination& combination : all)
+    document.sections.push_back(section_of(combination, units, pictures));
   document.sections.push_back(
       {.seen = Seen::in_brief,
        .paragraphs = {"--all shows every assessment as a whole, --report all of them on a page."}});

@@ -130,9 +130,9 @@ std::string way_of_support(const Scene& scene) {
   std::string text =
       line_element("dd-rest", {x - overshoot, scene.back()}, {std::max(left + 40, edge + 16), scene.back()});
   double y = scene.back();
-  const auto add = [&](const char* of, const char* word, double metres, double way) {
+  const auto add = [&](const char* given, const char* word, double metres, double way) {
     if (!(metres > 0)) return;
-    dimensions.push_back({.of = of,
+    dimensions.push_back({.of = given,
                           .metres = metres,
                           .from = y,
                           .to = y + way,

@@ -12,7 +12,7 @@ namespace {
 
 /// Of half a break, each with a tip up and one down.
 constexpr int teeth = 16;
-constexpr double most_of_sheet = 3.5;  ///< of its thickness as drawn, px
+constexpr double max_of_sheet = 3.5;  ///< of its thickness as drawn, px
 
 /// Two ragged lines with nothing between them.
 std::string break_of_pad(const Scene& scene, const Picture& picture) {
@@ -66,7 +66,7 @@ std::string sheet_picture(const Scene& scene, const Picture& picture) {
   // What is left of the pad stays in sight.
   const double left =
       scene.layout.pad - scene.layout.below_face(scene.moments.penetration, scene.moments.thickness);
-  const double thickness = std::clamp(0.3 * left, 0.8, most_of_sheet);
+  const double thickness = std::clamp(0.3 * left, 0.8, max_of_sheet);
   const std::string name = fmt::format("{}-{}-sheet", own_name, picture.name);
   return fmt::format(
              "<clipPath id=\"{0}\">{1}</clipPath>\n<g class=\"dd-sheet\" stroke-width=\"{2}\" "

@@ -88,10 +88,10 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
 }
 
 constexpr double picture_height = 256;
-constexpr double least_nose = 60;  ///< of its height above the pad
-constexpr double most_nose = 130;
-constexpr double least_pad = 44;         ///< of a pad thin against the nose
-constexpr double least_nose_width = 30;  ///< half the width of a nose small against the pad
+constexpr double min_nose = 60;  ///< of its height above the pad
+constexpr double max_nose = 130;
+constexpr double min_pad = 44;         ///< of a pad thin against the nose
+constexpr double min_nose_width = 30;  ///< half the width of a nose small against the pad
 constexpr double margin = 8;
 constexpr double solid_spring = 22;  ///< what is left of a spring at its greatest deflection
 
@@ -124,7 +124,7 @@ double scale_by_height(const ImpactCase& impact, const DrawnMoments& moments) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     const double scale = std::exp(middle);
-    const double height = least_nose + moments.thickness * scale + moments.body_motion * scale +
+    const double height = min_nose + moments.thickness * scale + moments.body_motion * scale +
                           sum_of(support_heights(impact, moments, scale, moments.deflection * scale));
     (height <= picture_height ? low : high) = middle;
   }
@@ -140,7 +140,7 @@ double chosen_scale(const ImpactCase& impact, const DrawnMoments& moments, doubl
   if (contact > 0) scale = std::min(scale, 0.82 * half_width / contact);
   if (moments.half_width) scale = std::min(scale, 0.92 * half_width / *moments.half_width);
   return std::max(
-      {scale, least_pad / moments.thickness, least_nose_width / std::max(widest, moments.penetration)});
+      {scale, min_pad / moments.thickness, min_nose_width / std::max(widest, moments.penetration)});
 }
 
 Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
@@ -157,16 +157,16 @@ Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
   layout.scale = chosen_scale(impact, moments, layout.half_width);
 
   const SupportHeights at_rest = support_heights(impact, moments, layout.scale, 0);
-  const double room = picture_height - least_nose - sum_of(at_rest);
+  const double room = picture_height - min_nose - sum_of(at_rest);
   layout.pad = moments.thickness * layout.scale;
-  layout.pad_is_cut = layout.pad > std::max(room, least_pad) * (1 + 1e-9);
-  if (layout.pad_is_cut) layout.pad = std::max(room, 2 * least_pad);
+  layout.pad_is_cut = layout.pad > std::max(room, min_pad) * (1 + 1e-9);
+  if (layout.pad_is_cut) layout.pad = std::max(room, 2 * min_pad);
   const double travel = moments.sink() * layout.scale;
   const double whole =
-      least_nose + layout.pad + moments.body_motion * layout.scale +
+      min_nose + layout.pad + moments.body_motion * layout.scale +
       sum_of(support_heights(impact, moments, layout.scale, moments.deflection * layout.scale));
   const double room_to_sink = std::max(
-      picture_height - least_nose - layout.pad - at_rest.plate - at_rest.base - at_rest.gap - solid_spring,
+      picture_height - min_nose - layout.pad - at_rest.plate - at_rest.base - at_rest.gap - solid_spring,
       24.0);
   layout.sink_is_cut = whole > picture_height * (1 + 1e-6) && travel > room_to_sink;
   const double share = layout.sink_is_cut ? room_to_sink / travel : 1;
@@ -178,8 +178,7 @@ Layout layout_of(const ImpactCase& impact, const DrawnMoments& moments) {
   const Sections outline = outline_of(impact.impactor.nose);
   const double ball = is_ball(impact.impactor.nose) ? 2 * outline.depth * layout.scale + 4
                                                     : std::numeric_limits<double>::infinity();
-  const double nose =
-      std::clamp(std::min(ball, picture_height - below), std::min(ball, least_nose), most_nose);
+  const double nose = std::clamp(std::min(ball, picture_height - below), std::min(ball, min_nose), max_nose);
   layout.face = picture_top + nose;
   layout.bottom = layout.face + below;
   return layout;
@@ -202,13 +201,13 @@ double Layout::pad_half_width(const DrawnMoments& moments) const {
   return moments.half_width ? std::min(*moments.half_width * scale, beyond) : beyond;
 }
 
-Scene::Scene(const ImpactCase& of, const Solution& solution, const UnitSystem& shown_units)
-    : impact(of),
+Scene::Scene(const ImpactCase& impact_case, const Solution& solution, const UnitSystem& shown_units)
+    : impact(impact_case),
       summary(solution.summary),
       units(shown_units),
-      outline(outline_of(of.impactor.nose)),
-      moments(drawn_moments(of, solution)),
-      layout(layout_of(of, moments)),
+      outline(outline_of(impact_case.impactor.nose)),
+      moments(drawn_moments(impact_case, solution)),
+      layout(layout_of(impact_case, moments)),
       left{.name = "left", .axis = layout.left, .penetration = moments.crater},
       right{.name = "right",
             .axis = layout.right,

@@ -122,7 +122,7 @@ struct Scene {
   Layout layout;
   Picture left, right;
 
-  Scene(const ImpactCase& of, const Solution& solution, const UnitSystem& shown_units);
+  Scene(const ImpactCase& impact_case, const Solution& solution, const UnitSystem& shown_units);
 
   /// y of the pad's back at first contact.
   [[nodiscard]] double back() const { return layout.face + layout.pad; }

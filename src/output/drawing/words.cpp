@@ -102,13 +102,13 @@ std::string strain_words(const DrawnMoments& moments) {
 }
 
 /// Room that a name on the pad needs, px.
-constexpr double least_height = 20;
-constexpr double least_half_width = 60;
+constexpr double min_height = 20;
+constexpr double min_half_width = 60;
 
 bool has_names_on_pad(const Scene& scene) {
-  if (scene.pad_half_width() < least_half_width || scene.moments.crater > 0) return false;
+  if (scene.pad_half_width() < min_half_width || scene.moments.crater > 0) return false;
   for (std::size_t i = 0; i < scene.moments.layers.size(); ++i)
-    if (scene.front_of_layer(i + 1) - scene.front_of_layer(i) < least_height) return false;
+    if (scene.front_of_layer(i + 1) - scene.front_of_layer(i) < min_height) return false;
   return true;
 }
 

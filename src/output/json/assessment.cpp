@@ -62,10 +62,10 @@ Json criterion(const injury::CriterionResult& result) {
           {"note", of.origin.note}};
 }
 
-Json figures_json(const injury::KeyFigures& of) {
+Json figures_json(const injury::KeyFigures& key_figures) {
   Json all;
   for (const auto& [key, member] : figures_of_assessment) {
-    const injury::Figure& figure = of.*member;
+    const injury::Figure& figure = key_figures.*member;
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
     const auto shown = [&](double value) { return number(scale * value); };
@@ -94,7 +94,7 @@ Json assessment(const AssessmentReport& report) {
   json["case_file"] = text_if_any(report.file);
   json["verdict"] = to_string(report.assessment.verdict);
   json["unqualified"] = report.assessment.unqualified();
-  json["reservations"] = array_of(report.assessment.reservations, [](const Flag& of) { return of.text; });
+  json["reservations"] = array_of(report.assessment.reservations, [](const Flag& flag) { return flag.text; });
   json["caveat"] = assessment_caveat();
   json["standard"] = {{"name", standard.name},     {"variants", standard.chosen},
                       {"title", standard.title},   {"article", text_if_any(standard.article)},

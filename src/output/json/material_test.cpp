@@ -9,37 +9,39 @@ namespace dashpad::output {
 namespace {
 
 /// Null for what the kind of test has no use for.
-Json request_json(const laboratory::MaterialTest& of) {
-  const bool cyclic = of.kind == laboratory::TestKind::cyclic, creep = of.kind == laboratory::TestKind::creep,
-             measured = of.kind == laboratory::TestKind::history;
-  return {{"kind", to_string(of.kind)},
-          {"strain", number_if(!creep && !measured, of.strain)},
-          {"hold_s", number_if(creep || of.kind == laboratory::TestKind::relaxation, of.hold)},
-          {"stress_Pa", number_if(creep, of.stress)},
-          {"low_strain", number_if(cyclic, of.low)},
-          {"cycles", cyclic ? Json(of.cycles) : Json(nullptr)},
-          {"history", measured ? Json(of.history_name) : Json(nullptr)},
-          {"history_remarks", of.history_remarks},
-          {"stress_limits_Pa", numbers(of.stress_limits)},
-          {"steps_of_1984", made_of(of.steps_of_1984, [](int steps) { return steps; })}};
+Json request_json(const laboratory::MaterialTest& material_test) {
+  const bool cyclic = material_test.kind == laboratory::TestKind::cyclic,
+             creep = material_test.kind == laboratory::TestKind::creep,
+             measured = material_test.kind == laboratory::TestKind::history;
+  return {{"kind", to_string(material_test.kind)},
+          {"strain", number_if(!creep && !measured, material_test.strain)},
+          {"hold_s",
+           number_if(creep || material_test.kind == laboratory::TestKind::relaxation, material_test.hold)},
+          {"stress_Pa", number_if(creep, material_test.stress)},
+          {"low_strain", number_if(cyclic, material_test.low)},
+          {"cycles", cyclic ? Json(material_test.cycles) : Json(nullptr)},
+          {"history", measured ? Json(material_test.history_name) : Json(nullptr)},
+          {"history_remarks", material_test.history_remarks},
+          {"stress_limits_Pa", numbers(material_test.stress_limits)},
+          {"steps_of_1984", made_of(material_test.steps_of_1984, [](int steps) { return steps; })}};
 }
 
-Json point(const laboratory::CushionPoint& of) {
-  return {{"strain", number(of.strain)},
-          {"stress_Pa", number(of.stress)},
-          {"energy_J_per_m3", number(of.energy)},
-          {"efficiency", number(of.efficiency)},
-          {"ideality", number(of.ideality)}};
+Json point(const laboratory::CushionPoint& cushion_point) {
+  return {{"strain", number(cushion_point.strain)},
+          {"stress_Pa", number(cushion_point.stress)},
+          {"energy_J_per_m3", number(cushion_point.energy)},
+          {"efficiency", number(cushion_point.efficiency)},
+          {"ideality", number(cushion_point.ideality)}};
 }
 
 Json figures(const laboratory::MaterialTestRun& run) {
-  const laboratory::CushionFigures& of = run.figures;
-  return {{"peak_stress_Pa", number(of.peak_stress)},
-          {"peak_stress_strain", number(of.strain_at_peak)},
-          {"energy_in_J_per_m3", number(of.energy_in)},
-          {"energy_returned_J_per_m3", number_if(run.unloads, of.energy_returned)},
-          {"hysteresis", number_if(run.unloads, of.hysteresis)},
-          {"best_efficiency", point(of.best_efficiency)}};
+  const laboratory::CushionFigures& cushion_figures = run.figures;
+  return {{"peak_stress_Pa", number(cushion_figures.peak_stress)},
+          {"peak_stress_strain", number(cushion_figures.strain_at_peak)},
+          {"energy_in_J_per_m3", number(cushion_figures.energy_in)},
+          {"energy_returned_J_per_m3", number_if(run.unloads, cushion_figures.energy_returned)},
+          {"hysteresis", number_if(run.unloads, cushion_figures.hysteresis)},
+          {"best_efficiency", point(cushion_figures.best_efficiency)}};
 }
 
 Json limits(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
@@ -50,31 +52,31 @@ Json limits(const laboratory::MaterialTestReport& report, const laboratory::Mate
   return array;
 }
 
-Json relaxation(const laboratory::RelaxedStress& of) {
-  return {{"end_of_ramp_Pa", number(of.at_end_of_ramp)},
-          {"after_tenth_of_hold_Pa", number(of.after_tenth)},
-          {"after_hold_Pa", number(of.after_hold)}};
+Json relaxation(const laboratory::RelaxedStress& relaxed_stress) {
+  return {{"end_of_ramp_Pa", number(relaxed_stress.at_end_of_ramp)},
+          {"after_tenth_of_hold_Pa", number(relaxed_stress.after_tenth)},
+          {"after_hold_Pa", number(relaxed_stress.after_hold)}};
 }
 
-Json creep_json(const laboratory::CreptStrain& of) {
-  return {{"end_of_loading_strain", number(of.at_end_of_loading)},
-          {"after_hold_strain", number(of.after_hold)}};
+Json creep_json(const laboratory::CreptStrain& crept_strain) {
+  return {{"end_of_loading_strain", number(crept_strain.at_end_of_loading)},
+          {"after_hold_strain", number(crept_strain.after_hold)}};
 }
 
-Json turn(const laboratory::StressAtTurn& of) {
-  return {{"last_loading_Pa", number(of.last_loading)},
-          {"next_Pa", number(of.next)},
-          {"jump_Pa", number(of.jump())}};
+Json turn(const laboratory::StressAtTurn& stress_at_turn) {
+  return {{"last_loading_Pa", number(stress_at_turn.last_loading)},
+          {"next_Pa", number(stress_at_turn.next)},
+          {"jump_Pa", number(stress_at_turn.jump())}};
 }
 
-Json update(const laboratory::UpdateOf1984& of) {
-  return {{"step_s", number(of.step)},
-          {"stress_discontinuity", made_of(of.update_at_turn, turn)},
-          {"exact_stress_at_the_same_times", made_of(of.exact_at_turn, turn)},
-          {"time_s", numbers(of.time)},
-          {"strain", numbers(of.strain)},
-          {"stress_Pa", numbers(of.stress)},
-          {"exact_stress_Pa", numbers(of.exact)}};
+Json update(const laboratory::UpdateOf1984& update_of1984) {
+  return {{"step_s", number(update_of1984.step)},
+          {"stress_discontinuity", made_of(update_of1984.update_at_turn, turn)},
+          {"exact_stress_at_the_same_times", made_of(update_of1984.exact_at_turn, turn)},
+          {"time_s", numbers(update_of1984.time)},
+          {"strain", numbers(update_of1984.strain)},
+          {"stress_Pa", numbers(update_of1984.stress)},
+          {"exact_stress_Pa", numbers(update_of1984.exact)}};
 }
 
 const char* name_of(laboratory::ColumnEvent::Kind kind) {
@@ -87,12 +89,12 @@ const char* name_of(laboratory::ColumnEvent::Kind kind) {
   return "";
 }
 
-Json event_json(const laboratory::ColumnEvent& of) {
-  return {{"event", name_of(of.kind)},
-          {"time_s", number(of.time)},
-          {"strain", number(of.strain)},
-          {"stress_before_Pa", number(of.stress_before)},
-          {"stress_after_Pa", number(of.stress_after)}};
+Json event_json(const laboratory::ColumnEvent& column_event) {
+  return {{"event", name_of(column_event.kind)},
+          {"time_s", number(column_event.time)},
+          {"strain", number(column_event.strain)},
+          {"stress_before_Pa", number(column_event.stress_before)},
+          {"stress_after_Pa", number(column_event.stress_after)}};
 }
 
 Json run_json(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
@@ -126,7 +128,9 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
 }  // namespace
 
 std::string material_test_json(const laboratory::MaterialTestReport& report) {
-  const auto run = [&](const laboratory::MaterialTestRun& of) { return run_json(report, of); };
+  const auto run = [&](const laboratory::MaterialTestRun& material_test_run) {
+    return run_json(report, material_test_run);
+  };
   return result_json_text({{"test", request_json(report.test)},
                            {"material", material_json(report.material)},
                            {"runs", array_of(report.runs, run)},

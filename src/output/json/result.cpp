@@ -12,26 +12,27 @@ namespace dashpad::output {
 
 namespace {
 
-Json moment(const EstimatedValue& of) {
-  return {{"time_s", number(of.value)}, {"velocity_m_per_s", number(of.velocity)}};
+Json moment(const EstimatedValue& estimated_value) {
+  return {{"time_s", number(estimated_value.value)}, {"velocity_m_per_s", number(estimated_value.velocity)}};
 }
 
 /// Every figure of the table, and the errors of those that have an estimate; null where it is absent.
 void add_figures(Json& result, Json& errors, const Summary& summary) {
   for (const SummaryQuantity& entry : summary_quantities()) {
     const ResultQuantity& quantity = *entry.quantity;
-    const EstimatedValue of = entry.of(summary);
-    const bool absent = std::isnan(of.value);
+    const EstimatedValue estimated_value = entry.of(summary);
+    const bool absent = std::isnan(estimated_value.value);
     if (quantity.part == Part::moment)
-      result[quantity.key] = absent ? Json(nullptr) : moment(of);
+      result[quantity.key] = absent ? Json(nullptr) : moment(estimated_value);
     else
-      result[key_with_unit(quantity)] = number(scaled_unit(quantity.si_unit, plain_si()).scale * of.value);
-    if (quantity.has_estimate()) errors[quantity.key] = number_if(!absent, of.error);
+      result[key_with_unit(quantity)] =
+          number(scaled_unit(quantity.si_unit, plain_si()).scale * estimated_value.value);
+    if (quantity.has_estimate()) errors[quantity.key] = number_if(!absent, estimated_value.error);
   }
 }
 
 Json energy(const EnergyLedger& ledger) {
-  const auto key = [](const char* of) { return key_with_unit(result_quantity(of)); };
+  const auto key = [](const char* given) { return key_with_unit(result_quantity(given)); };
   return {{key("impact_energy"), number(ledger.impact)},
           {key("weight_work"), number(ledger.weight)},
           {key("kinetic_energy"), number(ledger.kinetic)},
@@ -64,18 +65,18 @@ Json numbers_of(const Owner& owner) {
 }
 
 /// A pad of layers has no material of its own.
-Json pad(const Pad& of) {
-  Json json = numbers_of(of);
-  json["floor"] = name_of(of.floor);
-  json.update(numbers_of(of.condition));
-  json.update(material_json(of.material));
-  json["layers"] = array_of(of.layers, [](const PadLayer& layer) {
+Json pad(const Pad& pad) {
+  Json json = numbers_of(pad);
+  json["floor"] = name_of(pad.floor);
+  json.update(numbers_of(pad.condition));
+  json.update(material_json(pad.material));
+  json["layers"] = array_of(pad.layers, [](const PadLayer& layer) {
     Json entry = numbers_of(layer);
     entry.update(numbers_of(layer.condition));
     entry.update(material_json(layer.material));
     return entry;
   });
-  if (!of.layers.empty())
+  if (!pad.layers.empty())
     for (const char* key : {"material", "title", "source", "law", "parameters"}) json[key] = nullptr;
   return json;
 }
@@ -97,30 +98,30 @@ Json layers(const Pad& pad, const Summary& summary) {
   return all;
 }
 
-Json curve_of(const Support& of) {
-  const bool is_linear = !of.is_rigid() && of.points().size() == 1;
-  const auto stiffness = [&] { return of.points().front().force / of.points().front().deflection; };
-  return {{"type", of.is_rigid() ? "rigid"
-                   : is_linear   ? "linear"
-                                 : "curve"},
+Json curve_of(const Support& support) {
+  const bool is_linear = !support.is_rigid() && support.points().size() == 1;
+  const auto stiffness = [&] { return support.points().front().force / support.points().front().deflection; };
+  return {{"type", support.is_rigid() ? "rigid"
+                   : is_linear        ? "linear"
+                                      : "curve"},
           {"stiffness_N_per_m", is_linear ? number(stiffness()) : Json(nullptr)},
-          {"points", array_of(of.points(), [](const Support::Point& point) {
+          {"points", array_of(support.points(), [](const Support::Point& point) {
              return Json{{"deflection_m", number(point.deflection)}, {"force_N", number(point.force)}};
            })}};
 }
 
-Json support(const ImpactCase& of) {
-  Json json = curve_of(of.support);
-  json.update(numbers_of(of.backing));
+Json support(const ImpactCase& impact_case) {
+  Json json = curve_of(impact_case.support);
+  json.update(numbers_of(impact_case.backing));
   return json;
 }
 
-Json impactor(const Impactor& of) {
-  Json json = numbers_of(of);
-  json["nose"] = name_of(of.nose);
-  for (const ParameterValue& value : parameter_values(of.nose))
+Json impactor(const Impactor& impactor) {
+  Json json = numbers_of(impactor);
+  json["nose"] = name_of(impactor.nose);
+  for (const ParameterValue& value : parameter_values(impactor.nose))
     json[name_with_unit(value.key, value.unit)] = number(value.value);
-  if (const auto* profile = std::get_if<Profile>(&of.nose)) {
+  if (const auto* profile = std::get_if<Profile>(&impactor.nose)) {
     const char* const size = profile->of == Profile::Of::radius ? "radius_m" : "area_m2";
     json["points"] = array_of(profile->points, [&](const Profile::Point& point) {
       return Json{{"depth_m", number(point.depth)}, {size, number(point.size)}};
@@ -138,13 +139,13 @@ Json echo(const ImpactCase& impact) {
 }
 
 /// What grows from blow to blow; the last has all its figures at the top.
-Json blow_json(const BlowResult& of) {
-  const Summary& summary = of.summary;
+Json blow_json(const BlowResult& blow_result) {
+  const Summary& summary = blow_result.summary;
   return {{"blow", summary.blow},
           {"status", to_string(summary.status)},
-          {"earlier_penetration_m", number(of.earlier_penetration)},
+          {"earlier_penetration_m", number(blow_result.earlier_penetration)},
           {"peak_acceleration_g", number(summary.peak_acceleration.value_or(NAN) / standard_gravity)},
-          {"hic15", number(of.injury ? of.injury->hic15.value : NAN)},
+          {"hic15", number(blow_result.injury ? blow_result.injury->hic15.value : NAN)},
           {"peak_force_N", number(summary.peak_force)},
           {"peak_penetration_m", number(summary.peak_penetration)},
           {"rebound_speed_m_per_s", number(summary.rebound_speed)},
@@ -152,17 +153,17 @@ Json blow_json(const BlowResult& of) {
 }
 
 /// What is not known, then the figures with it.
-Json intervals_json(const Intervals& of) {
+Json intervals_json(const Intervals& intervals) {
   Json figures = Json::object();
-  for (const FigureInterval& figure : of.figures)
+  for (const FigureInterval& figure : intervals.figures)
     if (figure.key != "dwell_time")
       figures[key_with_unit(result_quantity(figure.key))] = interval_json(figure);
-  const Json sources = array_of(of.sources, [](const OpenSource& source) {
+  const Json sources = array_of(intervals.sources, [](const OpenSource& source) {
     return Json{{"source", to_string(source.source)},
                 {"words", source.words},
                 {"why_no_interval", text_if_any(source.why_not)}};
   });
-  return {{"sources", sources}, {"figures", figures}, {"impacts", of.impacts}};
+  return {{"sources", sources}, {"figures", figures}, {"impacts", intervals.impacts}};
 }
 
 Json fitted_json(const FittedRange& range) {
@@ -192,39 +193,41 @@ Json flags_json(const std::vector<Flag>& flags) {
   });
 }
 
-Json interval_json(const FigureInterval& of) {
-  const double scale = scaled_unit(result_quantity(of.key).si_unit, plain_si()).scale;
-  const Json sources = array_of(of.sources, [&](const Contribution& each) {
+Json interval_json(const FigureInterval& figure_interval) {
+  const double scale = scaled_unit(result_quantity(figure_interval.key).si_unit, plain_si()).scale;
+  const Json sources = array_of(figure_interval.sources, [&](const Contribution& each) {
     return Json{{"source", to_string(each.source)},
                 {"low", number(scale * each.low)},
                 {"high", number(scale * each.high)}};
   });
-  return {{"low", number(scale * of.low)}, {"high", number(scale * of.high)}, {"sources", sources}};
+  return {{"low", number(scale * figure_interval.low)},
+          {"high", number(scale * figure_interval.high)},
+          {"sources", sources}};
 }
 
 Json injury_json(const injury::InjuryFigures& figures, bool with_errors) {
   Json all = Json::object();
-  for (const injury::InjuryValue& of : injury::injury_values(figures)) {
-    const ScaledUnit unit = scaled_unit(of.quantity->si_unit, plain_si());
-    Json& entry = all[of.quantity->key];
-    entry[name_with_unit("value", unit.unit)] = number(unit.scale * of.value);
-    if (of.time) entry["time_s"] = number(*of.time);
-    if (of.begin) entry["begin_s"] = number(*of.begin);
-    if (of.end) entry["end_s"] = number(*of.end);
-    if (with_errors) entry["error"] = number(of.error);
+  for (const injury::InjuryValue& injury_value : injury::injury_values(figures)) {
+    const ScaledUnit unit = scaled_unit(injury_value.quantity->si_unit, plain_si());
+    Json& entry = all[injury_value.quantity->key];
+    entry[name_with_unit("value", unit.unit)] = number(unit.scale * injury_value.value);
+    if (injury_value.time) entry["time_s"] = number(*injury_value.time);
+    if (injury_value.begin) entry["begin_s"] = number(*injury_value.begin);
+    if (injury_value.end) entry["end_s"] = number(*injury_value.end);
+    if (with_errors) entry["error"] = number(injury_value.error);
   }
   return all;
 }
 
-Json material_json(const Material& of) {
+Json material_json(const Material& material) {
   Json parameters = Json::object();
-  for (const ParameterValue& parameter : parameter_values(of.law))
+  for (const ParameterValue& parameter : parameter_values(material.law))
     parameters[parameter.key] = {
         {"value", number(parameter.value)}, {"unit", parameter.unit}, {"symbol", parameter.symbol}};
-  Json json{{"material", of.name},      {"title", of.title},
-            {"source", of.source},      {"law", name_of(of.law)},
-            {"parameters", parameters}, {"fitted", made_of(range_of(of), fitted_json)}};
-  json["curves"] = curves_json(of.law);
+  Json json{{"material", material.name}, {"title", material.title},
+            {"source", material.source}, {"law", name_of(material.law)},
+            {"parameters", parameters},  {"fitted", made_of(range_of(material), fitted_json)}};
+  json["curves"] = curves_json(material.law);
   return json;
 }
 
@@ -241,11 +244,12 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["extrapolated_strain"] = summary.is_beyond(Beyond::strain);
   result["extrapolated_rate"] = summary.is_beyond(Beyond::rate);
   result["extrapolations"] =
-      array_of(summary.extrapolations, [](const Extrapolation& of) { return of.text; });
+      array_of(summary.extrapolations, [](const Extrapolation& extrapolation) { return extrapolation.text; });
   result["intervals"] = made_of(summary.intervals, intervals_json);
   result["softening_rates_per_s"] = numbers(summary.softening_rates);
   result["layers"] = layers(impact.pad, summary);
-  result["injury"] = made_of(injury, [](const injury::InjuryFigures& of) { return injury_json(of, true); });
+  result["injury"] = made_of(
+      injury, [](const injury::InjuryFigures& injury_figures) { return injury_json(injury_figures, true); });
   result["errors"] = errors;
   result["solver"] = solver(summary);
   result["case"] = echo(impact);

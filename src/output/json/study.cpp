@@ -8,13 +8,13 @@ namespace dashpad::output {
 
 namespace {
 
-Json estimate_json(const study::Estimate& of, double scale = 1) {
-  return {{"value", number(scale * of.value)},
-          {"low", number(scale * of.low)},
-          {"high", number(scale * of.high)}};
+Json estimate_json(const study::Estimate& estimate, double scale = 1) {
+  return {{"value", number(scale * estimate.value)},
+          {"low", number(scale * estimate.low)},
+          {"high", number(scale * estimate.high)}};
 }
 
-Json distribution_json(const std::string& response, const study::Distribution& of) {
+Json distribution_json(const std::string& response, const study::Distribution& distribution) {
   const auto [scale, unit] = scaled_unit(si_unit_of(response), plain_si());
   const auto quantile = [scale = scale](const study::Distribution::Quantile& at) {
     Json json = {{"probability", at.probability}};
@@ -23,38 +23,38 @@ Json distribution_json(const std::string& response, const study::Distribution& o
   };
   return {{"response", response},
           {"unit", unit},
-          {"rows", of.rows},
-          {"rows_struck_through", of.struck_through},
-          {"rows_without", of.without},
-          {"mean", estimate_json(of.mean, scale)},
-          {"deviation", number(scale * of.deviation)},
-          {"least", number(scale * of.least)},
-          {"greatest", number(scale * of.greatest)},
-          {"quantiles", array_of(of.quantiles, quantile)}};
+          {"rows", distribution.rows},
+          {"rows_struck_through", distribution.struck_through},
+          {"rows_without", distribution.without},
+          {"mean", estimate_json(distribution.mean, scale)},
+          {"deviation", number(scale * distribution.deviation)},
+          {"least", number(scale * distribution.least)},
+          {"greatest", number(scale * distribution.greatest)},
+          {"quantiles", array_of(distribution.quantiles, quantile)}};
 }
 
-Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& of) {
+Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& exceedance) {
   const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
   return {{"response", limit.response},
           {"unit", unit},
           {"limit", number(scale * limit.value)},
-          {"probability", estimate_json(of.probability)},
-          {"rows_above", of.exceeding},
-          {"rows_struck_through", of.struck_through},
-          {"rows", of.rows},
-          {"rows_undecided", of.undecided}};
+          {"probability", estimate_json(exceedance.probability)},
+          {"rows_above", exceedance.exceeding},
+          {"rows_struck_through", exceedance.struck_through},
+          {"rows", exceedance.rows},
+          {"rows_undecided", exceedance.undecided}};
 }
 
-Json sensitivity_json(const std::string& response, const study::Sensitivity& of) {
+Json sensitivity_json(const std::string& response, const study::Sensitivity& sensitivity) {
   const auto index = [](const study::Sensitivity::Index& each) {
     return Json{{"factor", each.factor},
                 {"first_order", estimate_json(each.first)},
                 {"total", estimate_json(each.total)}};
   };
   return {{"response", response},
-          {"draws", of.draws},
-          {"draws_left_out", of.left_out},
-          {"indices", array_of(of.indices, index)}};
+          {"draws", sensitivity.draws},
+          {"draws_left_out", sensitivity.left_out},
+          {"indices", array_of(sensitivity.indices, index)}};
 }
 
 Json levels_json(const study::StudyAnswers& answers, const study::Group& group) {
@@ -70,16 +70,17 @@ Json levels_json(const study::StudyAnswers& answers, const study::Group& group) 
   return levels;
 }
 
-Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of) {
+Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of_group) {
   Json distributions = Json::array(), exceedances = Json::array(), sensitivities = Json::array();
-  for (std::size_t i = 0; i < of.distributions.size(); ++i) {
+  for (std::size_t i = 0; i < of_group.distributions.size(); ++i) {
     const std::string& response = answers.study.responses[answers.responses[i]];
-    distributions.push_back(distribution_json(response, of.distributions[i]));
-    if (of.sensitivities[i]) sensitivities.push_back(sensitivity_json(response, *of.sensitivities[i]));
+    distributions.push_back(distribution_json(response, of_group.distributions[i]));
+    if (of_group.sensitivities[i])
+      sensitivities.push_back(sensitivity_json(response, *of_group.sensitivities[i]));
   }
-  for (std::size_t i = 0; i < of.exceedances.size(); ++i)
-    exceedances.push_back(exceedance_json(answers.limits[i], of.exceedances[i]));
-  return {{"levels", levels_json(answers, of.group)},
+  for (std::size_t i = 0; i < of_group.exceedances.size(); ++i)
+    exceedances.push_back(exceedance_json(answers.limits[i], of_group.exceedances[i]));
+  return {{"levels", levels_json(answers, of_group.group)},
           {"distributions", distributions},
           {"exceedances", exceedances},
           {"sobol_indices", sensitivities}};
@@ -107,7 +108,9 @@ Json cushion_json(const study::CushionCurves& curves) {
 }  // namespace
 
 std::string study_json(const study::StudyAnswers& answers) {
-  const auto group = [&](const study::StudyAnswers::OfGroup& of) { return group_json(answers, of); };
+  const auto group = [&](const study::StudyAnswers::OfGroup& of_group) {
+    return group_json(answers, of_group);
+  };
   Json json = {{"program", program_json()},
                {"title", answers.study.title},
                {"computed_by", answers.program},

@@ -20,28 +20,28 @@ namespace {
 /// px: narrow, so that texts can be read where a plot is as wide as a phone.
 constexpr double width_of_plots = 420;
 /// Fewer are seen at a glance.
-constexpr std::size_t least_figures_with_contents = 10;
+constexpr std::size_t min_figures_with_contents = 10;
 
 /// What changes with the units, under a name by which it is found.
 std::string part(const std::string& name, const std::string& html) {
   return fmt::format("<div data-part=\"{}\">\n{}</div>\n", name, html);
 }
 
-std::string heading_of(const CaptionedPlot& of) {
-  const std::string both = of.name.empty() || of.plot.title.empty() ? "" : ": ";
-  return one_line(of.name) + both + one_line(of.plot.title);
+std::string heading_of(const CaptionedPlot& captioned_plot) {
+  const std::string both = captioned_plot.name.empty() || captioned_plot.plot.title.empty() ? "" : ": ";
+  return one_line(captioned_plot.name) + both + one_line(captioned_plot.plot.title);
 }
 
 /// More single points make a page heavy and show nothing else: the page says so.
-constexpr std::size_t most_points = 1000;
+constexpr std::size_t max_points = 1000;
 
 /// Leaves points out of series that have too many, evenly; returns for how many one stands at the most.
 std::size_t thin_points(Plot& plot) {
   std::size_t most = 1;
   for (Panel& panel : plot.panels)
     for (Series& series : panel.series) {
-      if (series.style != SeriesStyle::points || series.x.size() <= most_points) continue;
-      const std::size_t step = (series.x.size() + most_points - 1) / most_points;
+      if (series.style != SeriesStyle::points || series.x.size() <= max_points) continue;
+      const std::size_t step = (series.x.size() + max_points - 1) / max_points;
       for (auto* column : {&series.x, &series.y}) {
         for (std::size_t i = 0; i * step < column->size(); ++i) (*column)[i] = (*column)[i * step];
         column->resize((column->size() + step - 1) / step);
@@ -59,19 +59,20 @@ std::string plot_html(Plot plot, InlineSvgs& svgs) {
   return html;
 }
 
-std::string figure(const CaptionedPlot& of, const std::string& id, InlineSvgs& svgs) {
-  std::string html =
-      fmt::format("<figure id=\"{}\"><figcaption><h3>{}</h3></figcaption>\n", id, xml_text(heading_of(of)));
-  Plot plot = of.plot;
+std::string figure(const CaptionedPlot& captioned_plot, const std::string& id, InlineSvgs& svgs) {
+  std::string html = fmt::format("<figure id=\"{}\"><figcaption><h3>{}</h3></figcaption>\n", id,
+                                 xml_text(heading_of(captioned_plot)));
+  Plot plot = captioned_plot.plot;
   // The heading says it already.
   if (plot.panels.size() == 1 &&
-      heading_of(of).find(one_line(plot.panels.front().title)) != std::string::npos)
+      heading_of(captioned_plot).find(one_line(plot.panels.front().title)) != std::string::npos)
     plot.panels.front().title.clear();
   plot.title.clear();
   plot.source.clear();
   html += plot_html(std::move(plot), svgs);
-  if (!of.plot.source.empty()) html += "<p class=\"source\">" + text_html(of.plot.source) + "</p>\n";
-  if (!of.note.empty()) html += "<p class=\"note\">" + text_html(of.note) + "</p>\n";
+  if (!captioned_plot.plot.source.empty())
+    html += "<p class=\"source\">" + text_html(captioned_plot.plot.source) + "</p>\n";
+  if (!captioned_plot.note.empty()) html += "<p class=\"note\">" + text_html(captioned_plot.note) + "</p>\n";
   return html + "</figure>\n";
 }
 
@@ -89,18 +90,18 @@ std::string texts_of(const Section& section) {
   return html + "</div>\n";
 }
 
-std::string section(const Section& of, std::size_t number, InlineSvgs& svgs) {
+std::string section(const Section& section, std::size_t number, InlineSvgs& svgs) {
   std::string html = fmt::format("<section id=\"section-{}\">\n", number);
-  if (!of.heading.empty()) html += "<h2>" + text_html(of.heading) + "</h2>\n";
-  if (const std::string texts = texts_of(of); !texts.empty())
+  if (!section.heading.empty()) html += "<h2>" + text_html(section.heading) + "</h2>\n";
+  if (const std::string texts = texts_of(section); !texts.empty())
     html += part(fmt::format("section-{}", number), texts);
-  if (!of.figures.empty()) {
+  if (!section.figures.empty()) {
     html += "<div class=\"plots\">\n";
-    for (std::size_t i = 0; i < of.figures.size(); ++i)
-      html += figure(of.figures[i], fmt::format("figure-{}-{}", number, i + 1), svgs);
+    for (std::size_t i = 0; i < section.figures.size(); ++i)
+      html += figure(section.figures[i], fmt::format("figure-{}-{}", number, i + 1), svgs);
     html += "</div>\n";
   }
-  if (!of.copy.empty()) html += "<pre tabindex=\"0\">" + lines_html(of.copy) + "</pre>\n";
+  if (!section.copy.empty()) html += "<pre tabindex=\"0\">" + lines_html(section.copy) + "</pre>\n";
   return html + "</section>\n";
 }
 
@@ -108,19 +109,20 @@ std::string contents(const Document& page) {
   std::size_t count = 0;
   std::string list;
   for (std::size_t i = 0; i < page.sections.size(); ++i) {
-    const Section& of = page.sections[i];
-    count += of.figures.size();
-    list += fmt::format("<li><a href=\"#section-{0}\">{1}</a>", i + 1,
-                        of.heading.empty() ? fmt::format("Section {}", i + 1) : text_html(of.heading));
-    if (!of.figures.empty()) list += "<ul>";
-    for (std::size_t k = 0; k < of.figures.size(); ++k) {
-      const std::string heading = heading_of(of.figures[k]);
+    const Section& section = page.sections[i];
+    count += section.figures.size();
+    list +=
+        fmt::format("<li><a href=\"#section-{0}\">{1}</a>", i + 1,
+                    section.heading.empty() ? fmt::format("Section {}", i + 1) : text_html(section.heading));
+    if (!section.figures.empty()) list += "<ul>";
+    for (std::size_t k = 0; k < section.figures.size(); ++k) {
+      const std::string heading = heading_of(section.figures[k]);
       list += fmt::format("<li><a href=\"#figure-{}-{}\">{}</a></li>\n", i + 1, k + 1,
                           heading.empty() ? fmt::format("Figure {}", k + 1) : xml_text(heading));
     }
-    list += of.figures.empty() ? "</li>\n" : "</ul></li>\n";
+    list += section.figures.empty() ? "</li>\n" : "</ul></li>\n";
   }
-  if (count < least_figures_with_contents) return {};
+  if (count < min_figures_with_contents) return {};
   return "<nav aria-label=\"Contents\"><details><summary>Contents</summary><ul>\n" + list +
          "</ul></details></nav>\n";
 }
@@ -157,7 +159,7 @@ std::string drawing_part(const Lead& lead, InlineSvgs& svgs) {
 std::string figures_part(const Lead& lead) {
   if (lead.figures.empty()) return {};
   std::string html = "<ul class=\"key-figures\">\n";
-  for (std::size_t i = 0; i < std::min(lead.figures.size(), most_key_figures); ++i)
+  for (std::size_t i = 0; i < std::min(lead.figures.size(), max_key_figures); ++i)
     html += key_figure_html(lead.figures[i]);
   return part("figures", html + "</ul>\n");
 }
@@ -213,10 +215,12 @@ std::string drawing_in_other_units(const Lead& lead, const Lead& shown, InlineSv
 }
 
 /// All of a page that is text, for when the reader wants it in those units.
-std::string units_template(const DocumentInUnits& of, const Document& shown, InlineSvgs& svgs) {
-  const Document& page = of.document;
+std::string units_template(const DocumentInUnits& document_in_units, const Document& shown,
+                           InlineSvgs& svgs) {
+  const Document& page = document_in_units.document;
   std::string html =
-      fmt::format("<template{} data-factors=\"{}\">\n", units_attributes(*of.units), factors(*of.units));
+      fmt::format("<template{} data-factors=\"{}\">\n", units_attributes(*document_in_units.units),
+                  factors(*document_in_units.units));
   if (page.lead)
     html += answer_part(*page.lead, page.warnings) + drawing_in_other_units(*page.lead, *shown.lead, svgs) +
             figures_part(*page.lead);
@@ -240,7 +244,8 @@ std::string main_html(const Document& page, InlineSvgs& svgs) {
 
 PageHtml html_of(std::vector<DocumentInUnits> pages) {
   for (DocumentInUnits& each : pages) {
-    std::erase_if(each.document.sections, [](const Section& of) { return of.seen == Seen::in_brief; });
+    std::erase_if(each.document.sections,
+                  [](const Section& section) { return section.seen == Seen::in_brief; });
     check(each.document);
   }
   const Document& page = pages.front().document;

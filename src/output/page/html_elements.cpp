@@ -93,16 +93,16 @@ std::string bar_of(const ValueRow& figure) {
 }
 
 /// The interval, which fades where it has no end.
-std::string interval_of(const RangeBar& of) {
+std::string interval_of(const RangeBar& range_bar) {
   constexpr int slices = 10;
-  const double width = 100 * (of.to - of.from) / slices;
+  const double width = 100 * (range_bar.to - range_bar.from) / slices;
   std::string rects;
   for (int slice = 0; slice < slices; ++slice) {
     const double from_low = (slice + 0.5) / slices, to_high = 1 - from_low;
     double opacity = 0.55;
-    if (of.open_below) opacity = std::min(opacity, from_low);
-    if (of.open_above) opacity = std::min(opacity, to_high);
-    rects += rect("interval", 100 * of.from + slice * width, width, opacity);
+    if (range_bar.open_below) opacity = std::min(opacity, from_low);
+    if (range_bar.open_above) opacity = std::min(opacity, to_high);
+    rects += rect("interval", 100 * range_bar.from + slice * width, width, opacity);
   }
   return rects;
 }
@@ -128,35 +128,36 @@ std::string warning_html(const std::string& line) {
          "</li>\n";
 }
 
-std::string range_html(const RangeBar& of) {
+std::string range_html(const RangeBar& range_bar) {
   return fmt::format(
       "<li><p class=\"name\"><span>{}</span><b>{}</b></p>\n{}<p class=\"ends\"><span>{}</span>"
       "<span class=\"words\">{}</span><span>{}</span></p></li>\n",
-      text_html(of.label), text_html(of.value), bar(text_html(of.words), interval_of(of), 100 * of.place),
-      text_html(of.lowest), text_html(of.words), text_html(of.highest));
+      text_html(range_bar.label), text_html(range_bar.value),
+      bar(text_html(range_bar.words), interval_of(range_bar), 100 * range_bar.place),
+      text_html(range_bar.lowest), text_html(range_bar.words), text_html(range_bar.highest));
 }
 
-std::string table_html(const Table& of) {
+std::string table_html(const Table& table) {
   std::string html = "<div class=\"table\"><table>\n";
-  if (!of.caption.empty()) html += "<caption>" + text_html(of.caption) + "</caption>\n";
+  if (!table.caption.empty()) html += "<caption>" + text_html(table.caption) + "</caption>\n";
   const bool has_head =
-      std::ranges::any_of(of.columns, [](const std::string& text) { return !text.empty(); });
+      std::ranges::any_of(table.columns, [](const std::string& text) { return !text.empty(); });
   if (has_head) {
     html += "<thead><tr>";
-    for (std::size_t i = 0; i < of.columns.size(); ++i)
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
       html += fmt::format("<th scope=\"col\"{}>{}</th>",
-                          i > 0 && is_column_of_numbers(of, i) ? " class=\"number\"" : "",
-                          text_html(of.columns[i]));
+                          i > 0 && is_column_of_numbers(table, i) ? " class=\"number\"" : "",
+                          text_html(table.columns[i]));
     html += "</tr></thead>\n";
   }
   html += "<tbody>\n";
-  for (const auto& row : of.rows) {
+  for (const auto& row : table.rows) {
     if (row.empty()) continue;
     html += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
       html += i == 0 ? "<th scope=\"row\">" + text_html(row[i]) + "</th>"
                      : fmt::format("<td data-column=\"{}\"{}>{}</td>",
-                                   i < of.columns.size() ? text_html(of.columns[i]) : "",
+                                   i < table.columns.size() ? text_html(table.columns[i]) : "",
                                    // Without a head the rows are words on one thing, a number among them.
                                    has_head && is_number_or_none(row[i]) ? " class=\"number\"" : "",
                                    text_html(row[i]));

@@ -24,8 +24,8 @@ const char* sign_of_tone(Tone tone);
 std::string key_figure_html(const ValueRow& figure);
 /// Its first words, in capitals, are set apart.
 std::string warning_html(const std::string& line);
-std::string range_html(const RangeBar& of);
-std::string table_html(const Table& of);
+std::string range_html(const RangeBar& range_bar);
+std::string table_html(const Table& table);
 
 /// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes
 /// the place of the first one, and must not take its style away.

@@ -16,7 +16,7 @@ namespace {
 /// Below this part of a decade the marks of a linear axis serve a logarithmic one better, too.
 constexpr double few_decades = 0.7;
 /// More decades have no marks between them; so many from label to label have no marks at all.
-constexpr int most_decades_with_digits = 6;
+constexpr int max_decades_with_digits = 6;
 /// Of an end: a mark that misses it by rounding is on it.
 constexpr double off_a_mark = 1e-9;
 /// Whole numbers above it are not exact.
@@ -127,14 +127,14 @@ std::vector<Tick> logarithmic_ticks(const AxisRange& range, std::size_t most) {
   const int labelled = std::max(1, static_cast<int>(std::ceil(length / static_cast<double>(most))));
   const bool has_room = 3 * length <= static_cast<double>(most);
   const bool is_plain = range.low > 1.5e-4 && range.high < 7e4;  // short
-  const int digits = length <= most_decades_with_digits ? 9 : 1;
+  const int digits = length <= max_decades_with_digits ? 9 : 1;
   std::vector<Tick> ticks;
   for (int power = first; power <= last; ++power) {
     for (int digit = 1; digit <= digits; ++digit) {
       const double value = decimal(digit, power);
       if (value < range.low * (1 - off_a_mark) || value > range.high * (1 + off_a_mark)) continue;
       const bool is_major = digit == 1 ? power % labelled == 0 : has_room && (digit == 2 || digit == 5);
-      if (!is_major && labelled > most_decades_with_digits) continue;
+      if (!is_major && labelled > max_decades_with_digits) continue;
       std::string label;
       if (is_major)
         label = is_plain ? fmt::format("{:.{}f}", value, std::max(0, -power))

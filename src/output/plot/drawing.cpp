@@ -24,11 +24,11 @@ class Turns {
   explicit Turns(const Plot& plot) {
     for (const Panel& panel : plot.panels)
       for (const Series& series : panel.series)
-        if (series.turn) given_.insert(*series.turn);
+        if (series.palette_index) given_.insert(*series.palette_index);
   }
 
   std::size_t turn_of(const Series& series) {
-    if (series.turn) return *series.turn;
+    if (series.palette_index) return *series.palette_index;
     if (is_marker(series.style)) return 0;
     if (series.label.empty()) return next();
     const auto known = of_label_.find(series.label);
@@ -37,19 +37,19 @@ class Turns {
 
  private:
   std::size_t next() {
-    std::size_t turn = 0;
-    while (!given_.insert(turn).second) ++turn;
-    return turn;
+    std::size_t palette_index = 0;
+    while (!given_.insert(palette_index).second) ++palette_index;
+    return palette_index;
   }
 
   std::set<std::size_t> given_;
   std::map<std::string, std::size_t> of_label_;
 };
 
-SeriesColour colour_of(const Series& series, std::size_t turn) {
+SeriesColour colour_of(const Series& series, std::size_t palette_index) {
   if (series.shade) return {.shade = colour_of_shade(*series.shade)};
-  if (is_marker(series.style) && !series.turn) return {.class_name = "dp-grey"};
-  return {.class_name = fmt::format("dp-turn-{}", turn % colours_by_turn)};
+  if (is_marker(series.style) && !series.palette_index) return {.class_name = "dp-grey"};
+  return {.class_name = fmt::format("dp-turn-{}", palette_index % colours_by_turn)};
 }
 
 /// Those of the values that the axis can show.
@@ -181,20 +181,20 @@ std::string colour_of_shade(double shade) {
   return colour_on_scale(scale, shade);
 }
 
-Looks looks_of(const Series& series, std::size_t turn) {
-  Looks looks{.style = series.style, .colour = colour_of(series, turn)};
+Looks looks_of(const Series& series, std::size_t palette_index) {
+  Looks looks{.style = series.style, .colour = colour_of(series, palette_index)};
   switch (series.style) {
     case SeriesStyle::line:
       // Lines that lie on each other stay visible: the later ones are narrower, and only the first is solid.
-      looks.width = std::max(1.5, 2.2 - 0.15 * static_cast<double>(turn));
-      looks.pattern = turn % dashes_by_turn;
+      looks.width = std::max(1.5, 2.2 - 0.15 * static_cast<double>(palette_index));
+      looks.pattern = palette_index % dashes_by_turn;
       break;
     case SeriesStyle::solid_line: looks.width = 2; break;
     case SeriesStyle::dashed_line:
       looks.width = 2;
       looks.pattern = 1;
       break;
-    case SeriesStyle::points: looks.pattern = turn % shapes_by_turn; break;
+    case SeriesStyle::points: looks.pattern = palette_index % shapes_by_turn; break;
     case SeriesStyle::vertical_line:
     case SeriesStyle::horizontal_line: looks.width = 1.4; break;
     case SeriesStyle::band:

@@ -43,7 +43,7 @@ struct Looks {
   bool operator==(const Looks&) const = default;
 };
 
-Looks looks_of(const Series& series, std::size_t turn);
+Looks looks_of(const Series& series, std::size_t palette_index);
 
 /// What the legend would say of a series.
 struct LegendEntry {

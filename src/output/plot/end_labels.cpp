@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t longest_end_label = 40;
 /// More labels, or longer ones, are easier to read in a legend.
-constexpr std::size_t most_lines_named_at_ends = 4, most_lines_of_text = 2;
-constexpr double most_of_width = 0.29;
+constexpr std::size_t max_lines_named_at_ends = 4, max_lines_of_text = 2;
+constexpr double max_of_width = 0.29;
 /// Of labels that are what a plot is read by, such as the names of bars.
-constexpr double most_of_width_for_rows = 0.36;
+constexpr double max_of_width_for_rows = 0.36;
 constexpr double end_label_line = 16;  // px
 
 /// Lines with a label, one of those that have the same.
@@ -35,7 +35,7 @@ std::vector<const SeriesDrawing*> lines_to_name(const PanelDrawing& panel) {
 /// The text in as few lines as have room; empty where a word or the whole does not.
 std::vector<std::string> in_few_lines(const std::string& text, double width) {
   std::vector<std::string> lines = lines_within(text, label_text, width);
-  if (lines.size() > most_lines_of_text) return {};
+  if (lines.size() > max_lines_of_text) return {};
   std::size_t size = lines.size() - 1;  // the blanks between them
   for (const std::string& line : lines) size += line.size();
   return size == readable(text).size() ? lines : std::vector<std::string>{};
@@ -78,13 +78,13 @@ std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width
     if (!series.end_label.empty() && !series.runs.empty())
       labels.push_back({.series = &series,
                         .lines = lines_within(shortened(series.end_label, longest_end_label), label_text,
-                                              most_of_width_for_rows * plot_width)});
+                                              max_of_width_for_rows * plot_width)});
   const std::vector<const SeriesDrawing*> lines = lines_to_name(panel);
-  if (lines.size() > most_lines_named_at_ends) return labels;
+  if (lines.size() > max_lines_named_at_ends) return labels;
   std::vector<EndLabel> all = labels;
   for (const SeriesDrawing* line : lines) {
     all.push_back({.series = line,
-                   .lines = in_few_lines(entry_of(*line).label, most_of_width * plot_width - beside_axes)});
+                   .lines = in_few_lines(entry_of(*line).label, max_of_width * plot_width - beside_axes)});
     if (all.back().lines.empty()) return labels;
   }
   return all;

@@ -163,7 +163,7 @@ Series class_of_levels(const std::vector<double>& levels, std::size_t i, const s
   return {.label = fmt::format("{} to {}{}{}", four_digits(levels[i]), four_digits(levels[i + 1]),
                                unit.empty() ? "" : " ", unit),
           .style = SeriesStyle::area,
-          .turn = 0,
+          .palette_index = 0,
           .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
 }
 
@@ -221,8 +221,10 @@ std::vector<Series> filled_areas(const std::vector<double>& across, const std::v
 Series contour(const std::vector<double>& across, const std::vector<double>& up,
                const std::vector<std::vector<double>>& values, double level) {
   constexpr std::size_t black = 6;  // a turn
-  Series series{
-      .style = SeriesStyle::solid_line, .turn = black, .label_place = LabelPlace::middle, .is_cased = true};
+  Series series{.style = SeriesStyle::solid_line,
+                .palette_index = black,
+                .label_place = LabelPlace::middle,
+                .is_cased = true};
   const Grid grid{across, up, values};
   Neighbours left = crossings(grid, level);
   const auto add = [&](const Edge& from) {

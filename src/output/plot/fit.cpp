@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t turn_of_model = 0, turn_of_data = 1, turn_of_way_back = 2;
 
-Series data_points(const char* label, std::size_t turn) {
+Series data_points(const char* label, std::size_t palette_index) {
   Series series{.label = label, .style = SeriesStyle::points};
-  series.turn = turn;
+  series.palette_index = palette_index;
   return series;
 }
 
@@ -30,7 +30,7 @@ Series zero_line() {
 void add_model(Panel& panel, const fit::MetTest& test, const UnitSystem& units) {
   Series up{.label = "model, loading", .style = SeriesStyle::solid_line};
   Series down{.label = "model, unloading", .style = SeriesStyle::dashed_line};
-  up.turn = down.turn = turn_of_model;
+  up.palette_index = down.palette_index = turn_of_model;
   const double offset = test.offset.value_or(0);
   for (std::size_t i = 0; i < test.computed.size(); ++i) {
     const double stress = value_in(units, test.computed[i] + offset, "Pa");
@@ -83,7 +83,7 @@ CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& uni
   Panel off{"Model minus pulse", axis_of("time", units), axis_of("deceleration", units), {}};
   Series model{.label = "model", .style = SeriesStyle::solid_line},
       measured = data_points("pulse", turn_of_data);
-  model.turn = turn_of_model;
+  model.palette_index = turn_of_model;
   Series rest = measured;
   for (std::size_t i = 0; i < pulse.time.size(); ++i) {
     const double time = value_in(units, pulse.time[i], "s");

@@ -28,12 +28,12 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   Panel panel{.x = axis_of(key, units), .y = axis_of("force", units)};
   panel.x.low = panel.y.low = 0;
   end_before_bottoming(panel.y, solution, y);
-  const auto turn = static_cast<std::size_t>(std::ranges::max_element(x) - x.begin());
-  Series there{.label = result_quantity(key).title, .style = SeriesStyle::solid_line, .turn = 0};
-  Series back{.style = SeriesStyle::dashed_line, .turn = 0, .has_arrow = true, .of = there.label};
+  const auto palette_index = static_cast<std::size_t>(std::ranges::max_element(x) - x.begin());
+  Series there{.label = result_quantity(key).title, .style = SeriesStyle::solid_line, .palette_index = 0};
+  Series back{.style = SeriesStyle::dashed_line, .palette_index = 0, .has_arrow = true, .of = there.label};
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (i <= turn) there.add(x[i], y[i]);
-    if (i >= turn) back.add(x[i], y[i]);
+    if (i <= palette_index) there.add(x[i], y[i]);
+    if (i >= palette_index) back.add(x[i], y[i]);
   }
   panel.series = {std::move(there), std::move(back)};
   return panel;
@@ -43,17 +43,17 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
 struct OverTime {
   const char* key;
   const std::vector<double>& values;  ///< SI, an entry for each of the history
-  std::size_t turn;
+  std::size_t palette_index;
 };
 
 Panel over_time(const History& history, Axis y, const std::vector<OverTime>& columns,
                 const UnitSystem& units) {
   Panel panel{.x = axis_of("time", units), .y = std::move(y)};
-  for (const OverTime& of : columns)
-    panel.series.push_back({.label = result_quantity(of.key).title,
+  for (const OverTime& over_time : columns)
+    panel.series.push_back({.label = result_quantity(over_time.key).title,
                             .x = values_in(units, history.time, "s"),
-                            .y = values_in(units, of.values, panel.y.si_unit),
-                            .turn = of.turn});
+                            .y = values_in(units, over_time.values, panel.y.si_unit),
+                            .palette_index = over_time.palette_index});
   return panel;
 }
 
@@ -92,9 +92,9 @@ std::string percent(double share) { return fmt::format("{} %", significant(100 *
 /// Nearer to full compression than half a hundredth, stress has no finite limit.
 double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
   double highest = 0;
-  for (const ContactSnapshot& of : snapshots)
-    for (std::size_t i = 0; i < of.stress.size(); ++i)
-      if (of.strain[i] < 0.995) highest = std::max(highest, of.stress[i]);
+  for (const ContactSnapshot& contact_snapshot : snapshots)
+    for (std::size_t i = 0; i < contact_snapshot.stress.size(); ++i)
+      if (contact_snapshot.strain[i] < 0.995) highest = std::max(highest, contact_snapshot.stress[i]);
   return highest;
 }
 
@@ -102,15 +102,17 @@ double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
 /// without any.
 double deviation_of_stress(const std::vector<ContactSnapshot>& snapshots) {
   double deviation = 0;
-  for (const ContactSnapshot& of : snapshots)
-    if (of.determined) deviation = std::max(deviation, std::abs(of.force_of_stress() / of.force - 1));
+  for (const ContactSnapshot& contact_snapshot : snapshots)
+    if (contact_snapshot.determined)
+      deviation =
+          std::max(deviation, std::abs(contact_snapshot.force_of_stress() / contact_snapshot.force - 1));
   return deviation;
 }
 
 std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double highest) {
   const auto known = std::ranges::count_if(snapshots, &ContactSnapshot::determined);
-  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& of) {
-    return std::ranges::any_of(of.stress, [&](double stress) { return stress > highest; });
+  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& contact_snapshot) {
+    return std::ranges::any_of(contact_snapshot.stress, [&](double stress) { return stress > highest; });
   });
   std::string note;
   if (known > 0)
@@ -129,8 +131,9 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
 void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, double highest,
                      double factor) {
   double lowest = highest;
-  for (const ContactSnapshot& of : snapshots)
-    if (!of.stress.empty()) lowest = std::min(lowest, std::ranges::max(of.stress));
+  for (const ContactSnapshot& contact_snapshot : snapshots)
+    if (!contact_snapshot.stress.empty())
+      lowest = std::min(lowest, std::ranges::max(contact_snapshot.stress));
   if (!(highest > 0)) return;
   axis.low = 0;
   axis.high = 1.06 * highest * factor;
@@ -201,17 +204,21 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
   Panel strain{.x = stress.x, .y = {.label = "Strain"}};
   const double highest = highest_stress(snapshots);
   set_stress_axis(stress.y, snapshots, highest, value_in(units, 1, "Pa"));
-  for (std::size_t turn = 0; turn < snapshots.size(); ++turn) {
-    const ContactSnapshot& of = snapshots[turn];
-    const std::string label = fmt::format("{}, {}", brief_quantity(of.time, "s", units, 3), of.when);
-    const std::vector<double> radius = values_in(units, of.radius, "m");
-    stress.series.push_back(
-        {.label = label, .x = radius, .y = values_in(units, of.stress, "Pa"), .turn = turn});
-    strain.series.push_back({.label = label, .x = radius, .y = of.strain, .turn = turn});
+  for (std::size_t palette_index = 0; palette_index < snapshots.size(); ++palette_index) {
+    const ContactSnapshot& contact_snapshot = snapshots[palette_index];
+    const std::string label =
+        fmt::format("{}, {}", brief_quantity(contact_snapshot.time, "s", units, 3), contact_snapshot.when);
+    const std::vector<double> radius = values_in(units, contact_snapshot.radius, "m");
+    stress.series.push_back({.label = label,
+                             .x = radius,
+                             .y = values_in(units, contact_snapshot.stress, "Pa"),
+                             .palette_index = palette_index});
+    strain.series.push_back(
+        {.label = label, .x = radius, .y = contact_snapshot.strain, .palette_index = palette_index});
   }
   // Next to full compression stations of their own do not find the force again.
-  constexpr double most_deviation = 0.05;
-  if (!(deviation_of_stress(snapshots) <= most_deviation))
+  constexpr double max_deviation = 0.05;
+  if (!(deviation_of_stress(snapshots) <= max_deviation))
     return {
         figure("Strain over the contact", std::move(strain),
                "The stress over the contact is not drawn: next to full compression its integral is off the "

@@ -34,7 +34,8 @@ std::string peak_words(const injury::InjuryFigures& figures);
 /// The window of a head injury criterion: a bracket just above the axis of time, from the begin of the window
 /// to its end; a wash over half of the plot would hide what it is about. `peak`, with its sign, is that of
 /// the curve; `row` counts brackets from the axis on.
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn, int row = 0);
+Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
+                   int row = 0);
 
 /// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
 /// support had before the last hundredth of its penetration: at the end it has no finite limit, and would

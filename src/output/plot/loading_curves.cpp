@@ -46,8 +46,8 @@ double stress_at_strain(const laboratory::LoadingCurve& curve, double strain) {
 
 /// The curve between two strains, with a point at each of them.
 Series part_of_curve(const laboratory::LoadingCurve& curve, double from, double to, SeriesStyle style,
-                     std::size_t turn, const UnitSystem& units) {
-  Series part{.style = style, .turn = turn};
+                     std::size_t palette_index, const UnitSystem& units) {
+  Series part{.style = style, .palette_index = palette_index};
   part.add(from, stress_at_strain(curve, from));
   for (std::size_t i = 0; i < curve.strain.size(); ++i)
     if (curve.strain[i] > from && curve.strain[i] < to) part.add(curve.strain[i], curve.stress[i]);
@@ -57,16 +57,16 @@ Series part_of_curve(const laboratory::LoadingCurve& curve, double from, double 
 }
 
 /// Of foams side by side: solid as far as one was tested, dashed beyond.
-void add_curve(Panel& panel, const Material& material, std::size_t turn, const UnitSystem& units) {
+void add_curve(Panel& panel, const Material& material, std::size_t palette_index, const UnitSystem& units) {
   const laboratory::LoadingCurve curve = laboratory::loading_curve(
       material, laboratory::tested_rates(material).front(), last_compared_strain, places_of_compared);
   const std::optional<FittedRange> range = range_of(material);
   const auto past = std::ranges::upper_bound(curve.strain, (range ? range->highest_strain : 1) + 1e-9);
   const double border = past == curve.strain.begin() ? 0 : *(past - 1);
-  panel.series.push_back(part_of_curve(curve, 0, border, SeriesStyle::solid_line, turn, units));
+  panel.series.push_back(part_of_curve(curve, 0, border, SeriesStyle::solid_line, palette_index, units));
   if (past != curve.strain.end())
     panel.series.push_back(
-        part_of_curve(curve, border, curve.strain.back(), SeriesStyle::dashed_line, turn, units));
+        part_of_curve(curve, border, curve.strain.back(), SeriesStyle::dashed_line, palette_index, units));
   panel.series.back().end_label = one_line(material.name);
 }
 
@@ -74,11 +74,11 @@ void add_curve(Panel& panel, const Material& material, std::size_t turn, const U
 void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
   constexpr double small_strain = 0.05;
   double low = std::numeric_limits<double>::infinity(), high = 0;
-  for (const Series& of : series)
-    for (std::size_t i = 0; i < of.x.size(); ++i) {
-      if (!std::isfinite(of.y[i]) || of.y[i] <= 0) continue;
-      if (of.x[i] >= small_strain) low = std::min(low, of.y[i]);
-      high = std::max(high, of.y[i]);
+  for (const Series& each : series)
+    for (std::size_t i = 0; i < each.x.size(); ++i) {
+      if (!std::isfinite(each.y[i]) || each.y[i] <= 0) continue;
+      if (each.x[i] >= small_strain) low = std::min(low, each.y[i]);
+      high = std::max(high, each.y[i]);
     }
   if (!(high > 0)) return;
   // A foam may carry the same at all strains; the axis has to have a length.
@@ -150,7 +150,7 @@ std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& fo
                 .style = SeriesStyle::solid_line,
                 .x = curve.strain,
                 .y = values_in(units, curve.stress, "Pa"),
-                .turn = 1};
+                .palette_index = 1};
 }
 
 }  // namespace

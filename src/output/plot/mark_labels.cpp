@@ -15,7 +15,7 @@ constexpr double mark_line = 16;  // px
 /// From a line to the base of a text above it, below it, and to a text beside it, px.
 constexpr double to_text_above = 4, to_text_below = 13, to_text_beside = 6;
 /// More are easier to read in a legend.
-constexpr std::size_t most_named_lines_across = 4;
+constexpr std::size_t max_named_lines_across = 4;
 
 struct Box {
   double left = 0, top = 0, right = 0, bottom = 0;
@@ -186,7 +186,7 @@ std::vector<MarkLabel> mark_labels_of(const PanelDrawing& panel, std::vector<End
     return false;
   };
   for (const SeriesDrawing& series : panel.series)
-    if (!is_named_line_across(series) || across <= most_named_lines_across)
+    if (!is_named_line_across(series) || across <= max_named_lines_across)
       take_first_free(series, places_for(series, scale));
   std::erase_if(ends, [&](const EndLabel& end) {
     return ends_early(end, scale.size) && take_first_free(*end.series, beside_end(end.line_end));

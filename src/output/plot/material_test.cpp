@@ -56,7 +56,7 @@ OfRun time_of_column(const MaterialTestReport& report, const UnitSystem& units) 
 }
 
 Series curve_of_run(const MaterialTestReport& report, std::size_t run, Values x, Values y) {
-  return {.label = rate_words(report.runs[run]), .x = std::move(x), .y = std::move(y), .turn = run};
+  return {.label = rate_words(report.runs[run]), .x = std::move(x), .y = std::move(y), .palette_index = run};
 }
 
 /// One curve a run.
@@ -95,15 +95,17 @@ std::string source_words(const MaterialTestReport& report) {
 Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
   Panel panel = panel_of_runs(report, "Stress over strain", strain_of_column(), stress_of_column(units));
   for (Series& loop : panel.series) loop.has_arrow = true;
-  add_points_of_1984(panel, report, units, [](const laboratory::UpdateOf1984& of) { return of.strain; });
+  add_points_of_1984(panel, report, units,
+                     [](const laboratory::UpdateOf1984& update_of1984) { return update_of1984.strain; });
   return panel;
 }
 
 Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units) {
   Panel panel =
       panel_of_runs(report, "Stress over time", time_of_column(report, units), stress_of_column(units));
-  add_points_of_1984(panel, report, units,
-                     [&](const laboratory::UpdateOf1984& of) { return values_in(units, of.time, "s"); });
+  add_points_of_1984(panel, report, units, [&](const laboratory::UpdateOf1984& update_of1984) {
+    return values_in(units, update_of1984.time, "s");
+  });
   return panel;
 }
 

@@ -14,10 +14,10 @@ namespace {
 // All px.
 constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_title_line = 18;
 constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
-constexpr std::size_t most_y_labels = 7;
+constexpr std::size_t max_y_labels = 7;
 
 /// How many labels there is room for, whatever they say.
-std::size_t most_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
+std::size_t max_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
 
 /// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
@@ -85,7 +85,7 @@ std::string data_attributes(const PanelFrame& frame) {
                           axis.per_si);
   };
   add("x", frame.scale.x, frame.panel->x, frame.x_labels);
-  add("y", frame.scale.y, frame.panel->y, most_y_labels);
+  add("y", frame.scale.y, frame.panel->y, max_y_labels);
   return text + fmt::format("data-width=\"{}\" data-height=\"{}\"", px(frame.scale.size.width),
                             px(frame.scale.size.height));
 }
@@ -139,12 +139,12 @@ bool is_named_by_axis(const PanelDrawing& drawing, const Panel& panel) {
 PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width)
     : panel(&panel_to_draw),
       drawing(&drawing_of_panel),
-      x_labels(most_x_labels(plot_width)),
+      x_labels(max_x_labels(plot_width)),
       scale{.x = range_of(panel->x, drawing->x, x_labels),
-            .y = range_of(panel->y, drawing->y, most_y_labels),
+            .y = range_of(panel->y, drawing->y, max_y_labels),
             .size = {.width = 0, .height = height_of_axes(plot_width)}},
       x_ticks(ticks_of(panel->x, scale.x, x_labels)),
-      y_ticks(ticks_of(panel->y, scale.y, most_y_labels)),
+      y_ticks(ticks_of(panel->y, scale.y, max_y_labels)),
       title(lines_within(panel->title, size_for_bold * panel_title_text, plot_width - 2 * plot_edge)),
       y_title(lines_within(panel->y.label, axis_text, plot_width - 2 * plot_edge)) {
   if (!is_named_by_axis(*drawing, *panel)) ends = end_labels_of(*drawing, plot_width);

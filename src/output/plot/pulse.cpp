@@ -22,9 +22,9 @@ constexpr double room = 0.1;  // of the contact, beside it
 constexpr std::size_t turn_of_filtered = 0, turn_of_raw = 3, turn_of_hic15 = 1, turn_of_hic36 = 2;
 
 /// The pulse, `shift` s later; `side` -1 turns it over.
-Series line(const std::string& label, const Pulse& pulse, std::size_t turn, const UnitSystem& units,
+Series line(const std::string& label, const Pulse& pulse, std::size_t palette_index, const UnitSystem& units,
             double side = 1, double shift = 0) {
-  Series series{.label = label, .style = SeriesStyle::solid_line, .turn = turn};
+  Series series{.label = label, .style = SeriesStyle::solid_line, .palette_index = palette_index};
   const double time_factor = value_in(units, 1, "s");
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     series.add(time_factor * (pulse.time[i] + shift), side * pulse.acceleration[i] / standard_gravity);
@@ -39,10 +39,11 @@ double side_of_peak(const injury::PulseReport& report) {
 }
 
 /// `peak`: of the pulse, with its sign, g.
-Series window(const char* key, const injury::Hic& hic, double peak, std::size_t turn, int row,
+Series window(const char* key, const injury::Hic& hic, double peak, std::size_t palette_index, int row,
               const UnitSystem& units) {
   return hic_bracket(fmt::format("{} {}", result_quantity(key).title, brief(hic.value, 4)),
-                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, turn, row);
+                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, palette_index,
+                     row);
 }
 
 /// Of a record that is much longer than its impact the impact, with the windows and something on either side.
@@ -64,30 +65,34 @@ void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& u
 }  // namespace
 
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
-  const injury::PulseComparison& of = report.comparison;
-  double begin = of.measured.contact.begin + of.shift, end = of.measured.contact.end + of.shift;
-  if (!of.computed_pulse.time.empty()) {
-    begin = std::min(begin, of.computed ? of.computed->contact.begin : of.computed_pulse.time.front());
-    end = std::max(end, of.computed ? of.computed->contact.end : of.computed_pulse.time.back());
+  const injury::PulseComparison& pulse_comparison = report.comparison;
+  double begin = pulse_comparison.measured.contact.begin + pulse_comparison.shift,
+         end = pulse_comparison.measured.contact.end + pulse_comparison.shift;
+  if (!pulse_comparison.computed_pulse.time.empty()) {
+    begin = std::min(begin, pulse_comparison.computed ? pulse_comparison.computed->contact.begin
+                                                      : pulse_comparison.computed_pulse.time.front());
+    end = std::max(end, pulse_comparison.computed ? pulse_comparison.computed->contact.end
+                                                  : pulse_comparison.computed_pulse.time.back());
   }
   Panel panel{.x = axis_of("time", units), .y = axis_of("deceleration", units)};
-  if (of.computed)
+  if (pulse_comparison.computed)
     panel.title = fmt::format("The computed peak is {} g, the measured one {} g",
-                              brief(of.computed->peak.magnitude / standard_gravity, 3),
-                              brief(of.measured.peak.magnitude / standard_gravity, 3));
+                              brief(pulse_comparison.computed->peak.magnitude / standard_gravity, 3),
+                              brief(pulse_comparison.measured.peak.magnitude / standard_gravity, 3));
   else
-    panel.y.high = 1.5 * of.measured.peak.magnitude / standard_gravity;
+    panel.y.high = 1.5 * pulse_comparison.measured.peak.magnitude / standard_gravity;
   panel.x.low = value_in(units, begin - room * (end - begin), "s");
   panel.x.high = value_in(units, end + room * (end - begin), "s");
-  panel.series = {
-      line("computed", of.computed_pulse, turn_of_computed, units, of.computed ? of.computed->side : -1),
-      line("measured", report.pulse.pulse, turn_of_measured, units, of.measured.side, of.shift)};
+  panel.series = {line("computed", pulse_comparison.computed_pulse, turn_of_computed, units,
+                       pulse_comparison.computed ? pulse_comparison.computed->side : -1),
+                  line("measured", report.pulse.pulse, turn_of_measured, units,
+                       pulse_comparison.measured.side, pulse_comparison.shift)};
   return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
           .panels = {std::move(panel)},
           .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
                                 one_line(report.pulse.file), one_line(report.case_file),
                                 report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
-                                injury::to_string(of.alignment))};
+                                injury::to_string(pulse_comparison.alignment))};
 }
 
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {

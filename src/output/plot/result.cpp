@@ -61,13 +61,14 @@ std::string peak_words(const injury::InjuryFigures& figures) {
   return words;
 }
 
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t turn, int row) {
+Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
+                   int row) {
   const double foot = (0.02 + 0.11 * row) * peak, arm = foot + 0.05 * peak;
   return {.label = std::move(label),
           .style = SeriesStyle::solid_line,
           .x = {begin, begin, end, end},
           .y = {arm, foot, foot, arm},
-          .turn = turn,
+          .palette_index = palette_index,
           .label_place = LabelPlace::middle};
 }
 
@@ -118,7 +119,7 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
                           .style = SeriesStyle::solid_line,
                           .x = values_in(units, solution.history.time, "s"),
                           .y = std::move(deceleration),
-                          .turn = 0});
+                          .palette_index = 0});
   return panel;
 }
 

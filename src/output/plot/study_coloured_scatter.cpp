@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_coloured_dots = 1000;
+constexpr std::size_t max_coloured_dots = 1000;
 
 /// Rows of a group: two factors and the response, as shown. Those that struck through stand apart.
 struct Rows {
@@ -67,8 +67,8 @@ std::vector<Series> classes(const Rows& rows, const std::vector<double>& levels,
   for (std::size_t row = 0; row < rows.value.size(); ++row) {
     const auto above = std::ranges::upper_bound(levels, rows.value[row]) - levels.begin();
     const auto place = std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(list) - 1);
-    Series& of = list[static_cast<std::size_t>(place)];
-    of.add(rows.x[row], rows.y[row]);
+    Series& series = list[static_cast<std::size_t>(place)];
+    series.add(rows.x[row], rows.y[row]);
   }
   std::erase_if(list, [](const Series& series) { return series.x.empty(); });
   return list;
@@ -82,7 +82,7 @@ Rows rows_of(const study::StudyAnswers& answers, const std::vector<std::size_t>&
   const std::vector<double> values =
       study::values_of(answers.study, answers.records, answers.groups.front().group, number);
   Rows rows;
-  for (const std::size_t i : rows_drawn(places.size(), most_coloured_dots)) {
+  for (const std::size_t i : rows_drawn(places.size(), max_coloured_dots)) {
     if (std::isnan(values[i])) continue;
     const bool has_value = std::isfinite(values[i]);
     (has_value ? rows.x : rows.struck.x).push_back(x * answers.records.factors[factors[0]][places[i]]);
@@ -120,7 +120,7 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
          .note = fmt::format(
              "A point is a row, over the two sampled factors that the response follows most. The first and "
              "the last class hold all beyond. At most {} rows{} are drawn.",
-             most_coloured_dots,
+             max_coloured_dots,
              answers.groups.size() > 1
                  ? " of " + words_of_levels(answers, answers.groups.front().group, units)
                  : "")});

@@ -15,8 +15,8 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_steps = 400;        ///< of a distribution function
-constexpr std::size_t most_plain_dots = 1000;  ///< of a scatter plot
+constexpr std::size_t max_steps = 400;        ///< of a distribution function
+constexpr std::size_t max_plain_dots = 1000;  ///< of a scatter plot
 
 /// The share of rows at or below each value; rows that bottomed out on a rigid support or have no value count
 /// as above all.
@@ -26,7 +26,7 @@ Series distribution_function(std::vector<double> values, double scale) {
   std::ranges::sort(values);
   Series series{.style = SeriesStyle::solid_line};
   const std::size_t count = values.size();
-  const std::size_t points = std::min(count, most_steps);
+  const std::size_t points = std::min(count, max_steps);
   for (std::size_t i = 0; i < points; ++i) {
     const std::size_t place = points < 2 ? 0 : i * (count - 1) / (points - 1);
     series.add(scale * values[place], 100 * static_cast<double>(place + 1) / all);
@@ -53,15 +53,15 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
   Panel panel{.title = title_of(name),
               .x = {.label = label(name, unit, units)},
               .y = {.label = "Rows at or below (%)", .low = 0, .high = 100}};
-  for (std::size_t group = 0; group < std::min(answers.groups.size(), most_lines_drawn); ++group) {
+  for (std::size_t group = 0; group < std::min(answers.groups.size(), max_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     const std::vector<double> values =
         study::values_of(answers.study, answers.records, of, answers.responses[i]);
     panel.series.push_back(distribution_function(values, shown.scale));
     panel.series.back().label = words_of_levels(answers, of, units);
-    panel.series.back().turn = group;
+    panel.series.back().palette_index = group;
     if (std::optional<Series> rest = struck_through_line(values)) {
-      rest->turn = group;
+      rest->palette_index = group;
       panel.series.push_back(*std::move(rest));
     }
   }
@@ -77,14 +77,15 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   Panel panel{.title = fmt::format("{} over {}", title_of(name), factor_words(of.key)),
               .x = axis_of_factor(of, units),
               .y = {.label = label(name, si_unit_of(name), units)}};
-  const std::size_t groups = std::min(answers.groups.size(), most_lines_drawn);
+  const std::size_t groups = std::min(answers.groups.size(), max_lines_drawn);
   Series struck = struck_through_marks();
   for (std::size_t i = 0; i < groups; ++i) {
     const study::Group& group = answers.groups[i].group;
     const std::vector<std::size_t>& places = group.places;
     const std::vector<double> values = study::values_of(answers.study, answers.records, group, response);
-    Series points{.label = words_of_levels(answers, group, units), .style = SeriesStyle::points, .turn = i};
-    for (const std::size_t k : rows_drawn(places.size(), most_plain_dots / groups)) {
+    Series points{
+        .label = words_of_levels(answers, group, units), .style = SeriesStyle::points, .palette_index = i};
+    for (const std::size_t k : rows_drawn(places.size(), max_plain_dots / groups)) {
       Series& of_row = std::isinf(values[k]) ? struck : points;
       of_row.add(x.scale * answers.records.factors[factor][places[k]], y.scale * values[k]);
     }
@@ -96,23 +97,26 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
 }
 
 /// A point and its interval, a narrow band at that height.
-void add_index(Panel& panel, const study::Estimate& estimate, double height, std::size_t turn,
+void add_index(Panel& panel, const study::Estimate& estimate, double height, std::size_t palette_index,
                const std::string& name) {
   constexpr double half_width = 0.08;
   panel.series.push_back({.style = SeriesStyle::band,
                           .x = {estimate.low, estimate.high},
                           .y = {height - half_width, height - half_width},
                           .y2 = {height + half_width, height + half_width},
-                          .turn = turn,
+                          .palette_index = palette_index,
                           .of = name});
-  panel.series.push_back(
-      {.label = name, .style = SeriesStyle::points, .x = {estimate.value}, .y = {height}, .turn = turn});
+  panel.series.push_back({.label = name,
+                          .style = SeriesStyle::points,
+                          .x = {estimate.value},
+                          .y = {height},
+                          .palette_index = palette_index});
 }
 
 /// The factors below each other, that which matters most on top.
-Panel index_panel(const std::string& response, const study::Sensitivity& of) {
+Panel index_panel(const std::string& response, const study::Sensitivity& sensitivity) {
   constexpr double apart = 0.14;
-  std::vector<study::Sensitivity::Index> indices = of.indices;
+  std::vector<study::Sensitivity::Index> indices = sensitivity.indices;
   std::ranges::stable_sort(indices, std::ranges::greater(),
                            [](const study::Sensitivity::Index& index) { return index.total.value; });
   Panel panel{.title = title_of(response),
@@ -124,7 +128,7 @@ Panel index_panel(const std::string& response, const study::Sensitivity& of) {
     panel.series.push_back({.style = SeriesStyle::solid_line,
                             .x = {0, indices[i].total.value},
                             .y = {height - apart, height - apart},
-                            .turn = 1,
+                            .palette_index = 1,
                             .end_label = factor_title(indices[i].factor)});
     add_index(panel, indices[i].first, height + apart, 0, "alone (first order)");
     add_index(panel, indices[i].total, height - apart, 1, "with interactions (total)");
@@ -142,8 +146,8 @@ std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answe
     figures.push_back({.plot = {.title = "Distribution of " + title_of(response_name(answers, i)),
                                 .panels = {distribution_panel(answers, i, units)},
                                 .source = study_source(answers)},
-                       .note = answers.groups.size() > most_lines_drawn
-                                   ? fmt::format("The first {} combinations of levels.", most_lines_drawn)
+                       .note = answers.groups.size() > max_lines_drawn
+                                   ? fmt::format("The first {} combinations of levels.", max_lines_drawn)
                                    : ""});
   return figures;
 }
@@ -159,8 +163,8 @@ std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, c
     if (!plot.panels.empty())
       figures.push_back(
           {.plot = std::move(plot),
-           .note = answers.records.rows.size() > most_plain_dots
-                       ? fmt::format("Of all rows {} are drawn, chosen at random.", most_plain_dots)
+           .note = answers.records.rows.size() > max_plain_dots
+                       ? fmt::format("Of all rows {} are drawn, chosen at random.", max_plain_dots)
                        : ""});
   }
   return figures;
@@ -169,10 +173,10 @@ std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, c
 std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers) {
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    const std::optional<study::Sensitivity>& of = answers.groups.front().sensitivities[i];
-    if (!of) continue;
+    const std::optional<study::Sensitivity>& sensitivity = answers.groups.front().sensitivities[i];
+    if (!sensitivity) continue;
     figures.push_back({.plot = {.title = "Sobol' indices of " + title_of(response_name(answers, i)),
-                                .panels = {index_panel(response_name(answers, i), *of)},
+                                .panels = {index_panel(response_name(answers, i), *sensitivity)},
                                 .source = study_source(answers)},
                        .note = "Bands: 95 % intervals by bootstrap over draws."});
   }

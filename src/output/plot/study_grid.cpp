@@ -29,12 +29,12 @@ std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t respo
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
-    for (const study::StudyAnswers::OfGroup& of : answers.groups) {
+    for (const study::StudyAnswers::OfGroup& of_group : answers.groups) {
       const auto at = [&](double probability) {
-        const auto found = study::quantile(of.distributions[response], probability);
+        const auto found = study::quantile(of_group.distributions[response], probability);
         return found ? found->value : std::numeric_limits<double>::quiet_NaN();
       };
-      cells.push_back({of.group.levels, at(0.5), at(0.05), at(0.95)});
+      cells.push_back({of_group.group.levels, at(0.5), at(0.05), at(0.95)});
     }
     return cells;
   }
@@ -87,16 +87,17 @@ std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::s
 Series struck_through_marks(std::size_t colour) {
   constexpr std::size_t triangle = 2;
   static_assert(std::gcd(colours_by_turn, shapes_by_turn) == 1, "then every pair has a turn");
-  std::size_t turn = triangle;
-  while (turn % colours_by_turn != colour % colours_by_turn) turn += shapes_by_turn;
-  return {.label = "bottomed out: no finite force", .style = SeriesStyle::points, .turn = turn};
+  std::size_t palette_index = triangle;
+  while (palette_index % colours_by_turn != colour % colours_by_turn) palette_index += shapes_by_turn;
+  return {
+      .label = "bottomed out: no finite force", .style = SeriesStyle::points, .palette_index = palette_index};
 }
 
 double above_all(const std::vector<Series>& series) {
   constexpr double part_above = 0.06;
   Span all;
-  for (const Series& of : series)
-    for (const auto* column : {&of.y, &of.y2})
+  for (const Series& each : series)
+    for (const auto* column : {&each.y, &each.y2})
       for (const double value : *column)
         if (std::isfinite(value)) all.include(value);
   return all.is_empty() ? 0 : all.high + part_above * (all.high > all.low ? all.high - all.low : all.high);

@@ -16,7 +16,7 @@ namespace dashpad::output {
 namespace {
 
 /// More lie on each other.
-constexpr std::size_t most_bands = 3;
+constexpr std::size_t max_bands = 3;
 
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
@@ -47,7 +47,7 @@ std::vector<Series> struck_through_above(const std::vector<Series>& series) {
     if (!is_line(line.style)) continue;
     Series marks = struck_through_marks();
     if (lines > 1) {
-      marks = struck_through_marks(*line.turn);
+      marks = struck_through_marks(*line.palette_index);
       marks.label = line.label + ": bottomed out";
     }
     for (std::size_t place = 0; place < line.y.size(); ++place)
@@ -59,7 +59,7 @@ std::vector<Series> struck_through_above(const std::vector<Series>& series) {
   return all;
 }
 
-bool has_bands(const GridPlane& plane) { return plane.is_median && plane.values.size() <= most_bands; }
+bool has_bands(const GridPlane& plane) { return plane.is_median && plane.values.size() <= max_bands; }
 
 Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
             const UnitSystem& units) {
@@ -68,7 +68,7 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   Panel panel{.title = title_of(name),
               .x = axis_of_factor(across, units),
               .y = {.label = label(name, si_unit_of(name), units)}};
-  const std::size_t count = plane.values.size(), lines = std::min(count, most_lines_drawn);
+  const std::size_t count = plane.values.size(), lines = std::min(count, max_lines_drawn);
   const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale);
   const double y_scale = shown_as(si_unit_of(name), units).scale;
   for (std::size_t i = 0; i < lines; ++i) {
@@ -78,13 +78,13 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
          .style = SeriesStyle::line,
          .x = x,
          .y = scaled(plane.values[line], y_scale),
-         .turn = i});
+         .palette_index = i});
     if (has_bands(plane))
       panel.series.push_back({.style = SeriesStyle::band,
                               .x = x,
                               .y = scaled(plane.low[line], y_scale),
                               .y2 = scaled(plane.high[line], y_scale),
-                              .turn = i,
+                              .palette_index = i,
                               .of = panel.series.back().label});
   }
   panel.add(limit_lines(answers, name, SeriesStyle::horizontal_line, units));
@@ -166,7 +166,7 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, 
          .style = SeriesStyle::line,
          .x = scaled(drop.curves[i].static_stress, stress.scale),
          .y = scaled(drop.curves[i].peak_deceleration, shown_as("m/s2", units).scale),
-         .turn = i});
+         .palette_index = i});
   return panel;
 }
 

@@ -14,7 +14,7 @@ namespace dashpad::output {
 namespace {
 
 /// More bars are a list.
-constexpr std::size_t most_bars = 24;
+constexpr std::size_t max_bars = 24;
 
 struct Bar {
   std::string name;
@@ -63,7 +63,7 @@ Panel panel_of(const study::StudyAnswers& answers, const std::string& name, cons
         {.style = SeriesStyle::solid_line,
          .x = {0, is_finite ? std::min(scale * bars[i].value, end) : end},
          .y = {height, height},
-         .turn = 0,
+         .palette_index = 0,
          .end_label = fmt::format("{}: {}", bars[i].name, three_digits(name, bars[i].value, units))});
     if (is_finite) continue;
     struck.add(end, height);
@@ -83,7 +83,7 @@ std::vector<CaptionedPlot> named_figures(const study::StudyAnswers& answers, con
     const std::string& name = response_name(answers, i);
     const std::vector<Bar> bars = bars_of(answers, i, units);
     const bool has_value = std::ranges::any_of(bars, [](const Bar& bar) { return std::isfinite(bar.value); });
-    if (bars.size() > most_bars || !has_value || bars.front().value < 0) continue;
+    if (bars.size() > max_bars || !has_value || bars.front().value < 0) continue;
     figures.push_back(
         {.plot = {.title = fmt::format("{} by {}", title_of(name), factor_words(factors.front().key)),
                   .panels = {panel_of(answers, name, bars, units)},

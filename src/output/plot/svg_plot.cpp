@@ -14,12 +14,12 @@ namespace {
 
 // All px.
 constexpr double title_line = 26, below_title = 6, source_line = 16;
-constexpr double least_right_margin = 24;
+constexpr double min_right_margin = 24;
 
 /// Sets the widths of the axes and places the names in them: the axes of all begin at the same place, which
 /// this returns, and end at the same.
 double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
-  double left = 0, right = least_right_margin;
+  double left = 0, right = min_right_margin;
   for (const PanelFrame& frame : frames) {
     left = std::max(left, plot_edge + frame.left_margin());
     right = std::max(right, plot_edge + width_beside_axes(frame.ends));

@@ -119,27 +119,28 @@ std::string posterior_toml(const PosteriorAxes& axes, const std::string& prefix)
          rows_toml("minus", axes.minus) + rows_toml("plus", axes.plus);
 }
 
-std::string misfit_toml(const Misfit& of, const std::string& prefix) {
+std::string misfit_toml(const Misfit& misfit, const std::string& prefix) {
   return table_head(prefix, "uncertainty.misfit") +
-         toml_line("peak_acceleration", of.peak_acceleration, "1") + toml_line("hic", of.hic, "1") +
-         toml_line("rebound_speed", of.rebound_speed, "1") + toml_line("penetration", of.penetration, "1") +
-         toml_line("impacts", of.impacts, "1") + fmt::format("held_out = {}\n", of.is_held_out) +
-         (of.nose_over_pad ? toml_line("nose_over_pad", *of.nose_over_pad, "1") : "");
+         toml_line("peak_acceleration", misfit.peak_acceleration, "1") + toml_line("hic", misfit.hic, "1") +
+         toml_line("rebound_speed", misfit.rebound_speed, "1") +
+         toml_line("penetration", misfit.penetration, "1") + toml_line("impacts", misfit.impacts, "1") +
+         fmt::format("held_out = {}\n", misfit.is_held_out) +
+         (misfit.nose_over_pad ? toml_line("nose_over_pad", *misfit.nose_over_pad, "1") : "");
 }
 
-std::string uncertainty_toml(const Uncertainty& of, const std::string& prefix) {
-  if (of == Uncertainty{}) return "";
+std::string uncertainty_toml(const Uncertainty& uncertainty, const std::string& prefix) {
+  if (uncertainty == Uncertainty{}) return "";
   std::string text = table_head(prefix, "uncertainty");
   const auto range = [&](const char* key, const std::optional<ValueRange>& value) {
     if (value) text += toml_line(key, std::vector{value->low, value->high});
   };
-  range("recoil", of.recoil);
-  range("unloading_factor", of.unloading_factor);
-  range("lag_strain", of.lag_strain);
-  range("rate_exponent", of.rate_exponent);
-  if (of.scatter) text += toml_line("scatter", *of.scatter, "1");
-  if (of.misfit) text += misfit_toml(*of.misfit, prefix);
-  return text + posterior_toml(of.posterior, prefix);
+  range("recoil", uncertainty.recoil);
+  range("unloading_factor", uncertainty.unloading_factor);
+  range("lag_strain", uncertainty.lag_strain);
+  range("rate_exponent", uncertainty.rate_exponent);
+  if (uncertainty.scatter) text += toml_line("scatter", *uncertainty.scatter, "1");
+  if (uncertainty.misfit) text += misfit_toml(*uncertainty.misfit, prefix);
+  return text + posterior_toml(uncertainty.posterior, prefix);
 }
 
 bool is_bare_key(std::string_view key) {

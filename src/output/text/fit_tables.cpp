@@ -29,15 +29,19 @@ std::string loops_text(const fit::MetTest& test) {
 
 Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"unknown", "value", "standard error", "95 % interval", ""}};
-  for (const fit::FittedUnknown& of : report.unknowns)
-    table.rows.push_back({of.key, brief_quantity(of.value, of.unit, units, 4),
-                          of.standard_error ? brief_quantity(*of.standard_error, of.unit, units, 2) : "none",
-                          interval_words(of, units),
-                          of.wants_beyond()  ? of.is_at_lowest ? "at its lower bound" : "at its upper bound"
-                          : of.is_at_lowest  ? "as small as it can be"
-                          : of.is_at_highest ? "as large as it can be"
-                          : of.rests_on_prior() ? "mostly from its prior"
-                                                : ""});
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    table.rows.push_back({fitted_unknown.key,
+                          brief_quantity(fitted_unknown.value, fitted_unknown.unit, units, 4),
+                          fitted_unknown.standard_error
+                              ? brief_quantity(*fitted_unknown.standard_error, fitted_unknown.unit, units, 2)
+                              : "none",
+                          interval_words(fitted_unknown, units),
+                          fitted_unknown.wants_beyond()
+                              ? fitted_unknown.is_at_lowest ? "at its lower bound" : "at its upper bound"
+                          : fitted_unknown.is_at_lowest     ? "as small as it can be"
+                          : fitted_unknown.is_at_highest    ? "as large as it can be"
+                          : fitted_unknown.rests_on_prior() ? "mostly from its prior"
+                                                            : ""});
   return table;
 }
 
@@ -54,30 +58,35 @@ Table table_of_tests(const fit::FitReport& report, const UnitSystem& units) {
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "figure", "measured", "deviation", "model", "the model's own 95 %",
                           "off by", ""}};
-  for (const fit::MetFigure& of : report.figures) {
-    const fit::ImpactFigureName& name = name_of(of.figure);
+  for (const fit::MetFigure& met_figure : report.figures) {
+    const fit::ImpactFigureName& name = name_of(met_figure.figure);
     const auto shown = [&](double value, int digits) {
       return brief_quantity(value, name.quantity->si_unit, units, digits);
     };
     table.rows.push_back(
-        {of.file, name.quantity->title, shown(of.measured, 4), shown(of.deviation, 2),
-         of.computed ? shown(*of.computed, 4) : "none",
-         of.prediction_deviation ? "± " + shown(width_of_95 * *of.prediction_deviation, 2) : "",
-         of.computed ? fmt::format("{:+.1f} deviations", (*of.computed - of.measured) / of.deviation) : "",
-         of.is_held_out ? "held out: predicted" : ""});
+        {met_figure.file, name.quantity->title, shown(met_figure.measured, 4), shown(met_figure.deviation, 2),
+         met_figure.computed ? shown(*met_figure.computed, 4) : "none",
+         met_figure.prediction_deviation ? "± " + shown(width_of_95 * *met_figure.prediction_deviation, 2)
+                                         : "",
+         met_figure.computed
+             ? fmt::format("{:+.1f} deviations",
+                           (*met_figure.computed - met_figure.measured) / met_figure.deviation)
+             : "",
+         met_figure.is_held_out ? "held out: predicted" : ""});
   }
   return table;
 }
 
 Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "figure", "measured", "model", "off by", ""}};
-  for (const fit::ImpactComparison& of : report.comparison) {
-    const fit::ImpactFigureName& name = name_of(of.figure);
+  for (const fit::ImpactComparison& impact_comparison : report.comparison) {
+    const fit::ImpactFigureName& name = name_of(impact_comparison.figure);
     const auto shown = [&](double value) { return brief_quantity(value, name.quantity->si_unit, units, 4); };
-    table.rows.push_back({of.file, name.quantity->title, shown(of.measured),
-                          of.computed ? shown(*of.computed) : "none",
-                          of.computed ? fmt::format("{:+.1f} %", 100 * *of.share()) : "",
-                          of.is_held_out ? "held out: predicted" : "fitted"});
+    table.rows.push_back(
+        {impact_comparison.file, name.quantity->title, shown(impact_comparison.measured),
+         impact_comparison.computed ? shown(*impact_comparison.computed) : "none",
+         impact_comparison.computed ? fmt::format("{:+.1f} %", 100 * *impact_comparison.share()) : "",
+         impact_comparison.is_held_out ? "held out: predicted" : "fitted"});
   }
   return table;
 }
@@ -95,17 +104,20 @@ Table table_of_loops(const fit::FitReport& report) {
 Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "pulse", "points", "peak, measured and model", "model minus pulse, rms",
                           "shift", ""}};
-  for (const fit::MetPulse& of : report.pulses) {
+  for (const fit::MetPulse& met_pulse : report.pulses) {
     const auto shown = [&](double value, int digits) { return brief_quantity(value, "m/s2", units, digits); };
     table.rows.push_back(
-        {of.file, of.pulse_file,
-         of.time.size() < of.samples ? fmt::format("{} of {}", of.time.size(), of.samples)
-                                     : fmt::format("{}", of.time.size()),
-         fmt::format("{}, {}", shown(of.measured_peak, 4),
-                     of.computed_peak ? shown(*of.computed_peak, 4) : "none"),
-         of.rms ? fmt::format("{}, {:.2g} %", shown(*of.rms, 3), 100 * *of.rms / of.measured_peak) : "none",
-         of.shift ? brief_quantity(*of.shift, "s", units, 2) : "onsets at one time",
-         of.is_held_out ? "held out: predicted" : ""});
+        {met_pulse.file, met_pulse.pulse_file,
+         met_pulse.time.size() < met_pulse.samples
+             ? fmt::format("{} of {}", met_pulse.time.size(), met_pulse.samples)
+             : fmt::format("{}", met_pulse.time.size()),
+         fmt::format("{}, {}", shown(met_pulse.measured_peak, 4),
+                     met_pulse.computed_peak ? shown(*met_pulse.computed_peak, 4) : "none"),
+         met_pulse.rms ? fmt::format("{}, {:.2g} %", shown(*met_pulse.rms, 3),
+                                     100 * *met_pulse.rms / met_pulse.measured_peak)
+                       : "none",
+         met_pulse.shift ? brief_quantity(*met_pulse.shift, "s", units, 2) : "onsets at one time",
+         met_pulse.is_held_out ? "held out: predicted" : ""});
   }
   return table;
 }

@@ -25,15 +25,16 @@ std::string listed(const std::vector<std::string>& parts) {
 
 void grow(std::optional<double>& most, double value) { most = std::max(most.value_or(0), value); }
 
-std::string words_of(const Misses& of) {
+std::string words_of(const Misses& misses) {
   std::vector<std::string> parts;
-  if (of.tests)
+  if (misses.tests)
     parts.push_back(
-        fmt::format("the tests by {:.2g} % of their largest stress (root mean square)", 100 * *of.tests));
-  if (of.figures)
-    parts.push_back(fmt::format("the figures by at most {:.2g} of their deviations", *of.figures));
-  if (of.pulses)
-    parts.push_back(fmt::format("the pulses by {:.2g} % of their peak (root mean square)", 100 * *of.pulses));
+        fmt::format("the tests by {:.2g} % of their largest stress (root mean square)", 100 * *misses.tests));
+  if (misses.figures)
+    parts.push_back(fmt::format("the figures by at most {:.2g} of their deviations", *misses.figures));
+  if (misses.pulses)
+    parts.push_back(
+        fmt::format("the pulses by {:.2g} % of their peak (root mean square)", 100 * *misses.pulses));
   return listed(parts);
 }
 
@@ -44,20 +45,23 @@ struct Determined {
 
 Determined determined(const fit::FitReport& report) {
   Determined count;
-  for (const fit::FittedUnknown& of : report.unknowns) {
-    if (of.is_nuisance) continue;
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns) {
+    if (fitted_unknown.is_nuisance) continue;
     ++count.all;
-    ++(!of.is_identified() ? count.open : of.rests_on_prior() ? count.by_prior : count.by_data);
+    ++(!fitted_unknown.is_identified()   ? count.open
+       : fitted_unknown.rests_on_prior() ? count.by_prior
+                                         : count.by_data);
   }
   return count;
 }
 
 /// ", leave 1 to its prior, and leave 1 open"
-std::string beside_data(const Determined& of) {
+std::string beside_data(const Determined& determined) {
   std::string text;
-  if (of.by_prior > 0)
-    text += fmt::format(", leave {} to {}", of.by_prior, of.by_prior == 1 ? "its prior" : "their priors");
-  if (of.open > 0) text += fmt::format(", and leave {} open", of.open);
+  if (determined.by_prior > 0)
+    text += fmt::format(", leave {} to {}", determined.by_prior,
+                        determined.by_prior == 1 ? "its prior" : "their priors");
+  if (determined.open > 0) text += fmt::format(", and leave {} open", determined.open);
   return text;
 }
 
@@ -65,15 +69,16 @@ std::string beside_data(const Determined& of) {
 
 Misses misses(const fit::FitReport& report, bool held_out) {
   Misses most;
-  for (const fit::MetTest& of : report.tests)
-    if (of.is_held_out == held_out)
-      for (const auto& rms : {of.rms_loading, of.rms_unloading})
-        if (rms) grow(most.tests, *rms / of.largest_stress);
-  for (const fit::MetFigure& of : report.figures)
-    if (of.is_held_out == held_out && of.computed)
-      grow(most.figures, std::abs(*of.computed - of.measured) / of.deviation);
-  for (const fit::MetPulse& of : report.pulses)
-    if (of.is_held_out == held_out && of.rms) grow(most.pulses, *of.rms / of.measured_peak);
+  for (const fit::MetTest& met_test : report.tests)
+    if (met_test.is_held_out == held_out)
+      for (const auto& rms : {met_test.rms_loading, met_test.rms_unloading})
+        if (rms) grow(most.tests, *rms / met_test.largest_stress);
+  for (const fit::MetFigure& met_figure : report.figures)
+    if (met_figure.is_held_out == held_out && met_figure.computed)
+      grow(most.figures, std::abs(*met_figure.computed - met_figure.measured) / met_figure.deviation);
+  for (const fit::MetPulse& met_pulse : report.pulses)
+    if (met_pulse.is_held_out == held_out && met_pulse.rms)
+      grow(most.pulses, *met_pulse.rms / met_pulse.measured_peak);
   return most;
 }
 
@@ -96,8 +101,8 @@ std::string prediction_words(const fit::FitReport& report) {
 std::string fit_answer(const fit::FitReport& report) {
   const auto fitted = static_cast<std::size_t>(
       std::ranges::count_if(report.tests, [](const fit::MetTest& test) { return !test.is_held_out; }));
-  const auto figures = static_cast<std::size_t>(
-      std::ranges::count_if(report.figures, [](const fit::MetFigure& of) { return !of.is_held_out; }));
+  const auto figures = static_cast<std::size_t>(std::ranges::count_if(
+      report.figures, [](const fit::MetFigure& met_figure) { return !met_figure.is_held_out; }));
   std::size_t pulses = 0, points_of_pulses = 0;
   for (const fit::MetPulse& pulse : report.pulses)
     if (!pulse.is_held_out) {
@@ -132,12 +137,13 @@ std::string words_on_added(const fit::FitReport& report) {
          "is sought too, from 0 to 1. State it where it is known.";
 }
 
-std::string interval_words(const fit::FittedUnknown& of, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, of.unit, units, 4); };
-  if (of.is_identified())
-    return shown(of.low.value_or(of.lowest)) + " to " + shown(of.high.value_or(of.highest));
-  if (of.low) return "above " + shown(*of.low) + ", open above";
-  if (of.high) return "below " + shown(*of.high) + ", open below";
+std::string interval_words(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
+  if (fitted_unknown.is_identified())
+    return shown(fitted_unknown.low.value_or(fitted_unknown.lowest)) + " to " +
+           shown(fitted_unknown.high.value_or(fitted_unknown.highest));
+  if (fitted_unknown.low) return "above " + shown(*fitted_unknown.low) + ", open above";
+  if (fitted_unknown.high) return "below " + shown(*fitted_unknown.high) + ", open below";
   return "open on both sides";
 }
 
@@ -153,9 +159,9 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   for (const std::vector<std::string>& keys : report.flat_directions)
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
                                                    : " are not told apart by these data."));
-  for (const fit::StrongCorrelation& of : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", of.first, of.second,
-                              of.value));
+  for (const fit::StrongCorrelation& strong_correlation : report.correlations)
+    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.",
+                              strong_correlation.first, strong_correlation.second, strong_correlation.value));
   for (const std::string& end : report.rough_ends)
     all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
   return all;
@@ -178,12 +184,12 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   else
     all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
                               report.misfit_per_degree()));
-  const auto add = [&](const auto& of, const std::string& file, std::size_t points) {
-    if (of.is_held_out || !(of.effective_points < static_cast<double>(points))) return;
+  const auto add = [&](const auto& given, const std::string& file, std::size_t points) {
+    if (given.is_held_out || !(given.effective_points < static_cast<double>(points))) return;
     all.push_back(fmt::format(
         "{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth {:.0f}; "
         "errors and intervals are widened by that.",
-        file, of.autocorrelation, points, of.effective_points));
+        file, given.autocorrelation, points, given.effective_points));
   };
   for (const fit::MetTest& test : report.tests) add(test, test.file, test.points);
   for (const fit::MetPulse& pulse : report.pulses) add(pulse, pulse.pulse_file, pulse.time.size());

@@ -11,7 +11,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t most_events = 24;  ///< shown of a run; the JSON has all
+constexpr std::size_t max_events = 24;  ///< shown of a run; the JSON has all
 
 using Row = std::vector<std::string>;
 
@@ -49,12 +49,16 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
                           cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
                           "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::CushionFigures& of = run.figures;
-    table.rows.push_back({rate_cell(run), cells.stress(of.peak_stress), significant(of.strain_at_peak),
-                          cells.stress(of.energy_in), run.unloads ? cells.stress(of.energy_returned) : "-",
-                          run.unloads ? percent(of.hysteresis) : "-",
-                          significant(of.best_efficiency.efficiency), significant(of.best_efficiency.strain),
-                          cells.stress(of.best_efficiency.stress), significant(of.best_efficiency.ideality)});
+    const laboratory::CushionFigures& cushion_figures = run.figures;
+    table.rows.push_back({rate_cell(run), cells.stress(cushion_figures.peak_stress),
+                          significant(cushion_figures.strain_at_peak),
+                          cells.stress(cushion_figures.energy_in),
+                          run.unloads ? cells.stress(cushion_figures.energy_returned) : "-",
+                          run.unloads ? percent(cushion_figures.hysteresis) : "-",
+                          significant(cushion_figures.best_efficiency.efficiency),
+                          significant(cushion_figures.best_efficiency.strain),
+                          cells.stress(cushion_figures.best_efficiency.stress),
+                          significant(cushion_figures.best_efficiency.ideality)});
   }
   return table;
 }
@@ -84,9 +88,10 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
               .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
                           after(0.1 * report.test.hold), after(report.test.hold), "left (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::RelaxedStress& of = *run.relaxed;
-    table.rows.push_back({rate_cell(run), cells.stress(of.at_end_of_ramp), cells.stress(of.after_tenth),
-                          cells.stress(of.after_hold), percent(of.after_hold / of.at_end_of_ramp)});
+    const laboratory::RelaxedStress& relaxed_stress = *run.relaxed;
+    table.rows.push_back({rate_cell(run), cells.stress(relaxed_stress.at_end_of_ramp),
+                          cells.stress(relaxed_stress.after_tenth), cells.stress(relaxed_stress.after_hold),
+                          percent(relaxed_stress.after_hold / relaxed_stress.at_end_of_ramp)});
   }
   return table;
 }
@@ -109,9 +114,9 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::UpdateOf1984& of = *run.update_of_1984;
+    const laboratory::UpdateOf1984& update_of1984 = *run.update_of_1984;
     const auto add = [&](const char* name, const std::optional<laboratory::StressAtTurn>& turn) {
-      Row row{rate_cell(run), cells.time(of.step), name};
+      Row row{rate_cell(run), cells.time(update_of1984.step), name};
       if (turn)
         row.insert(
             row.end(),
@@ -121,8 +126,8 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
         row.insert(row.end(), {"-", "-", "-", "-"});
       table.rows.push_back(row);
     };
-    add("1984", of.update_at_turn);
-    add("exact", of.exact_at_turn);
+    add("1984", update_of1984.update_at_turn);
+    add("exact", update_of1984.exact_at_turn);
   }
   return table;
 }
@@ -144,15 +149,15 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
                   cells.in_stress("Stress before"), cells.in_stress("Stress after")}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const auto& events = run.column.events;
-    for (std::size_t i = 0; i < events.size() && i < most_events; ++i) {
+    for (std::size_t i = 0; i < events.size() && i < max_events; ++i) {
       const laboratory::ColumnEvent& event = events[i];
       table.rows.push_back({rate_cell(run), words_for(event.kind), strain_cell(event.strain),
                             cells.time(event.time), cells.stress(event.stress_before),
                             cells.stress(event.stress_after)});
     }
-    if (events.size() > most_events)
-      table.rows.push_back({rate_cell(run), fmt::format("{} more, see the JSON", events.size() - most_events),
-                            "", "", "", ""});
+    if (events.size() > max_events)
+      table.rows.push_back(
+          {rate_cell(run), fmt::format("{} more, see the JSON", events.size() - max_events), "", "", "", ""});
   }
   return table;
 }

@@ -15,8 +15,9 @@ namespace dashpad::output {
 namespace {
 
 std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_t limit) {
-  const study::Estimate& of = group.exceedances[limit].probability;
-  return std::isfinite(of.value) ? fmt::format("in {} of cases", per_cent(of.value)) : "undecided";
+  const study::Estimate& estimate = group.exceedances[limit].probability;
+  return std::isfinite(estimate.value) ? fmt::format("in {} of cases", per_cent(estimate.value))
+                                       : "undecided";
 }
 
 /// The combinations of levels with the least and the greatest of a value; null where none has one.
@@ -58,10 +59,10 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const bool drawn = answers.groups.front().group.drawn;
   if (drawn && answers.groups.size() > 1) return best_and_worst(answers, number, units);
   if (drawn) {
-    const study::Estimate& of = answers.groups.front().exceedances[number].probability;
-    if (!std::isfinite(of.value)) return fmt::format("Whether {} is undecided", exceeded);
-    return fmt::format("In {} of cases {} ({} to {})", per_cent(of.value), exceeded, per_cent(of.low),
-                       per_cent(of.high));
+    const study::Estimate& estimate = answers.groups.front().exceedances[number].probability;
+    if (!std::isfinite(estimate.value)) return fmt::format("Whether {} is undecided", exceeded);
+    return fmt::format("In {} of cases {} ({} to {})", per_cent(estimate.value), exceeded,
+                       per_cent(estimate.low), per_cent(estimate.high));
   }
   const LimitCount count = rows_above(answers, number);
   if (count.undecided == 0)
@@ -103,16 +104,18 @@ double greatest_finite(const study::StudyAnswers& answers) {
 /// Of the first response over a grid.
 std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
-  const study::Distribution& of = answers.groups.front().distributions.front();
-  if (of.rows == 0) return "";
-  if (of.struck_through == 0 && three_digits(name, of.least, units) == three_digits(name, of.greatest, units))
-    return fmt::format("{} is {}", title_of(name), three_digits(name, of.least, units));
-  if (of.struck_through > 0)
-    return fmt::format("The pad bottoms out in {} of {} rows; in the others {} is {}", of.struck_through,
-                       of.struck_through + of.rows, uncapitalised(title_of(name)),
-                       three_digit_range(name, of.least, greatest_finite(answers), units));
+  const study::Distribution& distribution = answers.groups.front().distributions.front();
+  if (distribution.rows == 0) return "";
+  if (distribution.struck_through == 0 &&
+      three_digits(name, distribution.least, units) == three_digits(name, distribution.greatest, units))
+    return fmt::format("{} is {}", title_of(name), three_digits(name, distribution.least, units));
+  if (distribution.struck_through > 0)
+    return fmt::format("The pad bottoms out in {} of {} rows; in the others {} is {}",
+                       distribution.struck_through, distribution.struck_through + distribution.rows,
+                       uncapitalised(title_of(name)),
+                       three_digit_range(name, distribution.least, greatest_finite(answers), units));
   return fmt::format("{} goes from {}", title_of(name),
-                     three_digit_range(name, of.least, of.greatest, units));
+                     three_digit_range(name, distribution.least, distribution.greatest, units));
 }
 
 /// Where the curves of the highest drop are lowest.
@@ -120,7 +123,7 @@ std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem&
   const study::CushionCurves::Drop& drop = curves.drops.back();
   std::string minima;
   for (const study::CushionCurve& curve : drop.curves) {
-    const std::optional<std::size_t> least = study::least_peak(curve);
+    const std::optional<std::size_t> least = study::min_peak(curve);
     if (!least) continue;
     minima += fmt::format("{}{} on {} (at {})", minima.empty() ? "" : ", ",
                           three_digits("peak_acceleration", curve.peak_deceleration[*least], units),
@@ -137,10 +140,10 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
   const std::string& name = response_name(answers, 0);
   const auto [least, greatest] = extreme_medians(answers, 0);
   if (least == nullptr) return "";
-  const auto part = [&](const study::StudyAnswers::OfGroup& of) {
+  const auto part = [&](const study::StudyAnswers::OfGroup& of_group) {
     return fmt::format("{} at {}",
-                       three_digits(name, study::quantile(of.distributions.front(), 0.5)->value, units),
-                       words_of_levels(answers, of.group, units));
+                       three_digits(name, study::quantile(of_group.distributions.front(), 0.5)->value, units),
+                       words_of_levels(answers, of_group.group, units));
   };
   return fmt::format("The median of {} goes from {} to {}", uncapitalised(title_of(name)), part(*least),
                      part(*greatest));
@@ -148,25 +151,25 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
 
 std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
-  const study::Distribution& of = answers.groups.front().distributions.front();
+  const study::Distribution& distribution = answers.groups.front().distributions.front();
   std::vector<std::string> parts;
   for (const auto& [probability, words] : {std::pair{0.5, "half of the draws"}, {0.95, "95 %"}})
-    if (const auto found = study::quantile(of, probability); found && !std::isinf(found->value))
+    if (const auto found = study::quantile(distribution, probability); found && !std::isinf(found->value))
       parts.push_back(fmt::format("{} below {}", words, three_digits(name, found->value, units)));
-  if (of.rows == 0 && of.struck_through == 0) return "";
+  if (distribution.rows == 0 && distribution.struck_through == 0) return "";
   const std::string of_values = fmt::format("{}: {}", title_of(name), fmt::join(parts, ", "));
-  if (of.struck_through == 0) return of_values;
-  const auto struck = static_cast<double>(of.struck_through);
+  if (distribution.struck_through == 0) return of_values;
+  const auto struck = static_cast<double>(distribution.struck_through);
   return fmt::format("The pad bottoms out in {} of the draws{}",
-                     per_cent(struck / (struck + static_cast<double>(of.rows))),
+                     per_cent(struck / (struck + static_cast<double>(distribution.rows))),
                      parts.empty() ? "" : "; " + uncapitalised(of_values));
 }
 
 }  // namespace
 
 ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response) {
-  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& of) {
-    const auto median = study::quantile(of.distributions[response], 0.5);
+  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& of_group) {
+    const auto median = study::quantile(of_group.distributions[response], 0.5);
     return median ? median->value : NAN;
   });
 }

@@ -47,7 +47,7 @@ std::string where_exceeded(const study::StudyAnswers& answers, const study::Stud
                            const UnitSystem& units);
 
 /// More combinations of levels are only in the JSON.
-inline constexpr std::size_t most_groups_shown = 24;
+inline constexpr std::size_t max_groups_shown = 24;
 
 /// Distributions and, where asked for, exceedances and indices, over all combinations of levels.
 std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSystem& units);

@@ -86,8 +86,8 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
   };
   std::map<double, std::vector<LevelRow>> lines[2];  // by the levels of either factor, along the other one
   for (std::size_t row = 0; row < is_above.size(); ++row)
-    for (std::size_t of = 0; of < 2; ++of)
-      lines[of][level(of, row)].emplace_back(level(1 - of, row), is_above[row]);
+    for (std::size_t given = 0; given < 2; ++given)
+      lines[given][level(given, row)].emplace_back(level(1 - given, row), is_above[row]);
   const std::size_t of = lines[0].size() < lines[1].size() ? 0 : 1;
   std::string text;
   for (auto* line : {&*lines[of].begin(), &*lines[of].rbegin()}) {

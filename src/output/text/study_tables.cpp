@@ -25,24 +25,24 @@ std::string struck_through(const std::string& response, std::uint64_t count, std
                      four_digits(100 * static_cast<double>(count) / static_cast<double>(rows)));
 }
 
-std::string share_above(const study::Exceedance& of) {
-  if (of.rows > 0) return percent_with_interval(of.probability);
-  return fmt::format("undecided ({} to {})", four_digits(100 * of.probability.low),
-                     four_digits(100 * of.probability.high));
+std::string share_above(const study::Exceedance& exceedance) {
+  if (exceedance.rows > 0) return percent_with_interval(exceedance.probability);
+  return fmt::format("undecided ({} to {})", four_digits(100 * exceedance.probability.low),
+                     four_digits(100 * exceedance.probability.high));
 }
 
 void add_distributions(Table& table, const study::StudyAnswers& answers,
-                       const study::StudyAnswers::OfGroup& of, const UnitSystem& units) {
+                       const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = response_name(answers, i);
-    const study::Distribution& distribution = of.distributions[i];
+    const study::Distribution& distribution = of_group.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
     Row row{label(name, si_unit_of(name), units)};
-    if (of.group.drawn)
+    if (of_group.group.drawn)
       row.insert(row.end(), {with_interval(distribution.mean, shown.scale), digits(distribution.deviation)});
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
-      if (of.group.drawn
+      if (of_group.group.drawn
               ? std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles)
               : quantile.probability == median)
         row.push_back(with_interval(quantile.value, shown.scale));
@@ -58,11 +58,11 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
   }
 }
 
-void add_exceedances(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
-                     const UnitSystem& units) {
+void add_exceedances(Table& table, const study::StudyAnswers& answers,
+                     const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
     const study::StudyLimit& limit = answers.limits[i];
-    const study::Exceedance& exceedance = of.exceedances[i];
+    const study::Exceedance& exceedance = of_group.exceedances[i];
     const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
     Row row{title_of(limit.response),
             four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
@@ -77,14 +77,15 @@ void add_exceedances(Table& table, const study::StudyAnswers& answers, const stu
   }
 }
 
-void add_indices(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of,
+void add_indices(Table& table, const study::StudyAnswers& answers,
+                 const study::StudyAnswers::OfGroup& of_group,
                  const UnitSystem& /*none of them has a unit*/) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    if (!of.sensitivities[i]) continue;
-    for (const study::Sensitivity::Index& index : of.sensitivities[i]->indices)
+    if (!of_group.sensitivities[i]) continue;
+    for (const study::Sensitivity::Index& index : of_group.sensitivities[i]->indices)
       table.rows.push_back({title_of(response_name(answers, i)), factor_title(index.factor),
                             share_with_interval(index.first), share_with_interval(index.total),
-                            std::to_string(of.sensitivities[i]->draws)});
+                            std::to_string(of_group.sensitivities[i]->draws)});
   }
 }
 
@@ -101,12 +102,12 @@ using AddRows = void (*)(Table&, const study::StudyAnswers&, const study::StudyA
 Table over_groups(Table table, const study::StudyAnswers& answers, const UnitSystem& units, AddRows add) {
   const bool named = answers.groups.size() > 1;
   if (named) table.columns.insert(table.columns.begin(), "At");
-  for (std::size_t i = 0; i < answers.groups.size() && i < most_groups_shown; ++i) {
-    const study::StudyAnswers::OfGroup& of = answers.groups[i];
+  for (std::size_t i = 0; i < answers.groups.size() && i < max_groups_shown; ++i) {
+    const study::StudyAnswers::OfGroup& of_group = answers.groups[i];
     const std::size_t begin = table.rows.size();
-    add(table, answers, of, units);
+    add(table, answers, of_group, units);
     for (std::size_t row = begin; named && row < table.rows.size(); ++row)
-      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, of.group, units));
+      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, of_group.group, units));
   }
   return table;
 }
@@ -115,18 +116,18 @@ std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, 
   using namespace study;
   const auto text = [&](double value) { return level_text(answers.study, factor, value, units); };
   const Spread& spread = answers.study.factors[factor].spread;
-  if (const auto* of = std::get_if<Normal>(&spread))
-    return fmt::format("normal, mean {}, deviation {}", text(of->mean), text(of->deviation));
-  if (const auto* of = std::get_if<Lognormal>(&spread))
-    return fmt::format("lognormal, median {}, spread of the logarithm {}", text(of->median),
-                       four_digits(of->spread));
-  if (const auto* of = std::get_if<Uniform>(&spread))
-    return fmt::format("uniform, {} to {}", text(of->low), text(of->high));
-  if (const auto* of = std::get_if<Triangular>(&spread))
-    return fmt::format("triangular, {}, {}, {}", text(of->low), text(of->mode), text(of->high));
-  if (const auto* of = std::get_if<Empirical>(&spread))
-    return fmt::format("{} measured values, {} to {}", of->values.size(), text(of->values.front()),
-                       text(of->values.back()));
+  if (const auto* given = std::get_if<Normal>(&spread))
+    return fmt::format("normal, mean {}, deviation {}", text(given->mean), text(given->deviation));
+  if (const auto* given = std::get_if<Lognormal>(&spread))
+    return fmt::format("lognormal, median {}, spread of the logarithm {}", text(given->median),
+                       four_digits(given->spread));
+  if (const auto* given = std::get_if<Uniform>(&spread))
+    return fmt::format("uniform, {} to {}", text(given->low), text(given->high));
+  if (const auto* given = std::get_if<Triangular>(&spread))
+    return fmt::format("triangular, {}, {}, {}", text(given->low), text(given->mode), text(given->high));
+  if (const auto* given = std::get_if<Empirical>(&spread))
+    return fmt::format("{} measured values, {} to {}", given->values.size(), text(given->values.front()),
+                       text(given->values.back()));
   const std::vector<double>& values = std::get<Levels>(spread).values;
   std::string list = values.size() == 1 ? "1 level: " : fmt::format("{} levels: ", values.size());
   if (values.size() > 8)
@@ -212,9 +213,9 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   if (records.extrapolated > 0 && records.beyond_strain + records.beyond_rate == 0)
     texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
                                 records.extrapolated, rows));
-  if (answers.groups.size() > most_groups_shown)
+  if (answers.groups.size() > max_groups_shown)
     texts.push_back(fmt::format("CUT: the first {} of {} combinations of levels are shown; --json has all.",
-                                most_groups_shown, answers.groups.size()));
+                                max_groups_shown, answers.groups.size()));
   return texts;
 }
 

@@ -10,7 +10,7 @@
 namespace dashpad::output {
 
 /// More lines than this tell nothing.
-inline constexpr std::size_t most_lines_drawn = 8;
+inline constexpr std::size_t max_lines_drawn = 8;
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);

@@ -169,17 +169,17 @@ std::string plain_text(const Table& given) {
 }
 
 std::string laid_out(const std::vector<ValueRow>& given) {
-  constexpr std::size_t least_label = 21, most_label = 45, least_value = 9, most_value = 20, least_unit = 7,
+  constexpr std::size_t min_label = 21, max_label = 45, min_value = 9, max_value = 20, min_unit = 7,
                         of_error = 14, last_remark = 72, of_long_remark = 40;
   std::vector<ValueRow> rows = given;
   for (ValueRow& row : rows) split_off_unit(row);
   const std::size_t label =
-      std::clamp(column_of(rows, [](const ValueRow& row) { return row.label; }), least_label, most_label);
+      std::clamp(column_of(rows, [](const ValueRow& row) { return row.label; }), min_label, max_label);
   const std::size_t value = std::clamp(column_of(rows, [](const ValueRow& row) { return row.value; }),
-                                       least_value + gap, most_value + gap) -
+                                       min_value + gap, max_value + gap) -
                             gap;
   const std::size_t unit =
-      std::max(column_of(rows, [](const ValueRow& row) { return row.unit; }), least_unit + 1);
+      std::max(column_of(rows, [](const ValueRow& row) { return row.unit; }), min_unit + 1);
   const std::size_t interval = column_of(rows, [](const ValueRow& row) { return row.interval; });
   const std::size_t limit = column_of(rows, [](const ValueRow& row) { return row.limit; });
   const std::size_t error =

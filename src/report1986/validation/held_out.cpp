@@ -122,7 +122,7 @@ HeldOut hold_out(const ValidationData& data, const Progress& progress) {
   on_all_cores(folds.size() + 1, fit, progress);
   std::vector<Predicted> all;
   for (const auto& fold : predicted_by) all.insert(all.end(), fold.begin(), fold.end());
-  std::ranges::stable_sort(all, {}, [](const Predicted& of) { return of.reading.test; });
+  std::ranges::stable_sort(all, {}, [](const Predicted& predicted) { return predicted.reading.test; });
   for (const ScoreName& name : score_names) result.scores.push_back(score_of(name, all));
   return result;
 }

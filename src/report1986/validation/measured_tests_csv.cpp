@@ -36,10 +36,10 @@ std::string why_no_reading(const std::string& text, bool is_fraction, double& va
   return "";
 }
 
-CsvTable::CsvTable(const std::filesystem::path& of, std::vector<std::string> wanted,
+CsvTable::CsvTable(const std::filesystem::path& given, std::vector<std::string> wanted,
                    std::vector<input::Fault>& list)
-    : file(of.string()), columns(std::move(wanted)), faults(list) {
-  const auto text = input::read_text_file(of);
+    : file(given.string()), columns(std::move(wanted)), faults(list) {
+  const auto text = input::read_text_file(given);
   if (!text) {
     for (input::Fault& unread : text.faults()) faults.push_back(std::move(unread));
     return;

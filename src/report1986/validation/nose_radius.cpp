@@ -25,7 +25,7 @@ struct Least {
   double sum = 0;
 };
 
-Least least_of(const std::vector<double>& radii, const std::vector<double>& sums) {
+Least min_of(const std::vector<double>& radii, const std::vector<double>& sums) {
   Least least{0, no_value, infinite};
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (sums[i] < least.sum) least = {i, radii[i], sums[i]};
@@ -179,8 +179,8 @@ RadiusCriterion times_of_the_report(const ValidationData& data, const std::vecto
 
 std::vector<double> radii_of_the_study() {
   std::vector<double> radii;
-  for (int i = 0; least_radius_in + i * step_in <= greatest_radius_in; ++i)
-    radii.push_back(least_radius_in + i * step_in);
+  for (int i = 0; min_radius_in + i * step_in <= greatest_radius_in; ++i)
+    radii.push_back(min_radius_in + i * step_in);
   return radii;
 }
 
@@ -199,7 +199,7 @@ RadiusCriterion radius_criterion(
     sums.push_back(residuals.empty() ? no_value : sum_of_squares(residuals));
     criterion.misfit.push_back(std::sqrt(sums.back() / criterion.readings));
   }
-  const Least least = least_of(radii, sums);
+  const Least least = min_of(radii, sums);
   criterion.favoured_in = std::round(100 * least.radius_in) / 100;
   criterion.at_an_end = std::isfinite(least.sum) && is_at_an_end(sums, least.index);
   criterion.admitted = {radii.front(), radii.back()};

@@ -8,7 +8,7 @@ namespace dashpad::report1986 {
 namespace {
 
 /// More placings are not gone through.
-constexpr double most_placings = 1e6;
+constexpr double max_placings = 1e6;
 
 using Visit = std::function<void(const std::vector<MeasuredTest>&)>;
 
@@ -84,7 +84,7 @@ double placings(const MeasuredTests& measured, const std::string& column) {
 }
 
 void for_each_placing(const MeasuredTests& measured, const std::string& column, const Visit& visit) {
-  if (placings(measured, column) > most_placings)
+  if (placings(measured, column) > max_placings)
     throw std::length_error("too many placings of the unplaced readings of " + column);
   const std::vector<Group> groups = groups_of(measured, column);
   Search{measured_column(column).reading, groups, visit, measured.tests}.place(0, 0, 0);

@@ -124,7 +124,7 @@ Study run_study(const ValidationData& data, const Material& ensolite, const Prog
     const std::vector<Prediction> more = predict_all(data, ensolite, programs, tests_at(favoured), progress);
     study.at_tests.insert(study.at_tests.end(), more.begin(), more.end());
   }
-  const std::set<double> radii{least_radius_in, of_the_report, favoured, greatest_radius_in};
+  const std::set<double> radii{min_radius_in, of_the_report, favoured, greatest_radius_in};
   study.on_curves = predict_all(data, ensolite, programs, at_radii(radii, setups_of_curves), progress);
   judge_all(study);
   judge_anomaly_of(study, others);

@@ -118,12 +118,12 @@ Estimate exponential(const Estimate& logarithm) {
   return {std::exp(logarithm.value), std::exp(logarithm.low), std::exp(logarithm.high)};
 }
 
-Estimate negative(const Estimate& of) { return {-of.value, -of.high, -of.low}; }
+Estimate negative(const Estimate& estimate) { return {-estimate.value, -estimate.high, -estimate.low}; }
 
 /// Of an estimate that is above 0 with its interval; else the interval is of no use.
-Estimate reciprocal(const Estimate& of) {
-  if (of.low <= 0) return {1 / of.value, 0, infinite};
-  return {1 / of.value, 1 / of.high, 1 / of.low};
+Estimate reciprocal(const Estimate& estimate) {
+  if (estimate.low <= 0) return {1 / estimate.value, 0, infinite};
+  return {1 / estimate.value, 1 / estimate.high, 1 / estimate.low};
 }
 
 void add_energy_trends(const ValidationData& data, std::vector<Trend>& trends) {

@@ -13,9 +13,9 @@ namespace dashpad::report1986 {
 
 namespace {
 
-constexpr double least_admissible_fraction = 0.8;
-constexpr double least_of_measured = 0.95;
-constexpr double most_of_bound = 1.05;
+constexpr double min_admissible_fraction = 0.8;
+constexpr double min_of_measured = 0.95;
+constexpr double max_of_bound = 1.05;
 
 struct QuantityFacts {
   const char* name;
@@ -185,14 +185,14 @@ Admissible admissible_rebounds(const ValidationData& data, const std::vector<Pre
     const auto rebound = predicted(predictions, program, setup_of(test, radius_in), Quantity::rebound_speed);
     if (!rebound)
       ++result.missing;
-    else if (*rebound < least_of_measured * *test.rebound_mph)
+    else if (*rebound < min_of_measured * *test.rebound_mph)
       ++result.too_low;
-    else if (*rebound > most_of_bound * *bound)
+    else if (*rebound > max_of_bound * *bound)
       ++result.too_high;
     else
       ++result.admissible;
   }
-  result.passed = result.tests > 0 && result.admissible >= least_admissible_fraction * result.tests;
+  result.passed = result.tests > 0 && result.admissible >= min_admissible_fraction * result.tests;
   return result;
 }
 

@@ -27,7 +27,7 @@ struct Profile {
   std::vector<Point> points = {};  ///< 2 to most_points
 
   static constexpr const char* name = "profile";
-  static constexpr std::size_t most_points = 10'000;
+  static constexpr std::size_t max_points = 10'000;
   static const std::array<Parameter<Profile>, 1> parameters;
 
   [[nodiscard]] Sections sections() const;

@@ -47,8 +47,8 @@ struct PosteriorAxes {
   friend bool operator==(const PosteriorAxes&, const PosteriorAxes&) = default;
 };
 
-inline constexpr std::size_t most_posterior_axes = 4;
-inline constexpr std::size_t most_posterior_keys = 50;
+inline constexpr std::size_t max_posterior_axes = 4;
+inline constexpr std::size_t max_posterior_keys = 50;
 
 struct Uncertainty {
   /// Ranges of parameters of the law, whose own values lie inside.

@@ -17,12 +17,12 @@ class StressCurve {
     double strain = 0;        ///< strain at which the slope changes, >= 0
     double slope_change = 0;  ///< Pa
   };
-  static constexpr int most_kinks = 4;
+  static constexpr int max_kinks = 4;
 
   double initial_stress = 0;  ///< S0, Pa, >= 0
 
   void add_kink(double strain, double slope_change) {
-    assert(count_ < most_kinks);
+    assert(count_ < max_kinks);
     kinks_[static_cast<std::size_t>(count_++)] = {strain, slope_change};
   }
   [[nodiscard]] const Kink* begin() const { return kinks_.data(); }
@@ -37,7 +37,7 @@ class StressCurve {
   }
 
  private:
-  std::array<Kink, most_kinks> kinks_{};
+  std::array<Kink, max_kinks> kinks_{};
   int count_ = 0;
 };
 

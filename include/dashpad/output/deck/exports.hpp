@@ -68,7 +68,7 @@ struct ThinnedCurve {
 
 /// At most `most_points` (2 or more) points of the curve: its ends, and one by one the point that is furthest
 /// off.
-ThinnedCurve thinned(const Curve& curve, std::size_t most_points);
+ThinnedCurve thinned(const Curve& curve, std::size_t max_points);
 
 struct FileCurve {
   Curve curve;         ///< SI
@@ -96,7 +96,7 @@ std::vector<std::string> flags_of(const Summary& summary);
 /// The curves of those names, thinned to `most_points` if that is given, with title, origin and flags. Throws
 /// std::invalid_argument for a name that is not one of curve_names().
 CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
-                     const std::vector<std::string>& names, std::optional<std::size_t> most_points = {});
+                     const std::vector<std::string>& names, std::optional<std::size_t> max_points = {});
 
 /// LS-DYNA keywords, to be read with *INCLUDE: a *DEFINE_CURVE_TITLE for each curve. Lines of 80 columns.
 std::string ls_dyna_text(const CurveFile& file);

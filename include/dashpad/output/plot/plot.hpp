@@ -37,7 +37,7 @@ struct Series {
   /// Turn 0 is blue, 1 vermilion, and so on. Give a band, its line and its points the same. By default the
   /// next one that is free; the same label has the same turn in all panels. Vertical and horizontal lines are
   /// grey without it.
-  std::optional<std::size_t> turn = {};
+  std::optional<std::size_t> palette_index = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
   /// Written to the right of the panel in place of the label, beside where the line ends, however many such

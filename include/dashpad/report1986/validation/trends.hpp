@@ -86,7 +86,7 @@ struct NominalStressFit {
 };
 NominalStressFit fit_nominal_stress(const ValidationData& data, const Material& ensolite);
 
-inline constexpr double least_radius_in = 1.5;
+inline constexpr double min_radius_in = 1.5;
 inline constexpr double greatest_radius_in = 4;
 
 /// 1.5 to 4 in, in steps of 0.25 in.

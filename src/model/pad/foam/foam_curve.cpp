@@ -37,8 +37,8 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
       },
       base);
   // A curve with a level end would never stiffen.
-  constexpr double least_rise = 0.1;
-  last_slope = std::max(last_slope, least_rise * last_.stress / last_.strain);
+  constexpr double min_rise = 0.1;
+  last_slope = std::max(last_slope, min_rise * last_.stress / last_.strain);
 
   work_.assign(Cells::count, 0);
   for (std::size_t i = 0; i + 1 < Cells::count; ++i) work_[i + 1] = within({i, 1}).work;

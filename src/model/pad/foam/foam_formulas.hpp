@@ -11,8 +11,8 @@ struct Cubic {
   N a, b, c, d;
 };
 template <class N>
-DASHPAD_FOAM_FORMULA N value_of(const Cubic<N>& of, N t) {
-  return of.a + t * (of.b + t * (of.c + t * of.d));
+DASHPAD_FOAM_FORMULA N value_of(const Cubic<N>& given, N t) {
+  return given.a + t * (given.b + t * (given.c + t * given.d));
 }
 /// Work of a stress from the start of a cell to t. `x`: root of the strain there; `h`: width of the cell.
 template <class N>

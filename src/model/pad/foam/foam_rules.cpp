@@ -43,10 +43,10 @@ bool check_points(const TableCurve& table, const std::string& key, Violations& b
     broken.push_back(
         {stresses, double(table.stress.size()),
          fmt::format("has {} numbers where strain has {}", table.stress.size(), table.strain.size())});
-  else if (table.strain.size() < TableCurve::fewest_points || table.strain.size() > TableCurve::most_points)
+  else if (table.strain.size() < TableCurve::fewest_points || table.strain.size() > TableCurve::max_points)
     broken.push_back({strains, double(table.strain.size()),
                       fmt::format("must have between {} and {} points beside the origin, which is implied",
-                                  TableCurve::fewest_points, TableCurve::most_points)});
+                                  TableCurve::fewest_points, TableCurve::max_points)});
   double last = 0;
   for (std::size_t i = 0; i < table.strain.size(); ++i) {
     const double e = table.strain[i];
@@ -113,7 +113,7 @@ void check_crossing(const MonotoneCurve& fast, double fast_rate, const auto& slo
   for (int i = 1; i <= places; ++i) {
     const double e = last * i / places;
     const double stress = fast.stress(e);
-    if (stress >= (1 - most_crossing) * slow(e)) continue;
+    if (stress >= (1 - max_crossing) * slow(e)) continue;
     broken.push_back(
         {key, stress,
          fmt::format("the curve at {:.4g} 1/s crosses that at {:.4g} 1/s: at a strain of {:.3g} it is "
@@ -133,9 +133,9 @@ void check_effect(const PowerRateEffect& effect, const FoamCurves& curves, const
 
 void check_effect(const FactorRateEffect& effect, const FoamCurves& curves, const FoamCurve*,
                   Violations& broken) {
-  if (effect.rate.size() != effect.factor.size() || effect.rate.empty() || effect.rate.size() > most_rates)
+  if (effect.rate.size() != effect.factor.size() || effect.rate.empty() || effect.rate.size() > max_rates)
     broken.push_back({"rate.factors", double(effect.factor.size()),
-                      fmt::format("rates and factors must be as many, 1 to {}", most_rates)});
+                      fmt::format("rates and factors must be as many, 1 to {}", max_rates)});
   double before = curves.slowest_rate;
   for (std::size_t i = 0; i < effect.rate.size(); ++i) {
     check_rate(effect.rate[i], before, entry("rate.rates", i), broken);
@@ -152,9 +152,9 @@ void check_effect(const FactorRateEffect& effect, const FoamCurves& curves, cons
 
 void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, const FoamCurve* base,
                   Violations& broken) {
-  if (effect.curves.empty() || effect.curves.size() > most_rates)
+  if (effect.curves.empty() || effect.curves.size() > max_rates)
     broken.push_back({"rate.curves", double(effect.curves.size()),
-                      fmt::format("must hold between 1 and {} curves", most_rates)});
+                      fmt::format("must hold between 1 and {} curves", max_rates)});
   double before = curves.slowest_rate;
   std::optional<MonotoneCurve> slower;
   for (std::size_t i = 0; i < effect.curves.size(); ++i) {
@@ -165,7 +165,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
       slower.reset();
       continue;
     }
-    if (const double fall = softening_of(table.stress); fall > most_softening)
+    if (const double fall = softening_of(table.stress); fall > max_softening)
       broken.push_back({key + ".stress", fall,
                         fmt::format("falls by {:.0f} % behind a larger stress; at most 10 % can be followed",
                                     100 * fall)});
@@ -221,7 +221,7 @@ void check_rules(const Foam& law, Violations& broken) {
       broken.push_back(
           {entry("unloading.strain", i), back.strain[i],
            fmt::format("must be at most the last strain of the curve, {:.6g}", base->last_strain())});
-    else if (back.stress[i] > loading * (1 + most_crossing))
+    else if (back.stress[i] > loading * (1 + max_crossing))
       broken.push_back({entry("unloading.stress", i), back.stress[i],
                         fmt::format("must not be above the loading curve, {:.6g} Pa there", loading)});
   }

@@ -14,9 +14,9 @@ void check_rules(const Foam& law, std::vector<Violation>& broken);
 void check_rules(const CrushableFoam& law, std::vector<Violation>& broken);
 
 /// Share of the largest earlier stress by which a curve of a higher rate may fall; results are then flagged.
-inline constexpr double most_softening = 0.1;
+inline constexpr double max_softening = 0.1;
 /// Share by which curves may cross, as an error of plotting or digitising; they are then taken to touch.
-inline constexpr double most_crossing = 0.02;
+inline constexpr double max_crossing = 0.02;
 
 /// Rates with a curve that falls somewhere by more than a thousandth, 1/s.
 std::vector<double> softening_rates(const FoamCurves& curves);

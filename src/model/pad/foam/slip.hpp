@@ -70,7 +70,7 @@ struct SlipScale {
   }
 
  private:
-  static constexpr double most_growth = 600;  // of log z, within the range of a double
+  static constexpr double max_growth = 600;  // of log z, within the range of a double
 
   /// Time at which g reaches 0 within a step at the end of which z would exceed 1: Newton's method for log z
   /// inside a bracket, starting from the time at an even rate.
@@ -95,7 +95,7 @@ struct SlipScale {
       const double next = t + step;
       const double missed = (rate + std::abs(growth / rate_there)) / strain * step * step;
       // Near overflow the slope is meaningless.
-      if (next >= before && next <= after && z < std::exp(most_growth / 2)) {
+      if (next >= before && next <= after && z < std::exp(max_growth / 2)) {
         if (missed <= precision * time) return next;
         t = next;
       } else {
@@ -116,7 +116,7 @@ struct SlipScale {
   [[nodiscard]] double followed(double z, double from, double to, double time) const {
     const double lags = (from + to) / 2 * time / strain;
     const double change = (to - from) * time / strain;
-    const double left = std::exp(std::min(-lags, most_growth));
+    const double left = std::exp(std::min(-lags, max_growth));
     if (std::abs(lags) < 1e-3)
       return z * left + rate * time / strain * (1 - lags / 2 + lags * lags / 6 - change / 12);
     const double growth = strain * (to - from) / time;

@@ -163,11 +163,11 @@ using Layer = std::variant<FoamLayer, LinearLayer>;
 /// `factor` multiplies every stress.
 inline Layer made_layer(const LayerLaw& law, double factor) {
   return std::visit(
-      [&]<class Law>(const Law& of) -> Layer {
+      [&]<class Law>(const Law& held) -> Layer {
         if constexpr (SharesSlip<Law>)
-          return FoamLayer(of, factor);
+          return FoamLayer(held, factor);
         else
-          return LinearLayer(of, factor);
+          return LinearLayer(held, factor);
       },
       law);
 }
@@ -184,9 +184,9 @@ struct LogStrain {
   static constexpr double precision = 1e-13;
   /// Share of a layer's thickness at which it counts as closed and carries any stress; less than the gap at
   /// which a pad locks (theory.md, Eq. 29).
-  static constexpr double least_complement = 1e-10;
+  static constexpr double min_complement = 1e-10;
 
-  static double most() { return -std::log(least_complement); }
+  static double most() { return -std::log(min_complement); }
   static double of(double strain) { return -std::log1p(-strain); }
   static double of(Strain strain) {
     return strain.complement < 0.5 ? -std::log(strain.complement) : of(strain.value);

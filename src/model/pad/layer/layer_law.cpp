@@ -66,9 +66,9 @@ std::vector<Violation> of_curves(const FoamCurves& curves) {
 
 std::optional<LayerLaw> layer_law(const PadLaw& law) {
   return std::visit(
-      []<class Law>(const Law& of) -> std::optional<LayerLaw> {
+      []<class Law>(const Law& held) -> std::optional<LayerLaw> {
         if constexpr (std::is_constructible_v<LayerLaw, Law>)
-          return LayerLaw(of);
+          return LayerLaw(held);
         else
           return std::nullopt;
       },

@@ -11,7 +11,7 @@
 
 namespace dashpad {
 
-inline constexpr std::size_t most_layers = 8;
+inline constexpr std::size_t max_layers = 8;
 
 using LayerLaw = std::variant<Elastic, LinearViscoelastic, Foam, CrushableFoam>;
 

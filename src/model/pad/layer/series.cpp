@@ -13,19 +13,19 @@ LayerSeries::LayerSeries(const std::vector<Part>& parts) {
     thickness_ += part.thickness;
   }
   slow_ = made_slow_curve();
-  least_stress_ = 1e-9 * slow_.at(strain_of(0.1)).stress;
+  min_stress_ = 1e-9 * slow_.at(strain_of(0.1)).stress;
 }
 
 double LayerSeries::memory_at_rest(std::size_t layer) const {
-  return std::visit([](const auto& of) { return of.memory_at_rest; }, layers_[layer]);
+  return std::visit([](const auto& given) { return given.memory_at_rest; }, layers_[layer]);
 }
 double LayerSeries::memory_off_contact(std::size_t layer, double memory) const {
-  return std::visit([&](const auto& of) { return of.memory_off_contact(memory); }, layers_[layer]);
+  return std::visit([&](const auto& given) { return given.memory_off_contact(memory); }, layers_[layer]);
 }
 
 LayerState LayerSeries::after(std::size_t layer, Strain end, const LayerState& now,
                               const LayerStep& step) const {
-  return std::visit([&](const auto& of) { return of.after(end, now, step); }, layers_[layer]);
+  return std::visit([&](const auto& given) { return given.after(end, now, step); }, layers_[layer]);
 }
 
 LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerStates& now,
@@ -36,28 +36,28 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
     return found;
   }
   // A trial may go beyond full compression.
-  const double least_gap = 2 * LogStrain::least_complement * thickness_;
-  const Shortening end = wanted.gap > least_gap ? wanted : Shortening{thickness_ - least_gap, least_gap};
+  const double min_gap = 2 * LogStrain::min_complement * thickness_;
+  const Shortening end = wanted.gap > min_gap ? wanted : Shortening{thickness_ - min_gap, min_gap};
   StepSolver at(layers_, thicknesses_, now, step);
   at.begin(guess);
-  const double first = std::max(guess.stress, least_stress_);
+  const double first = std::max(guess.stress, min_stress_);
   const double scale = std::max(first, slow_.at({end.y / thickness_, end.gap / thickness_}).stress);
   // A column without stress is likely to remain so.
-  double stress = least_stress_;
-  bool is_free = guess.stress <= least_stress_ && at.excess(stress, end) > 0;
+  double stress = min_stress_;
+  bool is_free = guess.stress <= min_stress_ && at.excess(stress, end) > 0;
   if (!is_free) {
     at.begin(guess);
-    if (!at.settle(end, least_stress_, stress)) {
+    if (!at.settle(end, min_stress_, stress)) {
       at.begin(guess);
-      stress =
-          increasing_root([&](double of) { return at.excess(of, end); }, {.guess = first,
-                                                                          .slope = guess.total_flexibility,
-                                                                          .low = least_stress_,
-                                                                          .high = 1e200,
-                                                                          .stride = scale / 4,
-                                                                          .precision = 1e-12 * scale})
-              .x;
-      is_free = stress == least_stress_ && at.last_excess() > 0;
+      stress = increasing_root([&](double value) { return at.excess(value, end); },
+                               {.guess = first,
+                                .slope = guess.total_flexibility,
+                                .low = min_stress_,
+                                .high = 1e200,
+                                .stride = scale / 4,
+                                .precision = 1e-12 * scale})
+                   .x;
+      is_free = stress == min_stress_ && at.last_excess() > 0;
     }
   }
   const double excess = at.last_excess();
@@ -83,7 +83,7 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
 }
 
 double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const {
-  std::array<LayerTangent, most_layers> tangent;
+  std::array<LayerTangent, max_layers> tangent;
   for (std::size_t i = 0; i < size(); ++i)
     tangent[i] =
         std::visit([&](const auto& layer) { return layer.tangent(strain[i], state[i]); }, layers_[i]);
@@ -113,7 +113,8 @@ FoamCurve LayerSeries::made_slow_curve() const {
   // The layer with the largest exponent is the last to close; the others have a vanishing share of the gap.
   double exponent = 0;
   for (const Layer& layer : layers_)
-    exponent = std::max(exponent, std::visit([](const auto& of) { return of.closing_exponent(); }, layer));
+    exponent =
+        std::max(exponent, std::visit([](const auto& given) { return given.closing_exponent(); }, layer));
   TableCurve table;
   double stress = 0;
   for (int k = 1; k <= points; ++k) {
@@ -139,12 +140,12 @@ FoamCurve LayerSeries::made_slow_curve() const {
 }
 
 double LayerSeries::slow_stress(std::size_t layer, double strain) const {
-  return std::visit([&](const auto& of) { return of.slow_stress(strain_of(strain)); }, layers_[layer]);
+  return std::visit([&](const auto& given) { return given.slow_stress(strain_of(strain)); }, layers_[layer]);
 }
 double LayerSeries::slow_strain(std::size_t layer, double stress) const {
   return std::visit(
-      [&](const auto& of) {
-        return strain_at(stress, 0.1, 0, 0.1, [&](Strain strain) { return of.slow_stress(strain); })
+      [&](const auto& given) {
+        return strain_at(stress, 0.1, 0, 0.1, [&](Strain strain) { return given.slow_stress(strain); })
             .strain.value;
       },
       layers_[layer]);

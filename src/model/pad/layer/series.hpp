@@ -46,7 +46,7 @@ class LayerSeries {
     /// Pa; below 0 where the column is free of stress: the tension of a spring of its stiffness.
     double stress = 0;
     double flexibility = 0;  ///< dy/d(stress), m/Pa, >= 0
-    std::array<Strain, most_layers> strain;
+    std::array<Strain, max_layers> strain;
     PerLayer layer_flexibility{};
     std::size_t looks = 0;         ///< number of layer stresses computed
     std::size_t nested_looks = 0;  ///< those for a root within a root
@@ -70,7 +70,7 @@ class LayerSeries {
   std::vector<double> thicknesses_;
   double thickness_ = 0;
   FoamCurve slow_;
-  double least_stress_ = 0;  ///< stress that counts as zero, Pa
+  double min_stress_ = 0;  ///< stress that counts as zero, Pa
 };
 
 }  // namespace dashpad

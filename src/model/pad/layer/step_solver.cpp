@@ -5,7 +5,7 @@
 namespace dashpad {
 namespace {
 
-double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::least_complement); }
+double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::min_complement); }
 
 /// Sum of L_i e_i less y, added layer by layer; near full compression summed by the gaps, which keep their
 /// digits there.
@@ -60,7 +60,7 @@ void StepSolver::look(std::size_t i, double stress) {
       layers_[i]);
 }
 
-bool StepSolver::settle(const Shortening& end, double least_stress, double& stress) {
+bool StepSolver::settle(const Shortening& end, double min_stress, double& stress) {
   constexpr int most = 8;
   constexpr double precision = LogStrain::precision;
   PerLayer x{}, before{}, value{}, slope{}, chord{};
@@ -90,7 +90,7 @@ bool StepSolver::settle(const Shortening& end, double least_stress, double& stre
       flexibility_ += thicknesses_[i] * last_[i].flexibility;
     }
     stress = (weighted - excess.value()) / flexibility_;
-    if (!(stress > least_stress)) return false;
+    if (!(stress > min_stress)) return false;
     bool settled = true;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       const double step = (stress - value[i]) / slope[i];

@@ -12,8 +12,8 @@
 namespace dashpad {
 
 /// A number for each layer, from the struck face on.
-using PerLayer = std::array<double, most_layers>;
-using LayerStates = std::array<LayerState, most_layers>;
+using PerLayer = std::array<double, max_layers>;
+using LayerStates = std::array<LayerState, max_layers>;
 
 /// Shortening of a column, m.
 struct Shortening {
@@ -41,7 +41,7 @@ class StepSolver {
   /// above `least_stress`. Each evaluation gives stress and slope of every layer, from which the stress of
   /// the column and the next strains follow. This takes half as many evaluations as a root within a root, the
   /// fallback.
-  bool settle(const Shortening& end, double least_stress, double& stress);
+  bool settle(const Shortening& end, double min_stress, double& stress);
   /// y at a stress less that of `end`, m.
   double excess(double stress, const Shortening& end);
 
@@ -64,7 +64,7 @@ class StepSolver {
   const LayerStates& now_;
   const LayerStep& step_;
   double last_stress_ = 0;
-  std::array<StrainOfStress, most_layers> last_;
+  std::array<StrainOfStress, max_layers> last_;
   PerLayer stride_{};
   double excess_ = 0;
   double flexibility_ = 0;

@@ -59,7 +59,7 @@ struct CurvesRateEffect {
 
 using RateEffect = std::variant<NoRateEffect, PowerRateEffect, FactorRateEffect, CurvesRateEffect>;
 
-inline constexpr std::size_t most_rates = 50;
+inline constexpr std::size_t max_rates = 50;
 
 inline constexpr std::array<Parameter<PowerRateEffect>, 3> PowerRateEffect::parameters{{
     {"exponent", "a", "1", &PowerRateEffect::exponent, from_to(0, 1), "exponent of the rate at strain zero"},

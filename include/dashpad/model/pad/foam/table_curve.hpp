@@ -16,7 +16,7 @@ struct TableCurve {
 
   static constexpr const char* name = "table";
   static constexpr std::size_t fewest_points = 3;
-  static constexpr std::size_t most_points = 2000;
+  static constexpr std::size_t max_points = 2000;
 
   friend bool operator==(const TableCurve&, const TableCurve&) = default;
 };
