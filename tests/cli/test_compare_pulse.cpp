@@ -127,7 +127,7 @@ TEST_F(ComparePulseTest, TakesTheOptionsOfPulse) {
   EXPECT_NEAR(value_at(result, "restitution", "measured"), 0, 1e-2);
   EXPECT_LT(value_at(result, "peak_acceleration", "computed_g"),
             value_at(compared(file("drop.csv")), "peak_acceleration", "computed_g"));
-  for (const char* option : {"--filter", "--align", "--report"})
+  for (const char* option : {"--filter", "--align", "--zero"})
     EXPECT_THAT(
         dashpad({"compare", case_file(), option, option == std::string{"--align"} ? "peak" : "CFC60"}).err,
         HasSubstr("requires --pulse"));

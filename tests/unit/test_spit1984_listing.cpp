@@ -23,6 +23,7 @@ using testing::StartsWith;
 
 constexpr const char* first_page = R"(SPHERE/PAD IMPACT TRACKER
 
+
 SPHERE PARMS:
 
 RADIUS=             0.300E+01 INCHES
