@@ -3,19 +3,15 @@
 #include "input/case_tables.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "dashpad/case/case_quantity.hpp"
-#include "dashpad/quantities/quantity.hpp"
 #include "input/disk.hpp"
-#include "input/measurement/csv_table.hpp"
-#include "input/spelling.hpp"
-#include "quantities/magnitude_bounds.hpp"
+#include "input/table_reader.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -116,172 +112,6 @@ Support read_curve(TableReader& table) {
   return good ? Support::through(curve) : Support::rigid();
 }
 
-constexpr std::size_t longest_setting = 1000;
-
-/// Of which a material takes the place.
-constexpr std::array of_the_case{"law", "parameters", "curve", "rate", "unloading", "uncertainty"};
-
-/// Takes away what cannot stand beside an entry `name` of `table`, which is called `path`.
-void make_room(TomlNode& table, std::string_view path, std::string_view name) {
-  const auto erase = [&](std::string_view key) {
-    std::erase_if(table.children, [&](const TomlNode& toml_node) { return toml_node.key == key; });
-  };
-  if (name == "material")
-    for (const char* key : of_the_case) erase(key);
-  const std::string key = fmt::format("{}.{}", path, name);
-  for (const OtherWay& way : other_ways())
-    if (key == way.key || key == way.instead_of) {
-      const std::string_view other = key == way.key ? way.instead_of : way.key;
-      erase(other.substr(other.find('.') + 1));
-    }
-}
-
-std::vector<std::string> parts_of(std::string_view key) {
-  std::vector<std::string> parts;
-  while (!key.empty()) parts.emplace_back(take_key_part(key));
-  return parts;
-}
-
-/// Whether the table above the last two parts of a key names a card, which then holds the number.
-bool is_of_card(const TomlNode& above, std::string_view table) {
-  return above.child("material") != nullptr && (table == "parameters" || table == "curve" || table == "rate");
-}
-
-enum class Put { done, waits_for_case, refused };
-
-/// Puts a value at the end of a path, or says what `rule` the key breaks.
-Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, std::string& rule) {
-  const auto refuse = [&rule](std::string why) {
-    rule = std::move(why);
-    return Put::refused;
-  };
-  TomlNode* at = &root;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (i + 2 == path.size() && is_of_card(*at, path[i])) return Put::waits_for_case;
-    TomlNode* next = at->child(path[i]);
-    if (next == nullptr && at->kind == TomlNode::Kind::array)
-      return refuse(fmt::format("there are {} of them", at->children.size()));
-    if (next == nullptr) {
-      at->children.push_back({.kind = TomlNode::Kind::table, .line = set_by_option, .key = path[i]});
-      next = &at->children.back();
-    }
-    if (next->kind != TomlNode::Kind::table && next->kind != TomlNode::Kind::array)
-      return refuse(fmt::format("{} is a value and has no entries", path[i]));
-    at = next;
-  }
-  make_room(*at, path.front(), path.back());
-  value.key = path.back();
-  if (TomlNode* there = at->child(path.back()))
-    *there = std::move(value);
-  else if (at->kind == TomlNode::Kind::array)
-    return refuse(fmt::format("there are {} of them", at->children.size()));
-  else
-    at->children.push_back(std::move(value));
-  return Put::done;
-}
-
-/// The material whose number a key is, as that of pad.layers[2].curve.modulus; null for other keys.
-Material* material_of(std::string_view key, ImpactCase& impact) {
-  const auto is_number_of = [&](std::string_view pad) {
-    return key.starts_with(pad) &&
-           std::ranges::any_of(std::array{".parameters.", ".curve.", ".rate."}, [&](std::string_view table) {
-             return key.substr(pad.size()).starts_with(table);
-           });
-  };
-  for (std::size_t i = 0; i < impact.pad.layers.size(); ++i)
-    if (is_number_of(fmt::format("pad.layers[{}]", i + 1))) return &impact.pad.layers[i].material;
-  return is_number_of("pad") ? &impact.pad.material : nullptr;
-}
-
-/// "depth [mm]", "depth (mm)" and "depth_mm" are a depth in mm.
-HeaderText name_and_unit(const injury::MeasuredColumn& column) {
-  const HeaderText in_brackets = split_header(column.name);
-  if (!in_brackets.unit.empty()) return {lower_case(in_brackets.name), in_brackets.unit};
-  const auto mark = column.name.find_last_of("_ ");
-  if (mark == std::string::npos) return {lower_case(column.name), column.unit};
-  return {lower_case(std::string_view(column.name).substr(0, mark)), column.name.substr(mark + 1)};
-}
-
-/// The only column of a name; nothing if there is none, and a fault if there are several or if its unit is
-/// not that of the quantity.
-std::optional<injury::MeasuredColumn> find_column(const CsvColumns& columns, const std::string& name,
-                                                  const std::string& si_unit, std::size_t line,
-                                                  MeasurementFaults& faults) {
-  std::optional<injury::MeasuredColumn> found;
-  for (const injury::MeasuredColumn& column : columns.all) {
-    const HeaderText header = name_and_unit(column);
-    if (header.name != name) continue;
-    if (found) {
-      faults.add(line, column.name, "", fmt::format("a second column called {}", name));
-      return std::nullopt;
-    }
-    found = column;
-    const auto [factor, rule] = header.unit.empty()
-                                    ? SiValue{0, fmt::format("the {} needs a unit in the header", name)}
-                                    : read_si("1 " + header.unit, si_unit);
-    found->factor = factor;
-    if (!rule.empty()) faults.add(line, column.name, "", rule);
-  }
-  return found;
-}
-
-struct ProfileColumns {
-  injury::MeasuredColumn depth, size;
-  Profile::Of of = Profile::Of::radius;
-};
-
-ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
-  constexpr const char* example = ", such as depth_mm,radius_mm";
-  const CsvColumns named = named_columns(header, example, faults);
-  const std::size_t line = named.names->line;
-  const auto depth = find_column(named, "depth", "m", line, faults);
-  const auto radius = find_column(named, "radius", "m", line, faults);
-  const auto area = find_column(named, "area", "m2", line, faults);
-  faults.throw_if_any();
-  if (!depth) faults.refuse(line, "", "", fmt::format("a column called depth is needed{}", example));
-  if (!radius && !area)
-    faults.refuse(line, "", "", fmt::format("a column called radius or area is needed{}", example));
-  if (radius && area) faults.refuse(line, "", "", "give a radius or an area, not both");
-  return {*depth, radius ? *radius : *area, radius ? Profile::Of::radius : Profile::Of::area};
-}
-
-/// NaN after a fault.
-double read_field(const CsvRow& row, const injury::MeasuredColumn& column, const std::string& si_unit,
-                  char separator, MeasurementFaults& faults) {
-  const auto value = number_in(row, column, separator, faults);
-  const std::string rule = value ? rule_of(stated_magnitudes, *value, si_unit) : "";
-  if (value && rule.empty()) return *value;
-  if (value) faults.add(row.line, column.name, field_in(row, column), rule);
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-Profile profile_in(const std::filesystem::path& file) {
-  const std::string content = read_text_file(file).value();
-  MeasurementFaults faults(file.string());
-  const CsvTable table = csv_table_in(content, faults);
-  const ProfileColumns columns = choose(table.header, faults);
-
-  Profile profile{.of = columns.of};
-  std::vector<std::size_t> lines;
-  each_row(table, faults, [&](const CsvRow& row) {
-    if (profile.points.size() == Profile::max_points)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::max_points));
-    const auto read = [&](const injury::MeasuredColumn& column, const char* unit) {
-      return read_field(row, column, unit, table.separator, faults);
-    };
-    profile.points.push_back(
-        {read(columns.depth, "m"), read(columns.size, columns.of == Profile::Of::radius ? "m" : "m2")});
-    lines.push_back(row.line);
-  });
-  faults.throw_if_any();
-  for (const Profile::Fault& fault : profile.faults()) {
-    const bool is_row = profile.points.size() > 1;
-    faults.add(is_row ? lines[fault.point] : 0, "", "", is_row ? fault.rule : "needs two rows or more");
-  }
-  faults.throw_if_any();
-  return profile;
-}
-
 }  // namespace
 
 Nose read_nose(TableReader& table, const std::filesystem::path& folder, std::vector<InputFile>& files) {
@@ -306,59 +136,6 @@ SupportEntry read_support(TableReader& table) {
   }
   table.refuse_others();
   return {std::move(support), backing, table.faults().size() == faults};
-}
-
-std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings, TomlNode& root,
-                                       FaultList& faults) {
-  std::vector<LaterSetting> later;
-  for (const std::string& setting : settings) {
-    const auto sign = std::min(setting.find('='), setting.size());
-    const std::string key = setting.substr(0, sign);
-    const std::string value = sign < setting.size() ? setting.substr(sign + 1) : "";
-    if (key.empty() || value.empty() || setting.size() > longest_setting) {
-      faults.add(set_by_option, "", "",
-                 fmt::format("{} must be KEY=VALUE of at most {} characters, such as pad.thickness=\"30 mm\"",
-                             setting.substr(0, 40), longest_setting));
-      continue;
-    }
-    std::string rule;
-    const Put way =
-        key == "support.scale" ? Put::waits_for_case : put(root, parts_of(key), toml_value(value), rule);
-    if (way == Put::waits_for_case) later.push_back({key, value});
-    if (way == Put::refused) faults.add(set_by_option, key, value, rule);
-  }
-  return later;
-}
-
-void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, FaultList& faults) {
-  if (settings.empty()) return;
-  const CaseQuantities quantities = quantities_of(impact);
-  std::vector<std::string> keys;
-  for (const CaseQuantity& quantity : quantities) keys.push_back(quantity.key);
-  for (const auto& [key, value] : settings) {
-    const CaseQuantity* const found = quantities.find(key);
-    if (found == nullptr) {
-      faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
-      continue;
-    }
-    auto [number, rule] = read_stated(value, found->unit);
-    if (rule.empty() && key.starts_with("support.") && number <= 0) rule = "must be more than 0";
-    if (!rule.empty()) {
-      faults.add(set_by_option, key, value, rule);
-      continue;
-    }
-    found->set(impact, number);
-    // The card has its name for other numbers.
-    if (Material* material = material_of(key, impact))
-      material->name += fmt::format(" with {} = {}", key.substr(key.rfind('.') + 1), value);
-  }
-  for (const Violation& violation : violations(impact))
-    for (const auto& [key, value] : settings)
-      if (violation.key == key) faults.add(set_by_option, key, value, violation.rule);
-}
-
-Reading<Profile> read_profile_csv(const std::filesystem::path& file) {
-  return reading_of([&] { return profile_in(file); });
 }
 
 }  // namespace dashpad::input

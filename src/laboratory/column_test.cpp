@@ -13,77 +13,6 @@
 
 namespace dashpad::laboratory {
 
-Motion Stretch::after_start(double x) const {
-  return {std::max(start.strain + x * (start.rate + x * acceleration / 2), 0.0),
-          start.rate + x * acceleration};
-}
-
-Motion Stretch::before_end(double y) const {
-  return {std::max(end.strain - y * (end.rate - y * acceleration / 2), 0.0), end.rate - y * acceleration};
-}
-
-Stretch Stretch::part(double from, double to) const {
-  return {time + from, to - from, from == 0 ? start : at(from), to == duration ? end : at(to), acceleration};
-}
-
-int Stretch::direction() const {
-  const double twice_mean = start.rate + end.rate;
-  return twice_mean > 0 ? 1 : twice_mean < 0 ? -1 : 0;
-}
-
-std::vector<Arc> arcs_of(const StrainHistory& history) {
-  std::vector<Arc> arcs;
-  double time = 0;
-  for (std::size_t i = 0; i < history.pieces.size(); ++i) {
-    const StrainPiece& piece = history.pieces[i];
-    const bool last = i + 1 == history.pieces.size();
-    // What the next piece begins with counts, so that no rounding opens a gap between the two.
-    const Motion start{std::max(piece.strain, 0.0), piece.rate};
-    const double reached = last ? piece.strain_at(piece.duration) : history.pieces[i + 1].strain;
-    const Motion end{reached < 1e-15 ? 0 : reached, piece.rate_at(piece.duration)};
-    const double vertex = piece.acceleration == 0 ? -1 : -piece.rate / piece.acceleration;
-    if (vertex > 0 && vertex < piece.duration) {
-      const Motion turn{start.strain + piece.rate * vertex / 2, 0};
-      arcs.push_back({{time, vertex, start, turn, piece.acceleration}, piece.duration, 0});
-      arcs.push_back(
-          {{time + vertex, piece.duration - vertex, turn, end, piece.acceleration}, piece.duration, vertex});
-    } else {
-      arcs.push_back({{time, piece.duration, start, end, piece.acceleration}, piece.duration, 0});
-    }
-    time += piece.duration;
-  }
-  return arcs;
-}
-
-double duration_of(const StrainHistory& history) {
-  double time = 0;
-  for (const StrainPiece& piece : history.pieces) time += piece.duration;
-  return time;
-}
-
-double end_of_first_loading(const StrainHistory& history) {
-  double begin = 0, loaded_until = 0;
-  for (const StrainPiece& piece : history.pieces) {
-    const bool grows = piece.rate > 0 || (piece.rate == 0 && piece.acceleration > 0);
-    if (!grows && loaded_until > 0) break;
-    const double turn = piece.acceleration < 0 ? -piece.rate / piece.acceleration : piece.duration;
-    if (grows) loaded_until = begin + std::min(turn, piece.duration);
-    if (grows && turn < piece.duration) break;
-    begin += piece.duration;
-  }
-  return loaded_until;
-}
-
-double strain_at(const StrainHistory& history, double time) {
-  double begin = 0;
-  for (const StrainPiece& piece : history.pieces) {
-    if (time <= begin + piece.duration || &piece == &history.pieces.back())
-      return piece.strain_at(std::min(time - begin, piece.duration));
-    begin += piece.duration;
-  }
-  return 0;
-}
-
 namespace {
 
 constexpr int fewest_places = 2, max_places = 100000;
@@ -217,39 +146,6 @@ double stress_at_end(Column& column, const Arc& arc) {
   }
 }
 
-constexpr double rounding = 1e-9;  ///< of a strain
-
-StrainPiece straight(double from, double to, double rate) {
-  return {std::abs(to - from) / rate, from, to > from ? rate : -rate, 0};
-}
-
-void check_numbers(const StrainPiece& piece, const std::string& key, std::vector<Violation>& broken) {
-  if (!(piece.duration > 0 && std::isfinite(piece.duration)))
-    broken.push_back({key + ".duration", piece.duration, "must be more than 0 (s)"});
-  for (const auto& [name, value] :
-       {std::pair{".strain", piece.strain}, {".rate", piece.rate}, {".acceleration", piece.acceleration}})
-    if (!std::isfinite(value)) broken.push_back({key + name, value, "must be a finite number"});
-}
-
-/// The strain is largest or smallest at an end or at the vertex.
-void check_range(const StrainPiece& piece, const std::string& key, std::vector<Violation>& broken) {
-  double low = std::min(piece.strain, piece.strain_at(piece.duration));
-  double high = std::max(piece.strain, piece.strain_at(piece.duration));
-  const double vertex = piece.acceleration == 0 ? -1 : -piece.rate / piece.acceleration;
-  if (vertex > 0 && vertex < piece.duration) {
-    low = std::min(low, piece.strain_at(vertex));
-    high = std::max(high, piece.strain_at(vertex));
-  }
-  if (low < -rounding) broken.push_back({key + ".strain", low, "must be at least 0 throughout"});
-  if (!(high < 1)) broken.push_back({key + ".strain", high, "must be less than 1 throughout"});
-}
-
-/// At a vertex the rate is zero, not what rounding leaves of it.
-double rate_in(const StrainPiece& piece, double time) {
-  const double rate = piece.rate_at(time);
-  return std::abs(rate) < 1e-13 * std::abs(piece.acceleration * time) ? 0 : rate;
-}
-
 }  // namespace
 
 ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places) {
@@ -273,85 +169,6 @@ std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& histo
   if (const Foam* const foam = std::get_if<Foam>(&law); foam != nullptr && memo != nullptr)
     return through(FoamColumn(*foam, *memo));
   return with_column(law, through);
-}
-
-StrainHistory constant_rate_test(double rate, double strain) { return cyclic_test(rate, strain, 0, 1); }
-
-StrainHistory parabolic_test(double rate, double strain) {
-  Rules().rate(rate).peak(strain).done();
-  const double up = strain / rate;
-  return {{{2 * up, 0, 2 * rate, -2 * rate / up}}};
-}
-
-StrainHistory ramp_and_hold_test(double rate, double strain, double hold) {
-  Rules().rate(rate).peak(strain).positive("hold", hold, "s").done();
-  return {{straight(0, strain, rate), {hold, strain, 0, 0}}};
-}
-
-StrainHistory cyclic_test(double rate, double strain, double low, int cycles) {
-  Rules()
-      .rate(rate)
-      .peak(strain)
-      .require(low >= 0 && low < strain, "low", low, "must be at least 0 and less than strain")
-      .require(cycles >= 1 && cycles <= 1000, "cycles", cycles, "must be 1 to 1000")
-      .done();
-  StrainHistory history;
-  for (int i = 0; i < cycles; ++i) {
-    history.pieces.push_back(straight(i == 0 ? 0 : low, strain, rate));
-    history.pieces.push_back(straight(strain, low, rate));
-  }
-  return history;
-}
-
-StrainHistory measured_test(const std::vector<double>& times, const std::vector<double>& strains) {
-  if (times.size() != strains.size() || times.size() < 2)
-    throw std::invalid_argument(fmt::format(
-        "{} times and {} strains: there must be as many, and two at least", times.size(), strains.size()));
-  StrainHistory history;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double duration = times[i] - times[i - 1];
-    history.pieces.push_back({duration, strains[i - 1], (strains[i] - strains[i - 1]) / duration, 0});
-  }
-  Rules().none_of(violations(history)).done();
-  return history;
-}
-
-std::vector<Violation> violations(const StrainHistory& history) {
-  std::vector<Violation> broken;
-  const auto& pieces = history.pieces;
-  if (pieces.empty()) broken.push_back({"pieces", 0, "there must be one piece at least"});
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::string key = fmt::format("pieces[{}]", i);
-    const std::size_t before = broken.size();
-    check_numbers(pieces[i], key, broken);
-    if (broken.size() > before) continue;
-    check_range(pieces[i], key, broken);
-    const double expected = i == 0 ? 0 : pieces[i - 1].strain_at(pieces[i - 1].duration);
-    if (std::abs(pieces[i].strain - expected) > rounding)
-      broken.push_back({key + ".strain", pieces[i].strain,
-                        i == 0 ? "must be 0: a history starts at first contact"
-                               : "must be the strain at which the piece before ends"});
-  }
-  return broken;
-}
-
-StrainHistory split_at(const StrainHistory& history, const std::vector<double>& times) {
-  const double shortest = 1e-12 * duration_of(history);
-  StrainHistory split;
-  double begin = 0;
-  auto mark = times.begin();
-  for (const StrainPiece& piece : history.pieces) {
-    double done = 0;
-    const auto add_until = [&](double end) {
-      split.pieces.push_back({end - done, piece.strain_at(done), rate_in(piece, done), piece.acceleration});
-      done = end;
-    };
-    for (; mark != times.end() && *mark - begin < piece.duration - shortest; ++mark)
-      if (*mark - begin > done + shortest) add_until(*mark - begin);
-    add_until(piece.duration);
-    begin += piece.duration;
-  }
-  return split;
 }
 
 }  // namespace dashpad::laboratory

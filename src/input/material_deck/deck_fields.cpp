@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "input/material_deck/deck_foam.hpp"
+#include "input/spelling.hpp"
+
+namespace dashpad::input {
+namespace {
+
+constexpr double highest_number_of_anything = 2'147'483'647;
+
+std::string rule_for_deck_number(NumberKind kind) {
+  if (kind == NumberKind::not_finite) return "must be a finite number";
+  if (kind == NumberKind::out_of_range) return "is too large or too small a number";
+  return "is no number";
+}
+
+}  // namespace
+
+Widths equal_widths(std::size_t count, bool long_format) { return Widths(count, long_format ? 20 : 10); }
+
+DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, MeasurementFaults& faults)
+    : line_(line), faults_(faults) {
+  std::string_view rest = line.text;
+  if (free && rest.find(',') != std::string_view::npos) {
+    while (fields_.size() < widths.size()) {
+      const auto comma = rest.find(',');
+      fields_.push_back(without_blanks(rest.substr(0, comma)));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+    return;
+  }
+  if (rest.find('\t') != std::string_view::npos)
+    faults.add(line.number, "", "",
+               "holds a tab, so that its columns cannot be told; put blanks in its place");
+  widths_ = widths;
+  for (const std::size_t width : widths) {
+    fields_.push_back(without_blanks(rest.substr(0, width)));
+    rest.remove_prefix(std::min(width, rest.size()));
+  }
+}
+
+std::string_view DeckFields::text(std::size_t field) const {
+  return field < fields_.size() ? fields_[field] : std::string_view{};
+}
+
+bool DeckFields::is_blank(std::size_t field) const { return text(field).empty(); }
+
+std::string DeckFields::place_of(std::size_t field) const {
+  if (widths_.empty()) return fmt::format("field {} between commas", field + 1);
+  std::size_t first = 1;
+  for (std::size_t i = 0; i < field; ++i) first += widths_[i];
+  return fmt::format("columns {} to {}", first, first + widths_[field] - 1);
+}
+
+double DeckFields::number(std::size_t field, const std::string& key, const DeckUnit& unit) {
+  const std::string_view written = text(field);
+  const ReadNumber read = read_deck_number(written, unit);
+  if (read.kind == NumberKind::number) return read.value;
+  if (read.kind == NumberKind::empty) return 0;
+  const std::string rule = written.starts_with('&')
+                               ? "is a parameter; write the number in its place"
+                               : rule_for_deck_number(read.kind) + " (" + place_of(field) + ")";
+  faults_.add(line_.number, key, to_utf8(written), rule);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<long> DeckFields::whole(std::size_t field, const std::string& key) {
+  const double value = number(field, key);
+  if (std::isnan(value)) return std::nullopt;
+  if (value != std::floor(value) || std::abs(value) > highest_number_of_anything) {
+    faults_.add(line_.number, key, to_utf8(text(field)), "must be a whole number (" + place_of(field) + ")");
+    return std::nullopt;
+  }
+  return static_cast<long>(value);
+}
+
+void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
+  const auto found = blocks_.find(id);
+  if (found != blocks_.end()) {
+    faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
+               fmt::format("stands twice; first in line {}", found->second.head.number));
+    return;
+  }
+  places_.emplace(block.place, id);
+  blocks_.emplace(id, std::move(block));
+}
+
+const DeckBlock* NumberedBlocks::find(long id) const {
+  const auto found = blocks_.find(id);
+  return found == blocks_.end() ? nullptr : &found->second;
+}
+
+const DeckBlock* NumberedBlocks::at_place(std::size_t place) const {
+  const auto found = places_.find(place);
+  return found == places_.end() ? nullptr : find(found->second);
+}
+
+void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
+  constexpr double no_cut_off = 1e19;  // a tension cut-off of that size is none
+  if (value == value && value != 0 && std::abs(value) < no_cut_off)
+    foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
+}
+
+double or_one(double given, const std::string& solver_takes, DeckFoam& foam) {
+  if (given != 0) return given;
+  foam.assumptions.push_back(solver_takes);
+  return 1;
+}
+
+void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
+  if (exponent == exponent && exponent != 0 && exponent != 1)
+    foam.differences.push_back(fmt::format(
+        "{} = {:g}: the unloading here has the exponent 1, so the foam loses another part of its work.", name,
+        exponent));
+}
+
+std::string others_listed(const std::vector<std::string>& other_materials) {
+  return other_materials.empty() ? "" : "; there are " + listing(other_materials);
+}
+
+std::string too_many_points(std::size_t count) {
+  return fmt::format("has {} points; {} are the most", count, TableCurve::max_points);
+}
+
+}  // namespace dashpad::input

@@ -1,0 +1,36 @@
+#pragma once
+/// *KEYWORD input of LS-DYNA.
+
+#include "input/material_deck/deck_foam.hpp"
+
+namespace dashpad::input {
+
+/// The blocks of *KEYWORD input that are foams, curves or tables.
+struct LsDynaBlocks {
+  std::vector<DeckBlock> foams;
+  NumberedBlocks curves{"curve"};
+  NumberedBlocks tables{"table"};
+  std::vector<std::string> other_materials;  ///< keywords of materials that are not read
+  bool includes_files = false;
+};
+LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults);
+
+/// The foam of a keyword without its title, such as MAT_083; null for one that is not read.
+const LsDynaFoam* ls_dyna_foam(std::string_view keyword);
+
+/// The lines of a block behind its title, if it has one.
+std::vector<DeckLine> lines_behind_title(const DeckBlock& block);
+/// The title, UTF-8; empty where the keyword has none.
+std::string title_of(const DeckBlock& block);
+/// The keyword without _TITLE.
+std::string keyword_of(const DeckBlock& block);
+
+/// The curve of that number, scaled and shifted as it says; absent after a fault, which names `key` and
+/// `asked`, the line that asks for it.
+std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const std::string& key,
+                                       std::size_t asked, const DeckUnits& units, MeasurementFaults& faults);
+std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck, long id,
+                                                        const std::string& key, std::size_t asked,
+                                                        const DeckUnits& units, MeasurementFaults& faults);
+
+}  // namespace dashpad::input

@@ -1,0 +1,232 @@
+// Blocks of *KEYWORD input: "*" in the first column begins a keyword, "$" a comment. Curves and tables among
+// them.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "input/material_deck/ls_dyna.hpp"
+
+namespace dashpad::input {
+namespace {
+
+constexpr std::size_t max_materials_listed = 10;
+
+/// "*MAT_057_TITLE +": the keyword, and whether its fields are long.
+DeckBlock begun_block(const DeckLine& line, bool all_long) {
+  DeckBlock block;
+  block.head = line;
+  block.long_format = all_long;
+  std::string text = upper_case(line.text.substr(1));
+  const auto end = text.find_first_of(" \t,");
+  std::string options = end == std::string::npos ? "" : text.substr(end);
+  block.keyword = text.substr(0, end);
+  if (block.keyword.ends_with('+') || block.keyword.ends_with('-')) {
+    options += block.keyword.back();
+    block.keyword.pop_back();
+  }
+  if (options.find('+') != std::string::npos) block.long_format = true;
+  if (options.find('-') != std::string::npos) block.long_format = false;
+  return block;
+}
+
+bool says_long(const std::string& head) {
+  const std::string text = upper_case(head);
+  const auto at = text.find("LONG=");
+  return at != std::string::npos && text.substr(at + 5, 1) != "S";
+}
+
+/// The number in the first field; absent where there is none. Curves that no foam asks for may be anything.
+std::optional<long> number_of_block(const DeckBlock& block) {
+  const std::vector<DeckLine> lines = lines_behind_title(block);
+  if (lines.empty()) return std::nullopt;
+  const std::string_view line = lines.front().text;
+  const auto comma = line.find(',');
+  const std::size_t width = comma != std::string_view::npos ? comma : block.long_format ? 20 : 10;
+  const ReadNumber read = read_deck_number(line.substr(0, width), {});
+  if (read.kind != NumberKind::number || !(std::abs(read.value) < 1e10)) return std::nullopt;
+  return static_cast<long>(read.value);
+}
+
+const Widths pair_of_twenty{20, 20};
+
+/// Scale and offset of an axis: scale (value + offset).
+struct Shift {
+  double scale = 1;
+  double offset = 0;
+
+  /// What was read stays as it is where nothing is to be done.
+  [[nodiscard]] double of(double value) const {
+    return scale == 1 && offset == 0 ? value : scale * (value + offset);
+  }
+};
+
+Shift read_shift(DeckFields& fields, std::size_t scale_field, std::size_t offset_field,
+                 const char* const keys[2], const DeckUnit& unit = {}) {
+  Shift shift{fields.number(scale_field, keys[0]), fields.number(offset_field, keys[1], unit)};
+  if (shift.scale == 0) shift.scale = 1;
+  return shift;
+}
+
+std::string missing(const LsDynaBlocks& deck, const char* keyword, long id) {
+  return fmt::format("there is no {} {}{}", keyword, id,
+                     deck.includes_files ? "; files of *INCLUDE are not read: put it into this deck" : "");
+}
+
+}  // namespace
+
+std::vector<DeckLine> lines_behind_title(const DeckBlock& block) {
+  const bool has_title = block.keyword.find("_TITLE") != std::string::npos && !block.lines.empty();
+  return {block.lines.begin() + (has_title ? 1 : 0), block.lines.end()};
+}
+
+std::string title_of(const DeckBlock& block) {
+  if (block.keyword.find("_TITLE") == std::string::npos || block.lines.empty()) return "";
+  return to_utf8(without_blanks(block.lines.front().text.substr(0, 80)));
+}
+
+std::string keyword_of(const DeckBlock& block) {
+  std::string keyword = block.keyword;
+  if (const auto at = keyword.find("_TITLE"); at != std::string::npos) keyword.erase(at, 6);
+  return keyword;
+}
+
+const LsDynaFoam* ls_dyna_foam(std::string_view keyword) {
+  if (!keyword.starts_with("MAT_")) return nullptr;
+  const std::string_view rest = keyword.substr(4);
+  const auto is_called = [&](std::string_view name) {
+    return rest.starts_with(name) && (rest.size() == name.size() || rest[name.size()] == '_');
+  };
+  const auto* const found = std::ranges::find_if(
+      ls_dyna_foams, [&](const LsDynaFoam& each) { return is_called(each.words) || is_called(each.number); });
+  return found == std::end(ls_dyna_foams) ? nullptr : found;
+}
+
+LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
+  LsDynaBlocks deck;
+  LineReader lines(text);
+  std::string_view line;
+  std::size_t place = 0;
+  bool all_long = false, more = lines.next(line);
+  while (more) {
+    if (!line.starts_with('*')) {
+      more = lines.next(line);
+      continue;
+    }
+    DeckBlock block = begun_block({lines.number(), line}, all_long);
+    block.place = place++;
+    const std::string keyword = keyword_of(block);
+    if (keyword == "END") break;
+    if (keyword == "KEYWORD" && says_long(std::string(line))) all_long = true;
+    const bool foam = ls_dyna_foam(keyword) != nullptr;
+    const bool curve = keyword == "DEFINE_CURVE";
+    const bool table = keyword == "DEFINE_TABLE" || keyword == "DEFINE_TABLE_2D";
+    while ((more = lines.next(line)) && !line.starts_with('*'))
+      if ((foam || curve || table) && !line.starts_with('$')) block.lines.push_back({lines.number(), line});
+    while (!block.lines.empty() && without_blanks(block.lines.back().text).empty() && !foam)
+      block.lines.pop_back();
+    if (foam) {
+      if (deck.foams.size() == max_foams_of_deck)
+        faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", max_foams_of_deck));
+      deck.foams.push_back(std::move(block));
+    } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < max_materials_listed)
+      deck.other_materials.push_back("*" + to_utf8(keyword));
+    else if (keyword.starts_with("INCLUDE"))
+      deck.includes_files = true;
+    if (!curve && !table) continue;
+    if (const auto id = number_of_block(block))
+      (curve ? deck.curves : deck.tables).add(*id, std::move(block), faults);
+  }
+  return deck;
+}
+
+std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const std::string& key,
+                                       std::size_t asked, const DeckUnits& units, MeasurementFaults& faults) {
+  const DeckBlock* const block = deck.curves.find(id);
+  if (block == nullptr) {
+    faults.add(asked, key, fmt::format("{}", id), missing(deck, "*DEFINE_CURVE", id));
+    return std::nullopt;
+  }
+  const std::vector<DeckLine> lines = lines_behind_title(*block);
+  if (lines.size() > max_lines_of_curve) {
+    faults.add(block->head.number, fmt::format("curve {}", id), "", too_many_points(lines.size() - 1));
+    return std::nullopt;
+  }
+  DeckFields head(lines.front(), equal_widths(8, block->long_format), true, faults);
+  constexpr const char* keys_of_strain[]{"SFA", "OFFA"};
+  constexpr const char* keys_of_stress[]{"SFO", "OFFO"};
+  const Shift of_strain = read_shift(head, 2, 4, keys_of_strain);
+  const Shift of_stress = read_shift(head, 3, 5, keys_of_stress, units.stress);
+  DeckCurve curve{fmt::format("curve {}", id), block->head.number, {}, {}, {}};
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    DeckFields point(lines[i], pair_of_twenty, true, faults);
+    const double strain = point.number(0, curve.name + ": A" + std::to_string(i));
+    const double stress = point.number(1, curve.name + ": O" + std::to_string(i), units.stress);
+    curve.strain.push_back(of_strain.of(strain));
+    curve.stress.push_back(of_stress.of(stress));
+    curve.lines.push_back(lines[i].number);
+    if (std::isinf(curve.strain.back()) || std::isinf(curve.stress.back())) {
+      faults.add(lines[i].number, curve.name, "", "is too large a number once it is scaled");
+      return std::nullopt;
+    }
+  }
+  return curve;
+}
+
+std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck, long id,
+                                                        const std::string& key, std::size_t asked,
+                                                        const DeckUnits& units, MeasurementFaults& faults) {
+  const DeckBlock* const block = deck.tables.find(id);
+  if (block == nullptr) {
+    faults.add(asked, key, fmt::format("{}", id),
+               deck.curves.find(id) != nullptr ? "is a curve; a table of curves over rates is needed"
+                                               : missing(deck, "*DEFINE_TABLE", id));
+    return std::nullopt;
+  }
+  const std::vector<DeckLine> lines = lines_behind_title(*block);
+  const std::string name = fmt::format("table {}", id);
+  DeckFields head(lines.front(), equal_widths(3, block->long_format), true, faults);
+  constexpr const char* keys_of_rate[]{"SFA", "OFFA"};
+  const Shift of_rate = read_shift(head, 1, 2, keys_of_rate, units.rate);
+  if (lines.size() < 2 || lines.size() > max_rates + 1) {
+    faults.add(block->head.number, name, "",
+               fmt::format("has {} rates; must have between 1 and {}", lines.size() - 1, max_rates));
+    return std::nullopt;
+  }
+  std::vector<DeckRateCurve> rows;
+  bool sound = true;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    DeckFields row(lines[i], pair_of_twenty, true, faults);
+    DeckRateCurve at{of_rate.of(row.number(0, name + ": rate", units.rate)), lines[i].number, {}};
+    std::optional<DeckCurve> curve;
+    if (!row.is_blank(1)) {
+      if (const auto named = row.whole(1, name + ": LCID"))
+        curve = ls_dyna_curve(deck, *named, name + ": LCID", lines[i].number, units, faults);
+    } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {
+      faults.add(lines[i].number, name, "", "needs the number of a curve behind the rate (columns 21 to 40)");
+    } else {
+      // The classic kind: as many *DEFINE_CURVE follow at once, in the order of the rates.
+      long following = 0;
+      if (const DeckBlock* const next = deck.curves.at_place(block->place + i)) {
+        const std::vector<DeckLine> lines_of_next = lines_behind_title(*next);
+        DeckFields first(lines_of_next.front(), equal_widths(1, next->long_format), true, faults);
+        following = first.whole(0, "LCID").value_or(0);
+        curve = ls_dyna_curve(deck, following, name, lines[i].number, units, faults);
+      } else {
+        faults.add(lines[i].number, name, "",
+                   fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it at once; number {} does not",
+                               lines.size() - 1, lines.size() - 1, i));
+      }
+    }
+    sound = sound && curve;
+    if (!curve) continue;
+    at.curve = *std::move(curve);
+    rows.push_back(std::move(at));
+  }
+  return sound ? std::optional(std::move(rows)) : std::nullopt;
+}
+
+}  // namespace dashpad::input

@@ -1,0 +1,191 @@
+#include "dashpad/input/measurement/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "dashpad/quantities/quantity.hpp"
+#include "input/measurement/csv_table.hpp"
+#include "quantities/magnitude_bounds.hpp"
+
+namespace dashpad::input {
+namespace {
+
+constexpr std::size_t max_rows_of_a_test = 10'000;
+constexpr double min_strain_of_a_test = 1e-9;
+
+/// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
+HeaderText without_unit(const injury::MeasuredColumn& column) {
+  const std::string& text = column.name;
+  for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
+    if (const auto begin = text.find(open); begin != std::string::npos && text.ends_with(close))
+      return {std::string(without_blanks(std::string_view(text).substr(0, begin))),
+              std::string(without_blanks(std::string_view(text).substr(begin + 1, text.size() - begin - 2)))};
+  if (!column.unit.empty()) return {split_header(text).name, column.unit};
+  const auto mark = text.find_last_of("_ ");
+  if (mark == std::string::npos) return {text, ""};
+  return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+struct TestColumns {
+  injury::MeasuredColumn strain, stress;
+  std::optional<injury::MeasuredColumn> time;
+};
+
+/// By its whole header, else by its name without the unit. Its unit is that of the header.
+std::optional<injury::MeasuredColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
+                                                  const std::string& wanted, const char* kind,
+                                                  std::size_t line, MeasurementFaults& faults) {
+  std::string names;
+  std::vector<injury::MeasuredColumn> found;
+  for (const injury::MeasuredColumn& column : all) {
+    const HeaderText header = without_unit(column);
+    names += (names.empty() ? "" : ", ") + column.name;
+    const std::string whole = lower_case(wanted);
+    const bool exact = lower_case(column.name) == whole;
+    if (exact || lower_case(header.name) == whole) {
+      found.push_back(column);
+      found.back().unit = header.unit;
+      if (exact) return found.back();
+    }
+  }
+  if (found.size() == 1) return found.front();
+  faults.add(line, wanted, "",
+             found.empty() ? fmt::format("no such column for the {}; there are {}", kind, names)
+                           : fmt::format("several columns may be the {}: {}", kind, names));
+  return std::nullopt;
+}
+
+void settle_strain(injury::MeasuredColumn& column, const std::string& given, std::size_t line,
+                   MeasurementFaults& faults) {
+  const std::string unit = lower_case(given.empty() ? column.unit : given);
+  const auto in_one = unit == "fraction" ? 1 : unit.empty() ? std::nullopt : units_in_strain_one(unit);
+  if (!in_one)
+    faults.add(line, column.name, "",
+               "its unit is not stated: say strain_unit = \"fraction\" or strain_unit = \"percent\"");
+  column.factor = 1 / in_one.value_or(1);
+}
+
+void settle_quantity(injury::MeasuredColumn& column, const std::string& given, const std::string& si_unit,
+                     const char* key, std::size_t line, MeasurementFaults& faults) {
+  const std::string unit = given.empty() ? column.unit : given;
+  const auto [factor, rule] = read_si("1 " + unit, si_unit);
+  const bool is_stated = !unit.empty() && rule.empty();
+  if (!is_stated)
+    faults.add(
+        line, column.name, unit,
+        fmt::format("its unit is not stated: put it into the header, such as {0}, or say {1} = \"{2}\"",
+                    si_unit == "Pa" ? "stress_kPa" : "time_s", key, si_unit == "Pa" ? "kPa" : "s"));
+  column.factor = is_stated ? factor : 1;
+}
+
+TestColumns columns_of_test(const CsvHeader& header, const StressStrainColumns& wanted,
+                            MeasurementFaults& faults) {
+  const CsvColumns named = named_columns(header, ": strain,stress_kPa", faults);
+  const std::size_t line = named.names->line;
+  TestColumns columns;
+  if (const auto strain = find_column(named.all, wanted.strain, "strain", line, faults)) {
+    columns.strain = *strain;
+    settle_strain(columns.strain, wanted.strain_unit, line, faults);
+  }
+  if (const auto stress = find_column(named.all, wanted.stress, "stress", line, faults)) {
+    columns.stress = *stress;
+    settle_quantity(columns.stress, wanted.stress_unit, "Pa", "stress_unit", line, faults);
+  }
+  if (!wanted.time.empty()) columns.time = find_column(named.all, wanted.time, "time", line, faults);
+  if (columns.time) settle_quantity(*columns.time, wanted.time_unit, "s", "time_unit", line, faults);
+  faults.throw_if_any();
+  return columns;
+}
+
+class TestReader {
+ public:
+  TestReader(const TestColumns& columns, char separator, MeasurementFaults& faults)
+      : columns_(columns), separator_(separator), faults_(faults) {}
+
+  void add(const CsvRow& row) {
+    if (table.strain.size() == max_rows_of_a_test)
+      faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", max_rows_of_a_test));
+    const auto strain = value(row, columns_.strain, "1");
+    const auto stress = value(row, columns_.stress, "Pa");
+    double time = 0;
+    if (columns_.time) {
+      const auto read = value(row, *columns_.time, "s");
+      if (!read) return;
+      time = *read;
+      if (rows_with_time_++ > 0 && !(time > last_time_)) {
+        faults_.add(row.line, columns_.time->name, field_in(row, *columns_.time),
+                    "must be later than the time before");
+        return;
+      }
+      last_time_ = time;
+    }
+    if (!strain || !stress) return;
+    if (*strain >= 1) {
+      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
+                  columns_.strain.factor == 1
+                      ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
+                      : "a strain is below 100 %");
+      return;
+    }
+    if (columns_.time) table.time.push_back(time);
+    table.strain.push_back(*strain);
+    table.stress.push_back(*stress);
+  }
+
+  void finish() {
+    faults_.throw_if_any();
+    if (table.strain.size() < 2) faults_.refuse(0, "", "", "has fewer than two rows");
+    const auto [least, largest] = std::ranges::minmax(table.strain);
+    if (!(largest > 0) || -least > largest)
+      faults_.refuse(0, columns_.strain.name, "",
+                     "is negative: compression counts positive here, strain and stress alike");
+    if (!(largest > min_strain_of_a_test))
+      faults_.refuse(0, columns_.strain.name, "",
+                     fmt::format("is nowhere above {:g}: nothing was compressed", min_strain_of_a_test));
+    const double min_stress = measured_magnitudes("Pa").least, max_stress = std::ranges::max(table.stress);
+    if (max_stress > 0 && max_stress < min_stress)
+      faults_.refuse(0, columns_.stress.name, "",
+                     fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
+    if (!(max_stress > 0))
+      faults_.refuse(0, columns_.stress.name, "", "is nowhere above 0: compression counts positive here");
+  }
+
+  StressStrainTable table;
+
+ private:
+  std::optional<double> value(const CsvRow& row, const injury::MeasuredColumn& column, const char* si_unit) {
+    const auto value = number_in(row, column, separator_, faults_);
+    const double most = measured_magnitudes(si_unit).most;
+    if (!value || std::abs(*value) <= most) return value;
+    faults_.add(row.line, column.name, field_in(row, column),
+                fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit));
+    return std::nullopt;
+  }
+
+  const TestColumns& columns_;
+  char separator_;
+  MeasurementFaults& faults_;
+  std::size_t rows_with_time_ = 0;
+  double last_time_ = 0;
+};
+
+}  // namespace
+
+Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& file,
+                                                  const StressStrainColumns& wanted) {
+  return reading_of([&]() -> StressStrainTable {
+    MeasurementFaults faults(file.string());
+    const std::string content = read_measurement(file);
+    const CsvTable csv = csv_table_in(content, faults);
+    const TestColumns columns = columns_of_test(csv.header, wanted, faults);
+    TestReader reader(columns, csv.separator, faults);
+    each_row(csv, faults, [&](const CsvRow& row) { reader.add(row); });
+    reader.finish();
+    return std::move(reader.table);
+  });
+}
+
+}  // namespace dashpad::input
