@@ -17,11 +17,8 @@ namespace dashpad {
 namespace {
 
 /// Ranges within which the solver's arithmetic cannot overflow, wider than any real impact.
-constexpr Bounds masses = Impactor::parameters[0].bounds;
 constexpr Bounds lengths = Pad::parameters[0].bounds;
 constexpr Bounds stiffnesses = wide(1e-3, 1e15);
-constexpr Bounds dampings = wide(1e-6, 1e12);
-constexpr Bounds forces = wide(1e-6, 1e12);
 
 /// Adds a violation if the value is out of bounds; NaN always is. `must`: first words of the rule.
 void check(std::vector<Violation>& broken, std::string key, double value, const Bounds& bounds,
