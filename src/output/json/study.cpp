@@ -16,9 +16,9 @@ Json estimate_json(const study::Estimate& estimate, double scale = 1) {
 
 Json distribution_json(const std::string& response, const study::Distribution& distribution) {
   const auto [scale, unit] = scaled_unit(si_unit_of(response), plain_si());
-  const auto quantile = [scale = scale](const study::Distribution::Quantile& at) {
+  const auto quantile = [factor = scale](const study::Distribution::Quantile& at) {
     Json json = {{"probability", at.probability}};
-    json.update(estimate_json(at.value, scale));
+    json.update(estimate_json(at.value, factor));
     return json;
   };
   return {{"response", response},
