@@ -32,8 +32,8 @@ std::string words_if_left_out(const CaseField& field) {
     case LeftOut::computed: return "see above";
     case LeftOut::as_default: break;
   }
-  return std::isnan(field.default_value) ? "none"
-                                         : fmt::format("{} {}", field.default_value, in_unit(field.unit));
+  if (std::isnan(field.default_value)) return "none";
+  return fmt::format("{}{}{}", field.default_value, field.unit == "1" ? "" : " ", in_unit(field.unit));
 }
 
 std::string table_of_fields() {
