@@ -45,7 +45,7 @@ void write_case(const ImpactCase& impact, const fs::path& file) {
   std::visit(
       [&](const auto& law) {
         for (const auto& parameter : std::decay_t<decltype(law)>::parameters)
-          parameters[parameter.key] = law.*parameter.member;
+          parameters[parameter.key] = parameter.of(law);
       },
       impact.pad.material.law);
   const Support::Point& point = impact.support.points().at(0);

@@ -12,13 +12,14 @@ template <class Real>
 class SupportSecant {
  public:
   /// As the listing has it (`idle_segments`), or mended.
-  SupportSecant(const Deck& deck, bool idle_segments) : segments_(deck.support), idle_(idle_segments) {
+  SupportSecant(const Deck& deck, bool idle_segments)
+      : segments_(static_cast<std::size_t>(deck.support)), idle_(idle_segments) {
     if (segments_ == 1) {
       tangent_[0] = static_cast<Real>(deck.support_parameters[8]);
       return;
     }
     Real last_deflection(0), last_force(0);
-    for (int j = 0; j < segments_; ++j) {
+    for (std::size_t j = 0; j < segments_; ++j) {
       deflection_[j] = static_cast<Real>(deck.support_parameters[2 * j]);
       const auto force = static_cast<Real>(deck.support_parameters[2 * j + 1]);
       tangent_[j] = (force - last_force) / (deflection_[j] - last_deflection);
@@ -36,7 +37,7 @@ class SupportSecant {
     if (!idle_) return curve_secant(deflection);
     const Real one(1);
     Real stiffness = tangent_[0];
-    for (int j = 1; j < segments_; ++j) {
+    for (std::size_t j = 1; j < segments_; ++j) {
       const Real share = one - deflection_[j - 1] / deflection;
       if (share > one) stiffness = stiffness + tangent_[j] * share;
     }
@@ -54,13 +55,13 @@ class SupportSecant {
   [[nodiscard]] Real curve_secant(Real deflection) const {
     if (deflection <= deflection_[0]) return tangent_[0];
     Real force = tangent_[0] * deflection_[0];
-    int j = 1;
+    std::size_t j = 1;
     for (; j < segments_ - 1 && deflection > deflection_[j]; ++j)
       force = force + tangent_[j] * (deflection_[j] - deflection_[j - 1]);
     return (force + tangent_[j] * (deflection - deflection_[j - 1])) / deflection;
   }
 
-  int segments_;
+  std::size_t segments_;
   bool idle_;
   std::array<Real, 4> deflection_{};  ///< of the points
   std::array<Real, 4> tangent_{};

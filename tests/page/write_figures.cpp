@@ -86,7 +86,9 @@ output::Plot logarithmic() {
                       .y = {.label = "Stress (kPa)", .logarithmic = true, .low = 1}};
   const auto rate = column(50, [](int i) { return std::pow(10, -4 + 0.14 * i); });
   const auto power = [&](double times) {
-    return column(50, [=](int i) { return i == 0 ? -1 : times * 20 * std::pow(rate[i], 0.22); });
+    return column(50, [=](int i) {
+      return i == 0 ? -1 : times * 20 * std::pow(rate[static_cast<std::size_t>(i)], 0.22);
+    });
   };
   panel.series = {{.label = "95 %",
                    .style = output::SeriesStyle::band,

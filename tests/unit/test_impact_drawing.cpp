@@ -272,7 +272,7 @@ TEST(ImpactDrawing, InACraterFirstContactIsBelowTheFace) {
 }
 
 TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {
-  for (std::size_t count : {2, 3, 8}) {
+  for (const std::size_t count : {2U, 3U, 8U}) {
     ImpactCase impact = test::example_case();
     std::vector<PadLayer> layers(count);
     Solution solution = made_up(0.02, 0.01);

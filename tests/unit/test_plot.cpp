@@ -501,11 +501,12 @@ TEST(Plot, BreaksTitlesAtItsOwnWidth) {
 // --- Many points ---
 
 TEST(Plot, ThinsLinesWithoutLosingTheirExtremes) {
-  constexpr int size = 1'000'000;
+  constexpr std::size_t size = 1'000'000;
   output::Series series = line("noise", std::vector<double>(size), std::vector<double>(size));
-  for (int row = 0; row < size; ++row) {
-    series.x[row] = row;
-    series.y[row] = std::sin(1e3 * row * row);
+  for (std::size_t row = 0; row < size; ++row) {
+    const auto x = static_cast<double>(row);
+    series.x[row] = x;
+    series.y[row] = std::sin(1e3 * x * x);
   }
   series.y[123456] = 77;
   series.y[654321] = -88;

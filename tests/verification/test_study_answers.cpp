@@ -79,7 +79,7 @@ TEST(StudyAnswersVerification, IndicesOfIshigami) {
   const Closed closed = ishigami_indices();
   const auto indices = jansen_indices(sample_of(ishigami, 3, -pi, pi, 40'000, 1), 5);
   ASSERT_EQ(indices.size(), 3U);
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(indices[i].first.value, closed.first[i], 0.02) << i;
     EXPECT_NEAR(indices[i].total.value, closed.total[i], 0.015) << i;
     EXPECT_LT(indices[i].first.high - indices[i].first.low, 0.06) << i;
@@ -94,12 +94,12 @@ TEST(StudyAnswersVerification, IntervalsOfIndicesCover) {
   int first[3] = {}, total[3] = {};
   for (unsigned seed = 1; seed <= studies; ++seed) {
     const auto indices = jansen_indices(sample_of(ishigami, 3, -pi, pi, 500, seed), seed);
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       first[i] += indices[i].first.low <= closed.first[i] && closed.first[i] <= indices[i].first.high;
       total[i] += indices[i].total.low <= closed.total[i] && closed.total[i] <= indices[i].total.high;
     }
   }
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
     for (const int covered : {first[i], total[i]}) {
       EXPECT_GE(covered, 0.91 * studies) << i;
       EXPECT_LE(covered, 0.985 * studies) << i;
@@ -111,7 +111,7 @@ TEST(StudyAnswersVerification, IndicesOfASum) {
   const Model sum = [](const Row& x) { return 100 + 3 * x[0] + 2 * x[1] + x[2]; };
   const auto indices = jansen_indices(sample_of(sum, 4, 0, 1, 40'000, 2), 5);
   const double exact[] = {9.0 / 14, 4.0 / 14, 1.0 / 14, 0};
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(indices[i].first.value, exact[i], 0.02) << i;
     EXPECT_NEAR(indices[i].total.value, exact[i], 0.01) << i;
   }
@@ -141,7 +141,7 @@ TEST(StudyAnswersVerification, ClopperPearsonCovers) {
     double coverage = 0, outcome = std::pow(1 - truth, rows);  // binomial probability of k
     for (int k = 0; k <= rows; ++k) {
       std::vector<double> values(rows, 0);
-      for (int i = 0; i < k; ++i) values[i] = 2;
+      std::fill_n(values.begin(), k, 2);
       const Exceedance of = exceedance(readings(values), 1);
       EXPECT_EQ(of.exceeding, static_cast<std::uint64_t>(k));
       if (of.probability.low <= truth && truth <= of.probability.high) coverage += outcome;
@@ -283,7 +283,7 @@ TEST(StudyAnswersVerification, QuantileIntervalsCover) {
     for (int i = 0; i < rows; ++i)
       values.push_back(-std::log1p(-static_cast<double>(generator() >> 11) * std::ldexp(1.0, -53)));
     const Distribution of = distribution(values);
-    for (int q = 0; q < 7; ++q) {
+    for (std::size_t q = 0; q < 7; ++q) {
       const double truth = -std::log1p(-of.quantiles[q].probability);
       const Estimate& estimate = of.quantiles[q].value;
       EXPECT_LE(estimate.low, estimate.value);
@@ -291,7 +291,7 @@ TEST(StudyAnswersVerification, QuantileIntervalsCover) {
       covered[q] += estimate.low <= truth && truth <= estimate.high;
     }
   }
-  for (int q = 0; q < 7; ++q)
+  for (std::size_t q = 0; q < 7; ++q)
     EXPECT_GE(covered[q], (0.95 - 3 * std::sqrt(0.05 * 0.95 / samples)) * samples) << q;
   // The median lies between the 18th and the 33rd of 50 values with probability 0.9672.
   EXPECT_NEAR(covered[3] / double{samples}, 0.9672, 3 * std::sqrt(0.0328 * 0.9672 / samples));

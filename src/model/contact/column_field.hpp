@@ -234,9 +234,9 @@ class ColumnField {
   [[nodiscard]] double edge_measure(double penetration) const {
     return penetration <= nose_.depth ? 0 : power_.at(strain_at(penetration, nose_.depth)).measure;
   }
-  /// Integral of max(g, 0) over a cell in which g is linear.
-  static double positive_part(double g, double h, double width) {
-    return scalar::positive_mean(g, h) * width;
+  /// Integral over a cell of the positive part of what is linear from `inner` to `outer`.
+  static double positive_part(double inner, double outer, double width) {
+    return scalar::positive_mean(inner, outer) * width;
   }
 
   /// Weights of the last cell, between the outermost of `live` columns and the end of the contact.
