@@ -93,19 +93,19 @@ double stress_at(const BaseCurve& base, double strain) {
 double usual_stress(const PadLaw& law) {
   constexpr double strain = 0.4;
   return std::visit(
-      []<class Law>(const Law& law) {
+      []<class Law>(const Law& held) {
         if constexpr (SharesSlip<Law>)
-          return stress_at(law.curves.base, strain);
+          return stress_at(held.curves.base, strain);
         else if constexpr (std::is_same_v<Law, Elastic>)
-          return law.modulus * strain;
+          return held.modulus * strain;
         else if constexpr (std::is_same_v<Law, LinearViscoelastic>)
-          return std::sqrt(law.asymptotic_modulus * law.initial_modulus) * strain;
+          return std::sqrt(held.asymptotic_modulus * held.initial_modulus) * strain;
         else if constexpr (std::is_same_v<Law, RigidFoam>)
-          return law.crush_stress;
+          return held.crush_stress;
         else if constexpr (std::is_same_v<Law, ViscoelasticFoam>)
-          return 2 * (law.first_modulus + law.second_modulus) * strain * (1 + law.first_share / 2);
+          return 2 * (held.first_modulus + held.second_modulus) * strain * (1 + held.first_share / 2);
         else
-          return 3 * law.asymptotic_modulus;
+          return 3 * held.asymptotic_modulus;
       },
       law);
 }

@@ -55,8 +55,8 @@ std::string main_text(const Summary& summary, const injury::InjuryFigures& injur
 TEST(ResultText, SaysWhereAFoamWasGivenNoLoss) {
   ImpactCase impact = test::example_case();
   auto foam = test::sample_law<Foam>();
-  const auto shown_of = [&](const Foam& foam) {
-    impact.pad.material.law = foam;
+  const auto shown_of = [&](const Foam& law) {
+    impact.pad.material.law = law;
     return test::impact_text(impact, test::example_summary(), {}, unit_system("si"), Detail::main);
   };
   EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));

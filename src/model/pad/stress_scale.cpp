@@ -75,13 +75,13 @@ PadLaw scaled(const PadLaw& law, double factor) {
   PadLaw result = law;
   if (factor == 1) return result;
   std::visit(
-      [factor]<class Law>(Law& law) {
-        scale_stresses(law, factor);
+      [factor]<class Law>(Law& held) {
+        scale_stresses(held, factor);
         if constexpr (SharesSlip<Law>) {
-          std::visit([factor](auto& form) { scale_stresses(form, factor); }, law.curves.base);
-          std::visit([factor](auto& effect) { scale_stresses(effect, factor); }, law.curves.rate_effect);
-          if constexpr (requires { law.unloading_curve; })
-            if (law.unloading_curve) scale_stresses(*law.unloading_curve, factor);
+          std::visit([factor](auto& form) { scale_stresses(form, factor); }, held.curves.base);
+          std::visit([factor](auto& effect) { scale_stresses(effect, factor); }, held.curves.rate_effect);
+          if constexpr (requires { held.unloading_curve; })
+            if (held.unloading_curve) scale_stresses(*held.unloading_curve, factor);
         }
       },
       result);

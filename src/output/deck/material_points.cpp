@@ -100,12 +100,12 @@ void add_rates(const FoamCurves& curves, MaterialPoints& points) {
 MaterialPoints material_points(const PadLaw& law, bool with_rates) {
   MaterialPoints points;
   std::visit(
-      [&]<class Law>(const Law& law) {
+      [&]<class Law>(const Law& held) {
         if constexpr (SharesSlip<Law>) {
-          points.loading.push_back({law.curves.slowest_rate, base_points(law.curves.base, points.remarks)});
-          if (with_rates) add_rates(law.curves, points);
+          points.loading.push_back({held.curves.slowest_rate, base_points(held.curves.base, points.remarks)});
+          if (with_rates) add_rates(held.curves, points);
         }
-        if constexpr (std::is_same_v<Law, Foam>) points.unloading = law.unloading_curve;
+        if constexpr (std::is_same_v<Law, Foam>) points.unloading = held.unloading_curve;
       },
       law);
   return points;
