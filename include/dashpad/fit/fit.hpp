@@ -3,11 +3,13 @@
 /// meet. SI throughout; stress and strain are engineering values, compression positive. docs/fits.md has the
 /// keys of its file.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -150,13 +152,16 @@ inline bool seeks(const Fit& fit, std::string_view key) {
 
 /// The tests or impacts that are fitted to: those that are not held out.
 template <class Measurement>
-auto fitted(const std::vector<Measurement>& measurements) {
-  return std::views::filter(measurements, [](const Measurement& one) { return !one.is_held_out; });
+std::vector<std::reference_wrapper<const Measurement>> fitted(const std::vector<Measurement>& measurements) {
+  std::vector<std::reference_wrapper<const Measurement>> result;  // clang 14 has no views of this library
+  std::ranges::copy_if(measurements, std::back_inserter(result), std::logical_not(),
+                       &Measurement::is_held_out);
+  return result;
 }
 /// Whether there is one.
 template <class Measurement>
 bool has_fitted(const std::vector<Measurement>& measurements) {
-  return !fitted(measurements).empty();
+  return !std::ranges::all_of(measurements, &Measurement::is_held_out);
 }
 /// Whether the unknowns are told by impacts alone.
 inline bool rests_on_impacts_alone(const Fit& fit) {
