@@ -125,7 +125,7 @@ TEST_F(MaterialDeckTest, CurvesAreScaledAndShifted) {
   const Foam scaled = foam(low_density_foam() +
                            "*DEFINE_CURVE\n1,0,0.5,2.0,0.25,0.5\n-0.25,-0.5\n0.25,-0.25\n"
                            "0.75,0.0\n1.25,0.5\n");
-  EXPECT_EQ(scaled.curves.base, BaseCurve(TableCurve({0.25, 0.5, 0.75}, {0.5e6, 1e6, 2e6})));
+  EXPECT_EQ(scaled.curves.base, BaseCurve(TableCurve{{0.25, 0.5, 0.75}, {0.5e6, 1e6, 2e6}}));
 }
 
 TEST_F(MaterialDeckTest, UnitsAreThoseThatWereStated) {
@@ -271,7 +271,7 @@ TEST_F(MaterialDeckTest, Law70WithAnUnloadingFunction) {
   const Foam& foam = std::get<Foam>(all[0].material.law);
   EXPECT_EQ(foam.curves.base, BaseCurve(stiff_in_si));
   ASSERT_TRUE(foam.unloading_curve);
-  EXPECT_EQ(*foam.unloading_curve, TableCurve({0.1, 0.4, 0.7}, {10e3, 15e3, 55e3}));
+  EXPECT_EQ(*foam.unloading_curve, (TableCurve{{0.1, 0.4, 0.7}, {10e3, 15e3, 55e3}}));
   EXPECT_THAT(all[0].differences, Contains(HasSubstr("unloading function")));
 
   const std::string by_work = law_70.substr(0, law_70.find("         1         1         0")) +
@@ -291,7 +291,7 @@ TEST_F(MaterialDeckTest, Law33) {
       "/FUNCT/1\nyield\n" + points({{"-0.7", "0.5"}, {"-0.5", "0.3"}, {"-0.1", "0.2"}, {"0.0", "0.0"}});
   const CrushableFoam foam = crushable(head + elastic + nothing + "                 0.0\n" + function);
   EXPECT_EQ(foam.unloading_modulus, 4e6);
-  EXPECT_EQ(foam.curves.base, BaseCurve(TableCurve({0.1, 0.5, 0.7}, {0.2e6, 0.3e6, 0.5e6})));
+  EXPECT_EQ(foam.curves.base, BaseCurve(TableCurve{{0.1, 0.5, 0.7}, {0.2e6, 0.3e6, 0.5e6}}));
   // Air of 0.1 MPa: 0.1 e / (1 - e) beside the skeleton.
   const auto with_air = read(head + elastic + "                 0.1\n" + "                 0.0\n" + function);
   const auto& curve = std::get<TableCurve>(std::get<CrushableFoam>(with_air[0].material.law).curves.base);
