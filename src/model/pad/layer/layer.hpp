@@ -66,7 +66,8 @@ class FoamLayer {
             .rate = rate(end, now, step),
             .memory = slip.side * slip.z};
   }
-  [[nodiscard]] LayerTangent tangent(Strain at, const LayerState& state) const {
+  [[nodiscard]] LayerTangent tangent(const LayerState& state) const {
+    const Strain at = strain_of(state.strain);
     const SlipScale& slip = stress_.slip();
     const double g = slip.strain_of(slip_of(state));
     const auto response = [&](double further) {
@@ -132,7 +133,7 @@ class LinearLayer {
             .rate = (end.value - now.strain) / step.time,
             .memory = branch_after(end, now, step)};
   }
-  [[nodiscard]] LayerTangent tangent(Strain, const LayerState& state) const {
+  [[nodiscard]] LayerTangent tangent(const LayerState& state) const {
     return {-state.memory / time_, lasting_ + relaxing_, lasting_ + relaxing_};
   }
   [[nodiscard]] double slow_stress(Strain at) const { return lasting_ * at.value; }

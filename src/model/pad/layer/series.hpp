@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "model/pad/foam/foam_curve.hpp"
@@ -59,7 +58,7 @@ class LayerSeries {
                                  const LayerStep& step) const;
   /// d(stress)/dt if the shortening is held from a state on, Pa/s: layers that relax more yield to the others
   /// (theory.md, Eq. 54).
-  [[nodiscard]] double stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const;
+  [[nodiscard]] double stress_rate_when_held(const LayerStates& state) const;
 
  private:
   [[nodiscard]] FoamCurve made_slow_curve() const;
