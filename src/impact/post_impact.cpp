@@ -64,8 +64,7 @@ PostImpact post_impact(Body first, Body second, const Solution& solution) {
 }
 
 ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second) {
-  impact.impactor.mass =
-      std::isinf(second.mass) ? first.mass : first.mass * (second.mass / (first.mass + second.mass));
+  impact.impactor.mass = first.mass * share(second.mass, first.mass);
   impact.impactor.speed = first.velocity - second.velocity;
   return impact;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "laboratory/column.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::laboratory {
@@ -167,21 +168,6 @@ void add_figures(MaterialTestRun& run, const Material& material, const MaterialT
   run.flags = flags_of(material, run);
 }
 
-std::vector<double> rates_of(const FoamCurves& curves) {
-  std::vector<double> rates{curves.slowest_rate};
-  std::visit(
-      [&rates]<class Effect>(const Effect& effect) {
-        if constexpr (std::is_same_v<Effect, PowerRateEffect>)
-          rates.push_back(effect.highest_rate);
-        else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
-          rates.insert(rates.end(), effect.rate.begin(), effect.rate.end());
-        else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
-          for (const CurvesRateEffect::AtRate& at : effect.curves) rates.push_back(at.rate);
-      },
-      curves.rate_effect);
-  return rates;
-}
-
 }  // namespace
 
 const char* to_string(TestKind kind) {
@@ -219,7 +205,7 @@ std::vector<double> tested_rates(const Material& material) {
   return std::visit(
       [&material]<class Law>(const Law& law) -> std::vector<double> {
         if constexpr (SharesSlip<Law>)
-          return rates_of(law.curves);
+          return dashpad::tested_rates(law.curves);
         else if (material.fitted && material.fitted->lowest_rate > 0)
           return {material.fitted->lowest_rate, material.fitted->highest_rate};
         else

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/overstress.hpp"
 #include "quantities/text.hpp"
 #include "uncertainty/line.hpp"
@@ -68,18 +69,19 @@ constexpr double usual_exponent = 0.1, usual_exponent_of_crushable = 0.05;
 
 /// That of the last stretch between two tested rates, at a strain of a third; nothing where one rate was
 /// tested.
-std::optional<double> last_exponent(const FoamCurves& curves, double highest_rate) {
+std::optional<double> last_exponent(const FoamCurves& curves) {
   if (std::holds_alternative<NoRateEffect>(curves.rate_effect)) return std::nullopt;
   const FoamCurve base(curves.base, 2);
   const Overstress over(curves, base, 0, 1, curves.slowest_rate / 1000);
   const double strain = std::min(1.0 / 3, 0.9 * base.last_strain());
-  const Overstress::Value at =
-      over.of(over.at((1 - 1e-6) * highest_rate), strain, base.cells().place(std::sqrt(strain)));
+  const Overstress::Value at = over.of(over.at((1 - 1e-6) * tested_rates(curves).back()), strain,
+                                       base.cells().place(std::sqrt(strain)));
   return std::max(at.rise / (1 + at.stress), 0.0);
 }
 
 /// The rates up to which a foam's curves go on to grow by the power `exponent`.
-void grow_beyond(FoamCurves& curves, double tested, double reached, double exponent) {
+void grow_beyond(FoamCurves& curves, double reached, double exponent) {
+  const double tested = tested_rates(curves).back();
   std::visit(
       [&]<class Effect>(Effect& effect) {
         const double factor = std::pow(reached / tested, exponent);
@@ -115,8 +117,7 @@ void grow(Material& material, PadCondition& condition, const Growth& by, double 
   }
   std::visit(
       [&]<class Law>(Law& law) {
-        if constexpr (SharesSlip<Law>)
-          grow_beyond(law.curves, tested_range(law.curves).highest_rate, by.reached, place * by.exponent);
+        if constexpr (SharesSlip<Law>) grow_beyond(law.curves, by.reached, place * by.exponent);
         // The power of laws 4 and 5 goes on by itself; the other end is that it stops.
         if constexpr (std::is_same_v<Law, NineParameter>)
           law.rate_modulus *= std::pow(by.tested / by.reached, place * by.exponent);
@@ -132,7 +133,7 @@ std::optional<double> exponent_of(const Material& material) {
   return std::visit(
       []<class Law>(const Law& law) -> std::optional<double> {
         if constexpr (SharesSlip<Law>) {
-          if (const auto last = last_exponent(law.curves, tested_range(law.curves).highest_rate)) return last;
+          if (const auto last = last_exponent(law.curves)) return last;
           return std::is_same_v<Law, CrushableFoam> ? usual_exponent_of_crushable : usual_exponent;
         } else if constexpr (std::is_same_v<Law, NineParameter> || std::is_same_v<Law, TwentyOneParameter>) {
           return law.rate_exponent;
