@@ -39,14 +39,8 @@ class FoamContact {
   /// `factor` multiplies every stress; `earlier` is the largest penetration of earlier blows, m.
   FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1,
               ColumnMath math = ColumnMath::vector, double earlier = 0)
-      : law_(law),
-        stress_(made_of(law)),
-        thickness_(thickness),
-        nose_(nose),
-        factor_(factor),
-        math_(math),
-        vectors_(&foam_node_math()) {
-    remember(earlier);
+      : law_(law), stress_(made_of(law)) {
+    set(law, thickness, nose, factor, math, earlier);
   }
   void set(const Law& law, double thickness, const Sections& nose, double factor, ColumnMath math,
            double earlier) {
@@ -581,11 +575,11 @@ class FoamContact {
 
   Law law_;
   FoamStress stress_;
-  double thickness_;
+  double thickness_ = 0;
   Sections nose_;
   double factor_ = 1;
-  ColumnMath math_;  ///< computation of the integral's nodes
-  const FoamNodeMath* vectors_;
+  ColumnMath math_ = ColumnMath::vector;  ///< computation of the integral's nodes
+  const FoamNodeMath* vectors_ = &foam_node_math();
   NodeValues values_;
   std::vector<SectionPiece> pieces_;  ///< pieces of a shape
   SectionPiece piece_;                ///< piece being integrated; other noses have only this
