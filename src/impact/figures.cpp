@@ -192,7 +192,7 @@ void read_weight(const Track& track, const Impactor& impactor, Figures& figures)
 
 void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures) {
   figures.contact_end.reset();
-  if (figures.ending != Ending::released) return;
+  if (figures.ending != Status::released) return;
   const std::vector<double>& force = track.history.force;
   const double least = contact_end_share * figures.peak_force;
   std::size_t last = force.size() - 1;

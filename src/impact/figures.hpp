@@ -45,10 +45,8 @@ struct Track {
   }
 };
 
-enum class Ending { released, at_rest, bottomed_out, time_limit, too_many_steps };
-
 struct Figures {
-  Ending ending = Ending::too_many_steps;
+  Status ending = Status::tolerance_not_met;  ///< of a run that was given up, tolerance_not_met
   double peak_force = 0;
   double time_of_peak_force = 0;
   double peak_motion = 0;

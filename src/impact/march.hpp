@@ -133,7 +133,7 @@ class March {
       // An impactor that will not meet the pad again is released, even if the panel is still in its gap.
       const bool has_left =
           phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= min_return();
-      figures_.ending = has_left ? Ending::released : Ending::time_limit;
+      figures_.ending = has_left ? Status::released : Status::time_limit;
       return true;
     }
     return track.size() > options_.max_steps || work(track) > max_work_ ||
@@ -316,7 +316,7 @@ class March {
       figures_.left_to_sink = *left;
       figures_.last_swing = swing_.last();
       figures_.slowest_swing = swing_.slowest();
-      enter(Phase::over, Ending::at_rest);
+      enter(Phase::over, Status::at_rest);
     }
   }
 
@@ -337,7 +337,7 @@ class March {
     if (phase_ == Phase::over) return;
     // Without force contact is lost.
     if (now_.force <= 0) return begin_phase(Event::release);
-    enter(now_.drive > 0 ? Phase::loading : Phase::unloading, Ending::released);
+    enter(now_.drive > 0 ? Phase::loading : Phase::unloading, Status::released);
   }
 
   void begin_phase(Event event) {
@@ -362,7 +362,7 @@ class March {
       // Rigid foam on a firm support has brought the impactor to rest.
       if (next == Phase::over && foundation_.backing().body_mass == 0) motion_.stop();
     }
-    enter(next, event == Event::lock ? Ending::bottomed_out : Ending::released);
+    enter(next, event == Event::lock ? Status::bottomed_out : Status::released);
   }
 
   void turn() {
@@ -386,12 +386,12 @@ class March {
   }
   [[nodiscard]] double min_return() const { return numerics.min_return * impactor_.speed; }
 
-  void enter(Phase phase, Ending if_over) {
+  void enter(Phase phase, Status if_over) {
     const bool was_in_flight = phase_ == Phase::flight;
     phase_ = phase;
     if (phase != Phase::over) return;
     figures_.ending = if_over;
-    if (if_over == Ending::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
+    if (if_over == Status::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
   }
 
   // ------------------------------------------------------------------ the record of a run
@@ -447,10 +447,10 @@ class March {
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
     // An impactor that came back after a release and stayed has not left the pad.
-    if (figures_.ending != Ending::released) figures_.release.reset();
+    if (figures_.ending != Status::released) figures_.release.reset();
     read_peaks(track, figures_);
     // On a rigid support it is the force of the pad, which has no finite value at bottoming.
-    if (figures_.ending == Ending::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
+    if (figures_.ending == Status::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
       figures_.peak_transmitted = 0;
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);

@@ -57,7 +57,7 @@ std::array<double*, 10> all(ErrorEstimates& e) {
 }
 
 /// Whether a run went through the impact and has finite figures.
-bool is_sound(const Figures& run) { return run.ending != Ending::too_many_steps && is_finite(run); }
+bool is_sound(const Figures& run) { return run.ending != Status::tolerance_not_met && is_finite(run); }
 
 /// Whether two runs ended alike.
 bool same_kind(const Figures& a, const Figures& b) {
@@ -95,7 +95,7 @@ bool Refinement::add(const Figures& run) {
   }
   const Figures before = extrapolated_;
   const bool comparable = has_sound_run_ && same_kind(run, last_run_);
-  reloads_alike_ = run.reloadings == last_run_.reloadings || run.ending == Ending::at_rest;
+  reloads_alike_ = run.reloadings == last_run_.reloadings || run.ending == Status::at_rest;
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   has_sound_run_ = true;
@@ -123,7 +123,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   };
   errors_ = {};
   // On a rigid support a bottomed pad has no peak force; what matters is time and speed at bottoming.
-  const bool ended_in_lock = now.ending == Ending::bottomed_out;
+  const bool ended_in_lock = now.ending == Status::bottomed_out;
   if (!ended_in_lock) {
     errors_.peak_force = relative(now.peak_force, before.peak_force, run.peak_force);
     errors_.time_of_peak_force =

@@ -77,7 +77,7 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     // nothing, and a finer one may get through.
     left -= run.work;
     const double growth = before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0;
-    if (run.ending == Ending::too_many_steps) {
+    if (run.ending == Status::tolerance_not_met) {
       if (++given_up > numerics.max_given_up) break;
       cost *= 4, steps *= 2;
     } else {

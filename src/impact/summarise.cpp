@@ -95,17 +95,6 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
   return reasons;
 }
 
-Status status_of(const Refinement& refinement) {
-  if (!refinement.is_met()) return Status::tolerance_not_met;
-  switch (refinement.figures().ending) {
-    case Ending::released: return Status::released;
-    case Ending::at_rest: return Status::at_rest;
-    case Ending::bottomed_out: return Status::bottomed_out;
-    case Ending::time_limit: return Status::time_limit;
-    default: return Status::tolerance_not_met;
-  }
-}
-
 EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
   EnergyLedger energy;
   energy.impact = impactor.mass * impactor.speed * impactor.speed / 2;
@@ -127,7 +116,7 @@ SupportFigures support_figures(const Support& support, const Backing& backing, c
                     .crushing_force = figures.crushing_force,
                     .set = {},
                     .body_speed = {}};
-  if (!(support.is_rigid() && figures.ending == Ending::bottomed_out))
+  if (!(support.is_rigid() && figures.ending == Status::bottomed_out))
     of.peak_transmitted = figures.peak_transmitted;
   if (backing.unloading_stiffness > 0) of.set = figures.set;
   if (backing.body_mass > 0) of.body_speed = figures.body_velocity;
@@ -167,8 +156,8 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   const Figures& figures = refinement.figures();
   const Impactor& impactor = impact.impactor;
   Summary s;
-  s.status = status_of(refinement);
-  if (figures.ending != Ending::bottomed_out) {
+  s.status = refinement.is_met() ? figures.ending : Status::tolerance_not_met;
+  if (figures.ending != Status::bottomed_out) {
     // The peak of a run that is cut at its very beginning may be extrapolated below 0.
     s.peak_force = std::max(figures.peak_force, 0.0);
     s.time_of_peak_force = figures.time_of_peak_force;

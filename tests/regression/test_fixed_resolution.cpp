@@ -57,11 +57,11 @@ std::string support_of(const ImpactCase& impact) {
 
 std::string ending_of(const Figures& run) {
   switch (run.ending) {
-    case Ending::released: return "released";
-    case Ending::bottomed_out: return "bottomed-out";
-    case Ending::time_limit: return "time-limit";
-    case Ending::at_rest: return "at-rest";
-    case Ending::too_many_steps: break;
+    case Status::released: return "released";
+    case Status::bottomed_out: return "bottomed-out";
+    case Status::time_limit: return "time-limit";
+    case Status::at_rest: return "at-rest";
+    default: break;
   }
   return "gave-up";
 }

@@ -23,7 +23,7 @@ constexpr double rebound = 2;        // m/s
 Figures figures_with(double error) {
   const auto off = [error](double x, double factor) { return x * (1 + factor * error); };
   Figures f;
-  f.ending = Ending::released;
+  f.ending = Status::released;
   f.peak_force = off(500, 1);
   f.time_of_peak_force = off(0.01, -2);
   f.peak_motion = off(0.05, 0.5);
@@ -227,7 +227,7 @@ TEST(refinement, a_run_that_fails_changes_nothing_of_what_was_agreed_on) {
     const ErrorEstimates errors = refinement.errors();
     Figures failed = figures_with(0);
     failed.peak_force = is_no_number ? std::numeric_limits<double>::quiet_NaN() : 2.9e12;
-    if (!is_no_number) failed.ending = Ending::too_many_steps;
+    if (!is_no_number) failed.ending = Status::tolerance_not_met;
     EXPECT_FALSE(refinement.add(failed));
     EXPECT_FALSE(refinement.settled());
     EXPECT_EQ(refinement.figures().peak_force, before.peak_force);
@@ -261,7 +261,7 @@ TEST(refinement, an_impactor_is_at_rest_only_once_its_last_swing_is_told_from_on
     Refinement refinement(impactor, 1e-2);
     for (int k = 0; k < numerics.max_fixed_runs; ++k, error /= 4) {
       Figures run = figures_with(0);
-      run.ending = Ending::at_rest;
+      run.ending = Status::at_rest;
       run.last_swing = slow * (last - error);
       run.slowest_swing = slow * (slowest - error);
       refinement.add(run);
