@@ -66,14 +66,6 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
   snapshot.stress.push_back(std::max(stress, 0.0));
 }
 
-/// Moves a contact from one entry of a history to another, step by step.
-template <IsContact Contact>
-void replay(const History& history, std::size_t& now, std::size_t entry, Contact& contact) {
-  for (; now < entry; ++now)
-    contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
-                                 history.time[now + 1] - history.time[now]));
-}
-
 /// Adds the pressing columns, out to where the stress vanishes.
 template <class Law>
 void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
@@ -103,7 +95,9 @@ std::vector<ContactSnapshot> replayed(const ImpactCase& impact, const History& h
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    replay(history, now, entry, contact);
+    for (; now < entry; ++now)
+      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                                   history.time[now + 1] - history.time[now]));
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     snapshot.determined = history.penetration[entry] < lock * (1 - 1e-12);
     look(history.penetration[entry], snapshot);

@@ -212,12 +212,8 @@ const std::vector<std::string>& usual_figures() {
 }
 
 const char* to_string(Severity severity) {
-  switch (severity) {
-    case Severity::unusable: return "unusable";
-    case Severity::doubtful: return "doubtful";
-    case Severity::note: return "note";
-  }
-  return "";
+  constexpr const char* names[]{"unusable", "doubtful", "note"};
+  return names[static_cast<std::size_t>(severity)];
 }
 
 std::span<const FlagKind> flag_kinds() { return all_flags; }

@@ -65,12 +65,8 @@ bool is_by_uniaxial_tests(const Material& material) {
 }  // namespace
 
 std::string name_of(Floor floor) {
-  switch (floor) {
-    case Floor::bonded: return "bonded";
-    case Floor::resting: return "resting";
-    case Floor::frictionless: break;
-  }
-  return "frictionless";
+  constexpr const char* names[]{"bonded", "resting", "frictionless"};
+  return names[static_cast<std::size_t>(floor)];
 }
 
 std::optional<Floor> floor_named(std::string_view name) {

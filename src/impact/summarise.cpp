@@ -140,15 +140,9 @@ double force_on_way_in(const ImpactCase& impact, const History& history, double 
 }  // namespace
 
 std::string to_string(Status status) {
-  switch (status) {
-    case Status::released: return "released";
-    case Status::at_rest: return "at rest";
-    case Status::bottomed_out: return "bottomed out";
-    case Status::time_limit: return "time limit";
-    case Status::tolerance_not_met: return "tolerance not met";
-    case Status::not_run: break;
-  }
-  return "not run";
+  constexpr const char* names[]{"not run",    "released",          "bottomed out",
+                                "time limit", "tolerance not met", "at rest"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,

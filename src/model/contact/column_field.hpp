@@ -189,17 +189,18 @@ class ColumnField {
   [[nodiscard]] SweepStep sweep_step() const {
     return {columns_.depth(), trial_live_, thickness_, penetration_, trial_, largest_penetration_};
   }
-  void set_at_rest(const Columns& columns, std::size_t j) const {
-    for (double* array : columns.all()) array[j] = 0;
+  /// The numbers of a column's strain part.
+  static std::array<double, Formulas::parts> parts_of(const Columns& columns, std::size_t j) {
+    std::array<double, Formulas::parts> part;
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns.part[k][j];
+    return part;
   }
   /// Sets a column that the nose no longer touches to strain zero. The stresses of its branches continue to
   /// relax, and count again when the nose comes back.
   void let_go(std::size_t j) const {
-    set_at_rest(columns_.next_state, j);
+    for (double* array : columns_.next_state.all()) array[j] = 0;
     if constexpr (scalar::carries_branches<Law, double>) {
-      const Columns& now = columns_.now;
-      std::array<double, Formulas::parts> left;
-      for (std::size_t k = 0; k < left.size(); ++k) left[k] = now.part[k][j];
+      std::array<double, Formulas::parts> left = parts_of(columns_.now, j);
       if (left[1] == 0 && left[2] == 0) return;
       const Formulas formulas{law_, power_, rate_part_, time_part_};
       // The strain vanished within a share of the step.
@@ -220,9 +221,7 @@ class ColumnField {
     const double stress = columns_.next_state.stress[0];
     if (!(nose_.tip > 0 && stress > 0)) return 0;
     if constexpr (scalar::carries_branches<Law, double>) {
-      std::array<double, Formulas::parts> part;
-      for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.next_state.part[k][0];
-      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(part.data());
+      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(parts_of(columns_.next_state, 0).data());
     }
     const double strain = trial_ / thickness_;
     const double largest = std::max(largest_penetration_, trial_) / thickness_;
@@ -359,10 +358,8 @@ class ColumnField {
   /// Stress over envelope of a column while loading.
   [[nodiscard]] double relaxed(std::size_t j) const {
     const double strain = (penetration_ - columns_.depth()[j]) / thickness_;
-    std::array<double, Formulas::parts> part;
-    for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.now.part[k][j];
-    return columns_.now.stress[j] /
-           Formulas{law_, power_, rate_part_, time_part_}.envelope(part.data(), strain, strain);
+    const Formulas formulas{law_, power_, rate_part_, time_part_};
+    return columns_.now.stress[j] / formulas.envelope(parts_of(columns_.now, j).data(), strain, strain);
   }
 
   /// Repeats a trial from the accepted state unless it is the last one.

@@ -124,12 +124,8 @@ FittedRange tested_range(const FoamCurves& curves) {
 }
 
 std::string name_of(Beyond beyond) {
-  switch (beyond) {
-    case Beyond::strain: return "EXTRAPOLATED STRAIN";
-    case Beyond::rate: return "EXTRAPOLATED RATE";
-    case Beyond::other: break;
-  }
-  return "EXTRAPOLATED";
+  constexpr const char* names[]{"EXTRAPOLATED STRAIN", "EXTRAPOLATED RATE", "EXTRAPOLATED"};
+  return names[static_cast<std::size_t>(beyond)];
 }
 
 std::optional<FittedRange> range_of(const Material& material) {
