@@ -172,7 +172,7 @@ class Record {
     work_.error += done.error;
   }
   void note(ColumnEvent::Kind kind, double time, double strain, double before, double after) {
-    test_.events.push_back({kind, time, strain, before, after});
+    test_.events.push_back({kind, time, strain, before, after, test_.size() - 1});
   }
   [[nodiscard]] double stress() const { return test_.stress.back(); }
 

@@ -104,8 +104,8 @@ void find_peak(const ColumnTest& test, CushionFigures& figures) {
   const auto i = static_cast<std::size_t>(peak - test.stress.begin());
   figures.peak_stress = *peak;
   figures.strain_at_peak = test.strain[i];
-  const auto at_an_event = [&](const ColumnEvent& event) { return event.time == test.time[i]; };
-  if (i == 0 || i + 1 == test.size() || std::ranges::any_of(test.events, at_an_event)) return;
+  const bool is_at_event = std::ranges::find(test.events, i, &ColumnEvent::place) != test.events.end();
+  if (i == 0 || i + 1 == test.size() || is_at_event) return;
   const double before = test.time[i - 1] - test.time[i], after = test.time[i + 1] - test.time[i];
   const double fall_before = (test.stress[i - 1] - *peak) / before;
   const double fall_after = (test.stress[i + 1] - *peak) / after;

@@ -89,6 +89,7 @@ struct ColumnEvent {
   double strain = 0;
   double stress_before = 0;  ///< Pa
   double stress_after = 0;   ///< Pa; differs from the one before for law 3 only
+  std::size_t place = 0;     ///< index of the place of output at which it happened
 };
 
 /// One entry a place of output; stress and strain positive in compression. The ends of all pieces, and the
