@@ -27,7 +27,7 @@ StrainHistory history_of(const MaterialTest& test, double rate) {
   throw std::invalid_argument("creep has no strain history: its stress is given");
 }
 
-/// The times of the update's strains, from 0 on.
+/// The times of the update's strains, s, from 0 on.
 std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double step = end_of_first_loading(history) / steps;
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
@@ -41,20 +41,20 @@ std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   return times;
 }
 
-/// Relaxation is fast at first: more places near the beginning of the hold.
+/// Extra places of output in a hold, most of them near its beginning, where relaxation is fast.
 std::vector<double> marks_in_hold(double ramp, double hold) {
   std::vector<double> times{ramp};
   for (const double share : {1e-4, 1e-3, 1e-2, 0.1}) times.push_back(ramp + share * hold);
   return times;
 }
 
-/// Enough for smooth curves, and not too many for a file.
+/// Number of places of output in a piece: enough for smooth curves, and not too many for a file.
 int places_for(std::size_t pieces) {
   const auto few = static_cast<int>(std::clamp<std::size_t>(600 / pieces, 20, 200));
   return std::min(few, std::max(2, static_cast<int>(200'000 / pieces)));
 }
 
-/// Of the place of output that is nearest.
+/// Stress at the nearest place of output, Pa.
 double stress_at(const ColumnTest& column, double time) {
   const auto after = std::lower_bound(column.time.begin(), column.time.end(), time);
   auto i = static_cast<std::size_t>(after - column.time.begin());
@@ -106,7 +106,7 @@ MaterialTestRun strain_run(const Material& material, const MaterialTest& test, d
   return run;
 }
 
-/// Absent where the law does not reach the stress.
+/// A creep test; nothing if the law does not reach the stress.
 std::optional<MaterialTestRun> creep_run(const Material& material, const MaterialTest& test, double rate) {
   std::optional<ColumnTest> column = creep(material.law, {test.stress, rate, test.hold});
   if (!column) return std::nullopt;
@@ -121,7 +121,7 @@ std::optional<MaterialTestRun> creep_run(const Material& material, const Materia
   return run;
 }
 
-/// A strain of 0.95 that was computed is not beyond 0.95.
+/// A value without its rounding, so that a computed 0.95 is not beyond 0.95.
 double without_rounding(double value) { return rounded_to(value, 12); }
 
 std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run) {
