@@ -88,6 +88,16 @@ void look_at(const ColumnField<Law>& field, double penetration, const Sections& 
               edge < nose.depth ? 0 : field.column(pressing - 1).stress);
 }
 
+/// Adds points at even radii up to `edge`, m; `point_at(depth)` returns strain and stress of a column.
+template <class PointAt>
+void add_evenly(ContactSnapshot& snapshot, const Sections& nose, double edge, PointAt&& point_at) {
+  for (int k = 0; k <= max_points; ++k) {
+    const double radius = edge * k / max_points;
+    const auto [strain, stress] = point_at(nose.depth_at(radius));
+    add_point(snapshot, radius, std::max(strain, 0.0), stress);
+  }
+}
+
 /// Leads a contact that locks at a penetration through the history; `look(entry, snapshot)` adds its columns.
 template <IsContact Contact, class Look>
 std::vector<ContactSnapshot> replayed(const ImpactCase& impact, const History& history, Contact& contact,
@@ -128,11 +138,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   contact.start(start_resolution, thickness);
   const auto look = [&](double, ContactSnapshot& snapshot) {
     const double edge = contact.contact_radius();
-    for (int k = 0; k <= max_points && edge > 0; ++k) {
-      const double radius = edge * k / max_points;
-      const auto column = contact.column(nose.depth_at(radius));
-      add_point(snapshot, radius, std::max(column.strain, 0.0), column.stress);
-    }
+    if (edge > 0) add_evenly(snapshot, nose, edge, [&](double depth) { return contact.column(depth); });
   };
   return replayed(impact, history, contact, contact.crater() + contact.lock_penetration(), look);
 }
@@ -170,12 +176,10 @@ std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCa
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     const double share = snapshot.force / contact.force(penetration);
     snapshot.determined = std::abs(share - 1) < 1e-6;
-    for (int k = 0; k <= max_points; ++k) {
-      const double radius = nose.radius(penetration) * k / max_points;
-      const double strain = std::max((penetration - nose.depth_at(radius)) / thickness, 0.0);
-      add_point(snapshot, radius, strain,
-                share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
-    }
+    add_evenly(snapshot, nose, nose.radius(penetration), [&](double depth) {
+      const double strain = (penetration - depth) / thickness;
+      return std::pair(strain, share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
+    });
     snapshots.push_back(std::move(snapshot));
   }
   return snapshots;

@@ -111,11 +111,7 @@ EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
 }
 
 SupportFigures support_figures(const Support& support, const Backing& backing, const Figures& figures) {
-  SupportFigures of{.peak_transmitted = {},
-                    .peak_deflection = figures.peak_deflection,
-                    .crushing_force = figures.crushing_force,
-                    .set = {},
-                    .body_speed = {}};
+  SupportFigures of{.peak_deflection = figures.peak_deflection, .crushing_force = figures.crushing_force};
   if (!(support.is_rigid() && figures.ending == Status::bottomed_out))
     of.peak_transmitted = figures.peak_transmitted;
   if (backing.unloading_stiffness > 0) of.set = figures.set;

@@ -166,8 +166,7 @@ std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& histo
     }
     return stresses;
   };
-  if (const Foam* const foam = std::get_if<Foam>(&law); foam != nullptr && memo != nullptr)
-    return through(FoamColumn(*foam, *memo));
+  if (const Foam* const foam = std::get_if<Foam>(&law)) return through(FoamColumn(*foam, memo));
   return with_column(law, through);
 }
 

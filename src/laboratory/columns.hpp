@@ -23,7 +23,7 @@ class FoamColumn {
  public:
   template <SharesSlip Law>
   explicit FoamColumn(const Law& law) : law_(law) {}
-  FoamColumn(const Foam& law, FoamMemo& memo) : law_(law, memo) {}
+  FoamColumn(const Foam& law, FoamMemo* memo) : law_(law, memo) {}
 
   Contact enter(const Arc& arc) {
     arc_ = arc;

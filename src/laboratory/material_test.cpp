@@ -65,13 +65,7 @@ double stress_at(const ColumnTest& column, double time) {
 UpdateOf1984 compare_with(StressUpdate update_stress, const Material& material, const StrainHistory& history,
                           std::vector<double> times, int steps, const ColumnTest& column) {
   const double step = times[1];
-  UpdateOf1984 update{.step = step,
-                      .time = std::move(times),
-                      .strain = {},
-                      .stress = {},
-                      .exact = {},
-                      .update_at_turn = {},
-                      .exact_at_turn = {}};
+  UpdateOf1984 update{.step = step, .time = std::move(times)};
   for (const double time : update.time) {
     update.strain.push_back(std::max(strain_at(history, time), 0.0));
     update.exact.push_back(stress_at(column, time));

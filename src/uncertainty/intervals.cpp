@@ -80,8 +80,8 @@ struct Place {
 /// A line with its solved places.
 struct Solved {
   const Line* line = nullptr;
-  std::vector<Place> places;  ///< in order, the base among them
-  bool is_mirrored = false;   ///< only one end of a symmetric line was solved
+  std::vector<Place> places = {};  ///< in order, the base among them
+  bool is_mirrored = false;        ///< only one end of a symmetric line was solved
   bool failed = false;
 };
 
@@ -111,7 +111,7 @@ class Search {
       : impact_(impact), options_(options), asked_(asked), nominal_(figures_of(nominal, asked)) {
     options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
     options_.fixed_runs = 0;
-    for (const Line& line : lines) solved_.push_back({.line = &line, .places = {}});
+    for (const Line& line : lines) solved_.push_back({.line = &line});
     solve_ends();
     solve_between();
   }
@@ -297,8 +297,7 @@ constexpr std::array all_sources{Source::continuation, Source::rate,   Source::w
 /// The interval of a figure by Eq. 58.
 FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double nominal, const Search& search,
                            const Open& open, const Solution& solution) {
-  FigureInterval interval{
-      .key = asked.quantity->key, .level = asked.level, .nominal = nominal, .sources = {}};
+  FigureInterval interval{.key = asked.quantity->key, .level = asked.level, .nominal = nominal};
   Deviation ranges, statistics;
   for (const Source source : all_sources) {
     Deviation alone;
@@ -333,7 +332,7 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
   add_way_back(impact, summary, open);
   add_statistics(impact, summary, open);
   add_neighbours(impact, summary, open);
-  Intervals intervals{.figures = {}, .sources = std::move(open.sources), .warning = warning_of_model(impact)};
+  Intervals intervals{.sources = std::move(open.sources), .warning = warning_of_model(impact)};
   if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
     const std::vector<AskedFigure> asked = asked_figures(dwell_levels);
     const Search search(impact, options, solution, asked, open.lines);

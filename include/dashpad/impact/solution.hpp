@@ -94,11 +94,11 @@ struct EnergyLedger {
 /// Figures of a support that is more than an elastic curve, where forces of pad and support differ.
 struct SupportFigures {
   /// Force on the ground or the body behind, N; absent where a pad bottoms out on a rigid support.
-  std::optional<double> peak_transmitted;
-  double peak_deflection = 0;        ///< m
-  double crushing_force = 0;         ///< largest force so far of a support that crushes, N
-  std::optional<double> set;         ///< lasting deflection of such a support, m
-  std::optional<double> body_speed;  ///< final speed of a free body behind, m/s
+  std::optional<double> peak_transmitted = {};
+  double peak_deflection = 0;             ///< m
+  double crushing_force = 0;              ///< largest force so far of a support that crushes, N
+  std::optional<double> set = {};         ///< lasting deflection of such a support, m
+  std::optional<double> body_speed = {};  ///< final speed of a free body behind, m/s
 };
 
 /// Figures of a layer of a pad, on the axis: of the finest run, not extrapolated.

@@ -98,14 +98,14 @@ struct StressAtTurn {
 
 /// The update of 1984 (report, Eq. 16) on the same history, in the arithmetic of its machine.
 struct UpdateOf1984 {
-  double step = 0;           ///< duration of the first loading over the number of steps, s
-  std::vector<double> time;  ///< s
-  std::vector<double> strain;
-  std::vector<double> stress;  ///< Pa
-  std::vector<double> exact;   ///< exact stress at the same times, Pa
+  double step = 0;                ///< duration of the first loading over the number of steps, s
+  std::vector<double> time = {};  ///< s
+  std::vector<double> strain = {};
+  std::vector<double> stress = {};  ///< Pa
+  std::vector<double> exact = {};   ///< exact stress at the same times, Pa
   /// Absent if the test ends with its first loading. A jump above zero is what the report calls the
   /// stress-discontinuity artifact.
-  std::optional<StressAtTurn> update_at_turn, exact_at_turn;
+  std::optional<StressAtTurn> update_at_turn = {}, exact_at_turn = {};
 };
 
 /// Shares of the exact peak stress outside which stresses of 1984 are flagged as OUT OF BOUNDS and not drawn.

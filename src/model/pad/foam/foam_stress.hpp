@@ -23,10 +23,8 @@ class MonotoneCurve;
 
 class FoamStress {
  public:
-  /// The laws must be sound (violations(PadLaw)).
-  explicit FoamStress(const Foam& law);
-  /// The same with cached tables.
-  FoamStress(const Foam& law, FoamMemo& memo);
+  /// The laws must be sound (violations(PadLaw)). `memo` caches tables.
+  explicit FoamStress(const Foam& law, FoamMemo* memo = nullptr);
   explicit FoamStress(const CrushableFoam& law);
 
   /// A strain, with its place in the tables and the base curve there.
