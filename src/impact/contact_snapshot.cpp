@@ -22,8 +22,7 @@ namespace {
 constexpr double start_resolution = 0.02;
 /// Usual number of points of a snapshot, more than a picture shows.
 constexpr int max_points = 160;
-/// Change of the stress, as a share, from which on a point is kept in any case, as near the axis of a nearly
-/// closed pad.
+/// Relative change of the stress from which on a point is kept anyway, as near the axis of a closing pad.
 constexpr double largest_jump = 0.05;
 
 /// The entries of the history that are shown, increasing.
@@ -162,8 +161,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   return replayed(impact, history, contact, contact.lock_penetration(), look);
 }
 
-/// Without memory the stress is that of the curve. A foam that does not recover leaves its curve once its
-/// penetration has stopped.
+/// Without memory the stress is that of the curve, which foam that does not recover leaves once it stops.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
                                         const History& history) {
   const Sections nose = sections_of(impact);

@@ -31,8 +31,7 @@ inline LayeredContact::Parts layers_of(const Pad& pad) {
 
 class Contacts {
  public:
-  /// Whether this was the last foam, which is then sound. Checking the curves of a foam takes up to a third
-  /// of the time of an impact.
+  /// Whether this was the last foam, which is then sound; checking its curves takes a third of the time.
   [[nodiscard]] bool know(const PadLaw& law) const { return foam_ && foam_->is_of(law); }
   /// Returns visit(contact), for the contact of columns with their neighbours. With ColumnMath::plain columns
   /// are computed one by one, without short cuts.

@@ -1,12 +1,10 @@
 #pragma once
-/// The nonlinear solution of a step: a trial at the end of which pad, support and impactor are in
-/// equilibrium.
+/// The nonlinear solution of a step: a trial after which pad, support and impactor are in equilibrium.
 ///
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 25)
 ///
 /// in each of the phases, where Xs is the motion of the back of the pad, which on a moving support follows
-/// from the force over the step. While the pad is held, the unknown is the force. Lengths in m, times in s,
-/// forces in N.
+/// from the force over the step. While the pad is held, the unknown is the force. SI units.
 
 #include <algorithm>
 #include <cmath>
@@ -115,8 +113,7 @@ class Equilibrium {
     return finished(trial);
   }
 
-  /// A step without force, in which the motion is known, and with it the penetration; in flight that is below
-  /// zero.
+  /// A step without force, so that motion and penetration are known; in flight the latter is below zero.
   Trial released(double step, const Predictor& predictor) {
     Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     trial.end.penetration = -motion_.residual(0, 0, step, trial.end);
@@ -132,8 +129,7 @@ class Equilibrium {
     Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    // On a support that does not yield the force may have no bound there; its mean is then not half its last
-    // value.
+    // On a support that does not yield the force may have no bound, and its mean is not half its last value.
     const double bound = foundation_.stops_hard() && !memoryless ? 2 * now().force : trial.pad.force;
     motion_.residual(y, std::min(trial.pad.force, bound), step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
@@ -257,8 +253,7 @@ class Equilibrium {
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
   static bool is_rounding(double left, double scale) { return std::abs(left) <= numerics.rounding * scale; }
 
-  /// Search over trials of a moving pad: the residual as a function of the advance, and when it is close
-  /// enough to 0.
+  /// Search over trials of a moving pad: the residual as a function of the advance, and when it is solved.
   struct MovingSearch {
     MovingSearch(Equilibrium& equilibrium, double step, const Predictor& predictor) : of_(equilibrium) {
       const State& now = equilibrium.now();

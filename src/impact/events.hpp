@@ -112,8 +112,7 @@ inline double left_to_wait_for(const Sight& s) {
   return speed_to_wait_for(s.foundation, s.trial.end, s.min_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
-/// Speed at which the nose leaves the pad in flight, m/s; columns follow it, and their law has a corner where
-/// they turn.
+/// Speed at which the nose leaves the pad in flight, m/s; the law of columns has a corner where they turn.
 inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
 inline bool moves_apart(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
@@ -194,8 +193,7 @@ inline FirstEvent first_event(const Sight& sight) {
 // The phase that follows an event (theory.md, section 4). Together with `is_driven` and `has_unloading_step`,
 // the ends of branches, these are all rules about branches.
 //
-// Up to three rates satisfy equilibrium; the drive (Eq. 26) selects the one in the limit of a vanishing
-// dashpot.
+// Up to three rates satisfy equilibrium; the drive selects that of a vanishing dashpot (Eq. 26).
 
 /// Conditions of an impact on which branches depend.
 struct BranchConditions {

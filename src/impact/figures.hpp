@@ -79,17 +79,15 @@ struct Figures {
   double work = 0;  ///< estimated processor time of the run, s
 };
 
-/// Reads peaks of force and motion between the entries of a track, by parabolas and cubics in smooth
-/// stretches.
+/// Reads peaks between the entries of a track, by parabolas and cubics in smooth stretches.
 void read_peaks(const Track& track, Figures& figures);
 
 /// Reads the moment at which the force falls below the impactor's weight on rebound, between the entries of a
 /// track; the release, if it was never above.
 void read_weight(const Track& track, const Impactor& impactor, Figures& figures);
 
-/// Reads the end of contact between the entries of a track: the force falls below contact_end_share of its
-/// peak for the last time. None unless the impactor was released without force. Reads `peak_force` and
-/// `ending`.
+/// Reads the end of contact between entries: the force falls below contact_end_share of its peak for the last
+/// time. None unless the impactor was released without force. Uses `peak_force` and `ending`.
 void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures);
 
 /// Integral of F dY over the track, J, by local parabolas of F(t) and Y(t) within each smooth stretch: of

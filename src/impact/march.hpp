@@ -216,8 +216,7 @@ class March {
     Trial trial = locate(first, beyond, is_corner(event));
     // On a branch with several forces for a rate the slower search is needed.
     if (is_corner(event) && !equilibrium_.is_solved(trial)) trial = locate(first, beyond, false);
-    // If the event is immediate, the phase changes at the present state, but a step still leads to a release
-    // or lock.
+    // An immediate event changes the phase at the present state, but a step still leads to release or lock.
     const bool branch_ends = event == Event::turning || event == Event::reloading;
     const bool goes_on = event != Event::release && event != Event::lock;
     if ((goes_on && trial.step < shortest) || (branch_ends && trial.step < too_short))

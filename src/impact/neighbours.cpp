@@ -10,8 +10,7 @@
 namespace dashpad {
 namespace {
 
-// Factors of c, by finite elements of our own, fitted to two foams and tested on a third (theory.md, section
-// 6.1).
+// Factors of c by our own finite elements: fitted to two foams, tested on a third (theory.md, section 6.1).
 constexpr double of_disc = 0.625;
 constexpr double of_slip = 0.375;
 /// Smallest computed radius over thickness; smaller noses have the factor of this one.

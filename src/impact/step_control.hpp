@@ -123,8 +123,7 @@ class StepControl {
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
     return resolution_ * std::min(thickness_, widening(state.penetration)) / std::abs(pad_rate);
   }
-  /// Penetration over which the area of the contact changes, m; the longer the larger a flat tip's share of
-  /// it.
+  /// Penetration over which the area of the contact changes, m; it grows with the share of a flat tip.
   [[nodiscard]] double widening(double penetration) const {
     return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_ : infinite;
   }

@@ -13,8 +13,7 @@ namespace dashpad {
 
 namespace {
 
-/// Shortest time over which a rate is taken, as a share of the history: in a shorter step it is the residual
-/// of the roots.
+/// Shortest time for a rate, as a share of the history; in shorter steps it is the residual of the roots.
 constexpr double shortest_share = 1e-3;
 
 double largest_rate(const std::vector<double>& time, const std::vector<double>& strain) {
@@ -119,9 +118,8 @@ SupportFigures support_figures(const Support& support, const Backing& backing, c
   return of;
 }
 
-/// Summary::force_on_way_in. The rate stress of laws 4 and 5 depends on the magnitude of the strain rate, so
-/// that a pad that opens on a spring pushes the harder the faster it does. 0 unless the peak is larger by a
-/// twentieth.
+/// Summary::force_on_way_in. With laws 4 and 5, whose rate stress ignores the sign of the strain rate, a pad
+/// that opens on a spring pushes the harder the faster it does. 0 unless the peak is larger by 5 %.
 double force_on_way_in(const ImpactCase& impact, const History& history, double peak) {
   constexpr double noticed = 1.05;
   const PadLaw& law = impact.pad.material.law;

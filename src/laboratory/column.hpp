@@ -106,8 +106,7 @@ double end_of_first_loading(const StrainHistory& history);
 /// Strain at a time from 0 to the end.
 double strain_at(const StrainHistory& history, double time);
 
-/// The same history in more pieces: one ends at each of `times`, s, increasing, which makes it a place of
-/// output.
+/// The same history in more pieces: one ends at each of `times`, s, increasing, as a place of output.
 StrainHistory split_at(const StrainHistory& history, const std::vector<double>& times);
 
 /// A number with its estimated error.

@@ -29,8 +29,7 @@ void check(const PadLaw& law, const StrainHistory& history, int places) {
   rules.done();
 }
 
-/// Times of output after the arc's start, from it: the places of its piece, the ends of the contact, and the
-/// arc's end.
+/// Times of output after the arc's start: the places of its piece, the ends of contact and of the arc.
 std::vector<double> output_times(const Arc& arc, const Contact& contact, int places) {
   std::vector<double> special{arc.duration};
   for (const double x : {contact.from, contact.to})

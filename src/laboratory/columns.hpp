@@ -147,8 +147,7 @@ class CurveColumn {
   bool lost_ = false;
 };
 
-/// A column of viscoelastic foam (theory.md, Eq. 40): the lasting stress is exact, each branch an integral
-/// over the arc.
+/// A column of viscoelastic foam (theory.md, Eq. 40): exact lasting stress, branches integrated over arcs.
 ///
 ///   q(x) = q(0) exp(-x / tau) + integral of g p'(e) de/dt exp(-(x - y) / tau) dy
 class MaxwellColumn {

@@ -32,9 +32,8 @@ ColumnTest loading_of(const PadLaw& law, const CreepTest& test, double duration,
   return drive(law, {{{duration, 0, test.loading_rate, 0}}}, places);
 }
 
-/// The test with a loading of that duration, s. `crept_at` returns the motion at times after the loading,
-/// fine or coarse, `slope_at` the slope of the lasting stress at a strain, Pa. Nothing if the hold ends too
-/// early.
+/// The test with a loading of that duration, s. `crept_at` returns the motion at times after it, fine or
+/// coarse, `slope_at` the slope of the lasting stress at a strain, Pa. Nothing if the hold ends too early.
 template <class Crept, class Slope>
 std::optional<ColumnTest> with_hold(const PadLaw& law, const CreepTest& test, double duration, int places,
                                     Crept&& crept_at, Slope&& slope_at) {

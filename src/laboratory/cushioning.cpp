@@ -32,8 +32,7 @@ CushionPoint before_first(const CushionCurve& curve, double limit) {
   return point_of(e * share, limit, curve.energy[0] * share * limit / S);
 }
 
-/// ln(stress) at ln(strain) = x, by Neville's scheme through the four places around the interval before place
-/// i.
+/// ln(stress) at ln(strain) = x, by Neville's scheme through four places around the interval before place i.
 double log_stress(const CushionCurve& curve, std::size_t i, double x) {
   const std::size_t n = curve.strain.size();
   const std::size_t count = std::min<std::size_t>(4, n);
@@ -97,8 +96,7 @@ CushionPoint best_of(const CushionCurve& curve) {
   return found.efficiency > *best ? found : point(curve, i);
 }
 
-/// Sets the largest stress and its strain: unless it lies at an event or an end, that of the parabola through
-/// three places in time.
+/// Sets the largest stress and its strain, by a parabola in time unless it lies at an event or an end.
 void find_peak(const ColumnTest& test, CushionFigures& figures) {
   const auto peak = std::ranges::max_element(test.stress);
   if (peak == test.stress.end() || !(*peak > 0)) return;

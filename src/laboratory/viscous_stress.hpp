@@ -29,8 +29,7 @@ WithError relaxation(const Law& law, const Stretch&, double from, double to) {
   return {(to - from) * law.relaxation_rate(0), 0};
 }
 
-/// The same for law 5, whose h depends on time and strain; over u = t^a it has no singularity at first
-/// contact.
+/// The same for law 5, whose h depends on time and strain; over u = t^a it has no singularity.
 inline WithError relaxation(const TwentyOneParameter& law, const Stretch& stretch, double from, double to) {
   const double a = law.relaxation_exponent;
   const double log_base = std::log(law.relaxation_strain_base);
@@ -52,9 +51,8 @@ class ViscousStress {
  public:
   explicit ViscousStress(const Law& law) : law_(law), power_(law.exponents()) {}
 
-  /// Stress at the end of a stretch that begins with `stress`, Pa, and the largest strain so far, `largest`.
-  /// On unloading the strain at the end must be above 0, where the envelopes of laws 4 and 5 have no lower
-  /// bound.
+  /// Stress at the end of a stretch that begins with `stress`, Pa, and the largest strain so far. On
+  /// unloading the strain at the end must be above 0: at 0 the envelopes of laws 4 and 5 have no lower bound.
   [[nodiscard]] WithError after(const Stretch& stretch, WithError stress, double largest) const {
     const WithError H = relaxation(law_, stretch, 0, stretch.duration);
     const double kept = std::exp(-H.value);

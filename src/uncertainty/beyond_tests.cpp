@@ -48,8 +48,7 @@ std::optional<double> tested_strain(const Material& material) {
   return strain;
 }
 
-/// Sets the continuation, from the gentlest (place -1) to the steepest (1) that the card admits, beyond the
-/// tested strain.
+/// Sets the continuation beyond the tested strain, from the gentlest (place -1) to the steepest (1).
 void continue_by(Material& material, double tested, double place) {
   std::visit(
       [&]<class Law>(Law& law) {
@@ -63,9 +62,8 @@ void continue_by(Material& material, double tested, double place) {
       material.law);
 }
 
-/// Exponents of the rate for foams tested at one rate only. Measured ones, from the slowest test to the
-/// fastest, are 0.02 to 0.05 for EPS, 0.03 to 0.11 for VN600 at strains from 0.25 to 0.5, and 0.11 to 0.21
-/// for the hard polyurethane.
+/// Exponents of the rate for foams tested at one rate only. Those measured over all rates are 0.02 to 0.05
+/// for EPS, 0.03 to 0.11 for VN600 at strains from 0.25 to 0.5, and 0.11 to 0.21 for the hard polyurethane.
 constexpr double usual_exponent = 0.1, usual_exponent_of_crushable = 0.05;
 
 /// The exponent between the two highest tested rates, at a strain of a third; nothing if one rate was tested.
@@ -79,8 +77,7 @@ std::optional<double> last_exponent(const FoamCurves& curves) {
   return std::max(at.rise / (1 + at.stress), 0.0);
 }
 
-/// Lets the curves of a foam grow further with the rate, by the power `exponent` up to the rate `reached`,
-/// 1/s.
+/// Lets the curves of a foam grow with the rate by the power `exponent` up to `reached`, 1/s.
 void grow_beyond(FoamCurves& curves, double reached, double exponent) {
   const double tested = tested_rates(curves).back();
   std::visit(

@@ -85,8 +85,7 @@ struct Solved {
   bool failed = false;
 };
 
-/// The figures of a case; empty if it could not be solved well enough. The forces of a pad that bottoms out
-/// are infinite.
+/// The figures of a case; empty if it was not solved well enough. Forces of a pad that bottoms are infinite.
 std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
                                    const std::vector<AskedFigure>& asked) {
   if (!violations(impact).empty()) return {};
@@ -199,8 +198,7 @@ class Search {
     take(jobs);
   }
 
-  /// Vertex of the parabola through three places, and how far it leaves their hull, as a share of the
-  /// nominal.
+  /// Vertex of the parabola through three places, and how far it leaves their hull, over the nominal.
   [[nodiscard]] std::optional<std::pair<double, double>> turning_point(const Solved& solved,
                                                                        std::size_t first,
                                                                        std::size_t figure) const {
@@ -242,8 +240,7 @@ struct Deviation {
   }
 };
 
-/// The deviation by a line: for a range the hull of its places, for a statistical one 1.96 standard
-/// deviations.
+/// The deviation by a line: the hull of its places for a range, else 1.96 standard deviations.
 Deviation deviation_of(const Solved& solved, std::size_t figure) {
   Deviation deviation;
   for (const Place& place : solved.places) {

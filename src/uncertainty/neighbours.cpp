@@ -40,8 +40,7 @@ Error error_of_columns(const Tip& tip) {
 }
 
 /// The error with Eq. 57: 2.9 and 3.5 % in the peak at strains of 0.5 and 0.65 on bonded pads of R = 2 L, 1.7
-/// and 2.1 % at 3.3 L; on frictionless floors 4 % more that does not fall with L / R (foams differ in how
-/// they slip).
+/// and 2.1 % at 3.3 L; on frictionless floors 4 % more at any L / R, as foams slip differently.
 Error error_with_neighbours(const Tip& tip, Floor floor, double strain) {
   Error error;
   if (tip.is_flat) {

@@ -13,9 +13,8 @@
 namespace dashpad::uncertainty {
 namespace {
 
-/// Ranges where a card gives none: for recoil, and the unloading factor if no loss was stated, all that is
-/// admitted; for the lag strain, which no test at hand measures, a factor of 2.5 to 4 about the standard half
-/// per cent.
+/// Ranges where a card gives none: all that is admitted for recoil, and for the unloading factor if no loss
+/// was stated; for the lag strain, which no test at hand measures, 2.5 times less to 4 times more than 0.005.
 constexpr ValueRange any_share{0, 1}, usual_lag{0.002, 0.02};
 
 /// Whether nothing was stated about the unloading.

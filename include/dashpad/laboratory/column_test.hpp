@@ -42,8 +42,7 @@ struct StrainPiece {
   [[nodiscard]] double rate_at(double time) const { return rate + time * acceleration; }
 };
 
-/// A history that starts at first contact, at time 0 and stress 0. The strain is continuous from piece to
-/// piece; the rate may jump.
+/// A history that starts at first contact, at time 0 and stress 0. The rate may jump, the strain must not.
 struct StrainHistory {
   std::vector<StrainPiece> pieces;
 };
@@ -86,9 +85,8 @@ struct ColumnEvent {
   std::size_t place = 0;     ///< index of the place of output at which it happened
 };
 
-/// A column test, with one entry for each place of output; stress and strain are positive in compression. The
-/// ends of all pieces and the events are places of output. Where the stress jumps (law 3) there are two
-/// entries, before and after.
+/// A column test, with an entry for each place of output, also at the ends of pieces and at events; stress
+/// and strain are positive in compression. Where the stress jumps (law 3) there are two entries.
 struct ColumnTest {
   std::vector<double> time;  ///< s since first contact
   std::vector<double> strain;
@@ -103,8 +101,7 @@ struct ColumnTest {
 };
 
 /// Leads a column through a history, with `places` (2 to 100,000) places of output in each piece, even in
-/// time, at most 10,000,000 in all. Throws std::invalid_argument for violations() of law or history and for a
-/// number of places out of range.
+/// time, at most 10,000,000 in all. Throws std::invalid_argument for broken rules of law, history or places.
 ColumnTest drive(const PadLaw& law, const StrainHistory& history, int places = 200);
 
 /// Stress of a column at the end of each piece of a history, Pa: that of drive() without other places of
@@ -125,8 +122,7 @@ struct CreepTest {
 /// law 3 stays at strain 0 below its crush stress). Nothing if the law does not reach the stress below the
 /// strain 0.999, or creeps beyond it. There are `places` places of output during the loading, even in time,
 /// and as many during the hold, in geometric sequence. `stress_error` is the estimated error of the strain
-/// times the slope of the lasting stress. Throws std::invalid_argument for violations() of the law and for
-/// numbers out of range.
+/// times the slope of the lasting stress. Throws std::invalid_argument for broken rules.
 std::optional<ColumnTest> creep(const PadLaw& law, const CreepTest& test, int places = 200);
 
 }  // namespace dashpad::laboratory

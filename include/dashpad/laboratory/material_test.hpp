@@ -51,9 +51,8 @@ CushionFigures cushion_figures(const ColumnTest& test);
 /// What a foam absorbs without exceeding a stress: the point of the first loading at which the stress first
 /// reaches `limit`, Pa, > 0 (std::invalid_argument otherwise). Nothing if the test never reaches it.
 ///
-/// Between two places ln(stress) is the cubic in ln(strain) through the nearest four, before the first place
-/// a power of the strain. With 200 places the strain of the Ensolite laws has an error of 1e-6, the energy a
-/// relative one of 1e-5.
+/// Between places ln(stress) is the cubic in ln(strain) through the nearest four, before the first a power of
+/// the strain. With 200 places the strain of the Ensolite laws is right to 1e-6, the energy to 1e-5.
 std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double limit);
 
 enum class TestKind {
@@ -84,8 +83,7 @@ struct MaterialTest {
   std::vector<double> times = {};                 ///< times of a measured history, s
   std::vector<double> strains = {};               ///< strains of a measured history
   std::vector<double> stress_limits = {};         ///< stresses for which cushioning is reported, Pa, > 0
-  /// Number of steps in the first loading of the update of 1984, 1 to 10,000; absent: without it. Not for
-  /// creep.
+  /// Number of steps in the first loading of the update of 1984, 1 to 10,000; none by default; not for creep.
   std::optional<int> steps_of_1984 = {};
 };
 
@@ -103,8 +101,7 @@ struct UpdateOf1984 {
   std::vector<double> strain = {};
   std::vector<double> stress = {};  ///< Pa
   std::vector<double> exact = {};   ///< exact stress at the same times, Pa
-  /// Absent if the test ends with its first loading. A jump above zero is what the report calls the
-  /// stress-discontinuity artifact.
+  /// Absent if the test ends with its first loading. A jump above 0 is the stress-discontinuity artifact.
   std::optional<StressAtTurn> update_at_turn = {}, exact_at_turn = {};
 };
 
@@ -148,9 +145,8 @@ struct MaterialTestReport {
 using StressUpdate = std::vector<double> (*)(const Material& material, const std::vector<double>& strains,
                                              double step);
 
-/// Runs the test. Throws std::invalid_argument for violations() of the law or of a history, for a creep
-/// stress that the law does not reach, and for more than 100,000 steps of 1984, or such steps without
-/// `update_of_1984`.
+/// Runs the test. Throws std::invalid_argument for violations() of law or history, for a creep stress that
+/// the law does not reach, and for steps of 1984 above 100,000 or without `update_of_1984`.
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
                                      StressUpdate update_of_1984 = nullptr);
 

@@ -1,6 +1,5 @@
 #pragma once
-/// The numbers of a case as tables: key, unit, admissible range and meaning of each, beside the structure
-/// that holds it.
+/// The numbers of a case as tables beside their structures: key, unit, admissible range, meaning.
 
 #include <optional>
 #include <string>
@@ -42,8 +41,7 @@ constexpr Bounds above_to(double lowest, double highest) { return {lowest, highe
 /// Positive, between two values that no real impact lies outside of; both are admitted.
 constexpr Bounds wide(double lowest, double highest) { return {lowest, highest, true, true, true, ""}; }
 
-/// Bounds with a wording of their own for the rule, which reads "must be " and `words`. The highest value is
-/// admitted.
+/// Bounds whose rule reads "must be " and `words`. The highest value is admitted.
 constexpr Bounds in_words(double lowest, double highest, const char* words, bool lowest_admitted = true) {
   return {lowest, highest, lowest_admitted, true, false, words};
 }

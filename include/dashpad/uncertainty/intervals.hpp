@@ -1,6 +1,5 @@
 #pragma once
-/// Intervals of the figures of an impact, by the uncertainties of its foam and of the model (theory.md,
-/// section 6).
+/// Intervals of the figures of an impact by the uncertainties of foam and model (theory.md, section 6).
 ///
 ///   low = nominal - sum over ranges of (nominal - least) - 1.96 sqrt(sum of variances)              (Eq. 58)
 ///

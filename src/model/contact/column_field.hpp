@@ -253,8 +253,7 @@ class ColumnField {
     const double width = columns.measure[live - 1] - edge_measure(penetration);
     double sum = 0;
     if (unloading) {
-      // The stress at the edge is not known: g is continued from the last two columns, within bounds, since
-      // these may lie close together.
+      // The stress at the edge is not known: g is continued from the last two columns, within bounds.
       edge = last;
       if (live > 1) {
         const std::size_t j = live - 2;

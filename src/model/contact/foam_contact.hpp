@@ -205,9 +205,8 @@ class FoamContact {
   /// Number of panels times the root of the resolution: the rule is of fourth order, twice that of the step.
   static constexpr double panels_at_one = 1.75;
   /// The same where the ratio of stresses follows the points of tested curves: it waves between these, and
-  /// with panels as wide as some of the waves runs agree by chance. (With the usual panels 48 of 26,700
-  /// figures of random foams were off by more than 1e-4; with these, and the slip of slip.hpp, 3: theory.md,
-  /// section 5.1.)
+  /// with wide panels runs agree by chance. (With the usual panels 48 of 26,700 figures of random foams were
+  /// off by more than 1e-4; with these, and the slip of slip.hpp, 3: theory.md, section 5.1.)
   static constexpr double panels_by_points = 5.25;
   /// Share of the panels for a factor of e in the complement of the strain, beyond the tested strains.
   static constexpr double panels_beyond = 0.35;
@@ -215,8 +214,7 @@ class FoamContact {
   static constexpr double precision_of_edge = 5e-3;
   /// Grading of a shape's pieces over the root of the resolution, since they are of fourth order.
   static constexpr double grading = 1.3;
-  /// Depth of the shape's tip over which the stress is taken as linear, in the resolution times the smaller
-  /// of penetration and gap.
+  /// Depth of the tip over which the stress is taken as linear, in rho times penetration or gap.
   static constexpr double thin = 0.1;
   static constexpr std::size_t looks = 12;  ///< places searched for pressing rings
   static constexpr int ring_bits = 12;      ///< precision of the place of the last pressing ring, bits
@@ -508,8 +506,7 @@ class FoamContact {
   [[nodiscard]] double depth_of(double leading) const {
     return trial_penetration_ + (lead_ - leading) * thickness_;
   }
-  /// a' / (2 pi) where the nose meets that column, m. At the rim of a nose it jumps to zero, which rounding
-  /// must not bring forward.
+  /// a' / (2 pi) where the nose meets that column, m; rounding must not bring forward its jump at the rim.
   [[nodiscard]] double rate_at(const FoamStress::Place& leading) const {
     return piece_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
   }

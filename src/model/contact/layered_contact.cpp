@@ -61,9 +61,8 @@ Shortening LayeredContact::shortening(std::size_t j, double penetration) const {
   return {penetration - depth, (series_.thickness() - penetration) + depth};
 }
 
-/// States before a step. A column that the nose has not reached takes over the slip of the column inside it,
-/// and starts as far below strain zero as the nose is away: all columns of a pad of one foam then have one
-/// slip, as that foam alone has.
+/// States before a step. A column not reached yet takes over the slip of the column inside it and a strain as
+/// far below zero as the nose is away: all columns of a pad of one foam then have one slip.
 LayerStates LayeredContact::states_before(std::size_t j) const {
   if (j < touched_) return now_[j].layers;
   LayerStates states;
@@ -186,8 +185,7 @@ void LayeredContact::for_each_cell(Visit&& visit) const {
 
 LayeredContact::Ends LayeredContact::g(const Cell& cell) const {
   double inner = next_[cell.inner].stress, outer = next_[cell.outer].stress;
-  // The distance of a column from the nose continues smoothly beyond the pressing columns; its own
-  // flexibility does not.
+  // Beyond the pressing columns the distance from the nose is smooth; the flexibility of a column is not.
   const auto with_flexibility_of = [&](std::size_t j, std::size_t free) {
     return next_[free].flexibility / std::max(next_[j].flexibility, std::numeric_limits<double>::min());
   };

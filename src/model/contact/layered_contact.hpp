@@ -2,13 +2,11 @@
 /// A nose on a pad of layers: columns of layers in series at fixed depths (theory.md, Eqs. 51 to 55).
 ///
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
-///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)            (theory.md, Eq.
-///   55)
+///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)           (theory.md, Eq. 55)
 ///
 /// A is the stress of the column pressed slowly, and w its area: stress over A is smooth at the contact edge
 /// and near full compression, and g is taken as linear in w between stations. Each layer of each column keeps
-/// its own strain, largest strain and slip, since the layers' shares of a column's shortening change with its
-/// rate.
+/// its own strain, largest strain and slip, since its share of the shortening changes with the rate.
 ///
 /// Lengths in m, stress in Pa, compression positive.
 

@@ -1,5 +1,4 @@
-/// The formulas of the laws with memory, over a number type N: double, dual numbers, lanes of a vector
-/// register.
+/// The formulas of the laws with memory, over a number type N: double, dual numbers, vector lanes.
 ///
 /// Included as text, since code with vectors must be compiled once for every instruction set, each time in a
 /// namespace of its own in which N has + - * /, exp, log, max, min, select and choose (model/pad/scalar.hpp,

@@ -44,8 +44,7 @@ class SectionShape {
   [[nodiscard]] virtual double volume_integral(double s) const = 0;
   /// a'(s) / (2 pi), m, for s > 0; at a jump the value before it.
   [[nodiscard]] virtual double rate(double s) const = 0;
-  /// The smallest depth at which the section has `area`, m; `area` lies between that of the tip and the
-  /// largest.
+  /// The smallest depth at which the section has `area`, m, which lies between those of the tip and the end.
   [[nodiscard]] virtual double depth_at(double area) const = 0;
 
   /// Whether a' grows without bound towards the tip.

@@ -48,9 +48,8 @@ class FoamStress {
     return within(std::sqrt(std::max(strain.value, 0.0)));
   }
 
-  /// Leading strain less strain of a column with its largest strain `ahead` of its strain. The leading strain
-  /// is the largest one for crushed foam, which unloads along a line from there, and the column's own
-  /// otherwise.
+  /// Leading strain less strain of a column whose largest strain is `ahead` of its strain. For crushed foam,
+  /// which unloads along a line from it, the largest strain leads; else the own one.
   [[nodiscard]] double lead(double ahead) const { return stays_crushed() ? std::max(ahead, 0.0) : 0; }
 
   /// The stress of a column over that of the base curve at its leading strain.
@@ -126,8 +125,7 @@ class FoamStress {
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
   [[nodiscard]] const SlipScale& slip() const { return slip_; }
-  /// Slope of unloading of crushed foam from a largest strain, Pa: the modulus, or the slope of the crush
-  /// curve where that is steeper.
+  /// Slope of unloading of crushed foam, Pa: the modulus, or the slope of the crush curve if steeper.
   [[nodiscard]] double slope_back(Strain largest) const {
     return std::max(modulus_, curve_.slope_beyond(largest));
   }

@@ -110,8 +110,7 @@ class FoamLayer {
 ///
 ///   stress = E_inf e + q,   dq/dt = (E_0 - E_inf) de/dt - q / tau
 ///
-/// which is Eqs. 8 and 11 of theory.md with q = stress - E_inf e, exact over a step of constant rate. An
-/// elastic layer has E_0 = E_inf.
+/// These are Eqs. 8 and 11 with q = stress - E_inf e, exact at a constant rate; elastic: E_0 = E_inf.
 ///
 /// Stress in Pa, compression positive.
 class LinearLayer {
@@ -179,8 +178,7 @@ struct StrainOfStress {
   double flexibility = 0;  ///< d(strain)/d(stress), 1/Pa
 };
 
-/// The variable x = -ln(1 - e) of root searches, in which the complement keeps its digits where a layer is
-/// nearly closed.
+/// The variable x = -ln(1 - e) of root searches, in which the complement of a closing layer keeps its digits.
 struct LogStrain {
   static constexpr double precision = 1e-13;
   /// Share of a layer's thickness at which it counts as closed and carries any stress; less than the gap at

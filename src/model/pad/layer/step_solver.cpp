@@ -7,8 +7,7 @@ namespace {
 
 double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::min_complement); }
 
-/// Sum of L_i e_i less y, added layer by layer; near full compression summed by the gaps, which keep their
-/// digits there.
+/// Sum of L_i e_i less y, layer by layer; near full compression by the gaps, which keep their digits.
 class Excess {
  public:
   explicit Excess(const Shortening& end) : by_gap_(end.gap < end.y), sum_(by_gap_ ? end.gap : -end.y) {}
