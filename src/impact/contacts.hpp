@@ -33,8 +33,7 @@ class Contacts {
  public:
   /// Whether this was the last foam, which is then sound; checking its curves takes a third of the time.
   [[nodiscard]] bool know(const PadLaw& law) const { return foam_ && foam_->is_of(law); }
-  /// Returns visit(contact), for the contact of columns with their neighbours. With ColumnMath::plain columns
-  /// are computed one by one, without short cuts.
+  /// Returns visit(contact). With ColumnMath::plain columns are computed one by one, without short cuts.
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const ColumnFactor factor = factor_of_columns(impact);

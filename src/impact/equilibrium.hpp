@@ -237,8 +237,7 @@ class Equilibrium {
     const std::optional<double> rate = predictor.next_rate(step);
     return rate ? *rate * step : spring_advance(step, slope);
   }
-  /// Root of Eq. 25 for a force proportional to the advance, m, limited to a share of the gap, over which the
-  /// stiffness changes. `slope`: slope of Eq. 25.
+  /// Root of Eq. 25 for a linear force, m, within a share of the gap; `slope` is the slope of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
     const double most = numerics.guess_of_gap * (contact_.lock_penetration() - now().penetration);
     return std::clamp(motion_.approach(step, false) / slope, -most, most);

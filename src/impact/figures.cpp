@@ -70,8 +70,7 @@ class ForceCurve {
   bool ahead_ = false;
 };
 
-/// The moment between entry i and the next at which the force falls below `level`, N. The force is above it
-/// at entry i and at most as large at the next.
+/// The moment between entry i and the next at which the force, above `level` at i, falls below it, N.
 Moment where_force_falls_below(double level, const Track& track, std::size_t i, const Impactor& impactor) {
   const History& h = track.history;
   const ForceCurve force(track, i);

@@ -82,8 +82,7 @@ struct Figures {
 /// Reads peaks between the entries of a track, by parabolas and cubics in smooth stretches.
 void read_peaks(const Track& track, Figures& figures);
 
-/// Reads the moment at which the force falls below the impactor's weight on rebound, between the entries of a
-/// track; the release, if it was never above.
+/// Reads the moment at which the force falls below the weight on rebound; the release if it never exceeds it.
 void read_weight(const Track& track, const Impactor& impactor, Figures& figures);
 
 /// Reads the end of contact between entries: the force falls below contact_end_share of its peak for the last

@@ -269,8 +269,7 @@ class March {
     return {trial, value};
   }
 
-  /// The longest step that does not pass an event, or the shortest that does, depending on the event; a step
-  /// of length 0 if the event is now.
+  /// The longest step before an event or the shortest beyond it, as its kind asks; of length 0 if it is now.
   Trial locate(const FirstEvent& first, const Trial& beyond, bool by_force) {
     const EventKind& kind = *first.kind;
     const bool by_attempt = kind.event != Event::lock && !is_lost_contact(kind.event) && !by_force;
@@ -319,8 +318,7 @@ class March {
     }
   }
 
-  /// Holds the pad for a moment where neither phase has a solution, as at a corner of the support from which
-  /// loading and unloading both lead back.
+  /// Holds the pad for a moment where neither phase has a solution, as at some corners of the support.
   void hold_for_a_moment() {
     if (foundation_.stands_still(now_.back, now_.force)) return;
     // Holding would stop a pad that moves against a panel at once.

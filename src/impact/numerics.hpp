@@ -24,13 +24,11 @@ struct Numerics {
   /// above which the stricter `solved_small_advance` holds: the columns stay as they were tried.
   double largest_take_up = 0.05;
   double solved_small_advance = 0.1;  ///< share of the allowed residual
-  /// Largest such correction as a share of the advance, but for rounding: the next step makes up for it, and
-  /// would have no other rate where the pad hardly moves. (Without this, steps near the turning point on a
-  /// rigid support shrank to rounding.)
+  /// Largest such correction as a share of the advance, but for rounding: the next step, which makes up for
+  /// it, may hardly move. (Without this, steps near the turning point on a rigid support shrank to rounding.)
   double max_take_up = 0.1;
   /// Largest force taken up, in rho of the force: a step of a few roundings of the time has no stiffness.
-  /// (With up to half of the force the next step resolved the jump back, and runs on a panel stalled in steps
-  /// of 1e-16 s.)
+  /// (With up to half of the force runs on a panel stalled in steps of 1e-16 s.)
   double max_force_taken_up = 0.1;
   /// Relative rounding of a sum of a few terms, the accuracy of a residual without memory.
   double rounding = 4 * std::numeric_limits<double>::epsilon();
@@ -62,8 +60,7 @@ struct Numerics {
 
   /// Tolerance of an event's place in a step, in rho^2 of the step: an event shifts the figures by its error.
   double event_precision = 1e-3;
-  /// The same of the turning point with memory, in rho of the step: the pad turns at a rate near zero, so
-  /// that the error has no effect of first order.
+  /// The same of the turning point with memory, in rho of the step: near rate zero its error hardly matters.
   double turning_precision = 2e-2;
   /// Share of a step, in rho, within which the end of a branch counts as immediate: in so short a step only
   /// the residual of the last root moves anything.
@@ -97,7 +94,7 @@ struct Numerics {
 
   /// Largest growth of steps from one to the next, also after an event, where the strain rate may jump.
   double growth = 1.5;
-  /// Largest share of the gap that closes in a step, in rho, and at most `most_closing`.
+  /// Largest share of the gap that closes in a step, in rho, and at most `max_closing`.
   double closing = 4;
   double max_closing = 0.5;
   /// Closing always allowed, in rho^2 of the thickness, as a pad may lock. (With 1e-2 the last step into the
@@ -107,7 +104,7 @@ struct Numerics {
   /// Relative growth of the force over the gap below which it counts as bounded.
   double bounded = 0.1;
   /// Largest relative fall of the force in a step, in rho, before the end of contact, which is read between
-  /// the entries; after it, and at most, `most_fall`.
+  /// the entries; after it, and at most, `max_fall`.
   double fall = 7;
   double max_fall = 0.7;
   /// Shortest step towards the release, in rho of a usual step, before and after the end of contact.
@@ -171,7 +168,7 @@ struct Numerics {
   double lightest_panel = 0.05;
 
   /// Largest work of all runs of an impact, s, times (1e-3 / t)^(7/8) for a tolerance t below 1e-3, at most
-  /// `most_patience`. A run that would exceed it is not started.
+  /// `max_patience`. A run that would exceed it is not started.
   double max_work = 1.7;
   double max_patience = 15;
   /// Largest number of consecutive runs given up: some stall where finer ones get through.

@@ -179,8 +179,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
     errors_.energy_absorbed = unknown;
   const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
-  // The absorbed share, a small difference of large numbers, is held to ten times the tolerance, relative to
-  // itself or to a twentieth of the impact energy.
+  // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
   const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
   // A reloading that only one of two runs has may matter or not: one more run decides.
   const bool enough =

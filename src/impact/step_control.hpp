@@ -40,7 +40,7 @@ class StepControl {
   }
 
   /// The first step, short against what the pad's stiffness over it allows; sets `pad_stiffness` to that,
-  /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `most_force`, N.
+  /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `max_force`, N.
   template <class ForceOf>
   [[nodiscard]] double first_step(Phase phase, double speed, double max_force, ForceOf&& force_of,
                                   double& pad_stiffness) const {

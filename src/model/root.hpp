@@ -1,7 +1,6 @@
 #pragma once
-/// Roots of increasing functions, which may be as steep as a jump in places: secants from a good guess,
-/// inside the bracket found so far, and TOMS 748 if they do not settle soon. Times of events within a step
-/// are found by impact/event_search.hpp.
+/// Roots of increasing functions, which may be as steep as a jump in places: secants inside the bracket, and
+/// TOMS 748 if they do not settle soon. For times of events within a step see impact/event_search.hpp.
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -60,8 +60,7 @@ class CaseQuantities {
 /// law or nose they throw std::bad_variant_access. `support.scale` is relative to that of `base`.
 CaseQuantities quantities_of(const ImpactCase& base);
 
-/// A number that a case may give beside those of its law, its nose and the curve of its support, from the
-/// parameter tables of the structures.
+/// A number of a case beside those of law, nose and curve of the support, from the parameter tables.
 struct CaseField {
   std::string table;  ///< "pad", "pad.layers"
   std::string key;    ///< key in that table: "area"

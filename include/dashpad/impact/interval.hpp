@@ -1,6 +1,5 @@
 #pragma once
-/// The uncertainty of an impact and the interval that it gives each figure (theory.md, section 6.2). Plain
-/// data, filled by uncertainty/intervals.hpp. SI.
+/// The uncertainty of an impact and the intervals of its figures (theory.md, section 6.2), as plain data.
 
 #include <string>
 #include <string_view>

@@ -116,8 +116,7 @@ inline bool is_struck_through(double penetration, double thickness) {
   return thickness - penetration < struck_through_gap * thickness;
 }
 
-/// Whether an impactor at rest on a creeping pad would still sink by more than the tolerance of its
-/// penetration; `left` and `penetration` in m.
+/// Whether an impactor at rest would sink by `left`, m, more than the tolerance of its penetration, m.
 inline bool is_still_sinking(double left, double penetration, double tolerance) {
   return left > tolerance * penetration;
 }
@@ -211,8 +210,7 @@ struct History {
 struct Solution {
   Summary summary;
   History history;
-  /// Pulse of the run before the finest, with twice its step: the difference shows the error of the steps in
-  /// a figure. Empty if there was only one run.
+  /// Pulse of the run before the finest, with twice its step, for the error of the steps; may be empty.
   Pulse coarser = {};
 };
 

@@ -126,8 +126,7 @@ struct Violation {
 /// The rule that bounds express: "must be at least 0 kg/m2".
 std::string rule_of(const Bounds& bounds, std::string_view unit);
 
-/// The rule that a value breaks, if any: that of its bounds, or the limits 1e-15 and 1e15 of any magnitude,
-/// beyond which products might overflow.
+/// The rule that a value breaks, if any: its bounds, or 1e-15 and 1e15, beyond which products may overflow.
 std::optional<std::string> broken_rule(double value, const Bounds& bounds, std::string_view unit);
 
 }  // namespace dashpad

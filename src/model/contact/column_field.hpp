@@ -74,8 +74,7 @@ class ColumnField {
     return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
   }
 
-  /// Starts a run. `resolution` is the intended relative spacing of stations, `expected` the largest
-  /// penetration, m, over which they are spread.
+  /// Starts a run, with the relative spacing of stations and the largest penetration for them, m.
   void start(double resolution, double expected = infinite) {
     clear(resolution);
     lay_columns(expected, thickness_);
@@ -158,8 +157,7 @@ class ColumnField {
     if (penetration_ == largest_penetration_) grade_axis();
   }
 
-  /// Stressed part of the contact in the accepted state: number of pressing columns, and the depth beyond the
-  /// last of them at which the stress vanishes, m.
+  /// Pressing columns in the accepted state: their number, and the depth at which their stress ends, m.
   struct Stressed {
     std::size_t columns = 0;
     double depth = 0;

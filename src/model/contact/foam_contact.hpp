@@ -3,11 +3,10 @@
 ///
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
 ///
-/// The stress of a column follows from its strain, its largest strain, which exceeds the strain by the same
-/// amount in all columns, and the slip rate, the same for all. So no state is kept for a column, and the
-/// integral is taken anew in every trial, over the work of the base curve (model/contact/work_nodes.hpp). On
-/// unloading columns lose their stress, usually from the edge inwards, so the integral is taken between
-/// strains at which the stress vanishes.
+/// The stress of a column follows from its strain, its largest strain, larger by the same amount in all
+/// columns, and their common slip rate. So no column has a state, and each trial takes the integral anew,
+/// over the work of the base curve (model/contact/work_nodes.hpp). On unloading columns lose their stress,
+/// usually from the edge inwards, so the integral is taken between the strains at which it vanishes.
 ///
 /// From earlier blows the pad keeps the largest penetration Ym (theory.md, Eqs. 46 to 48): columns start with
 /// the largest strain e* of that blow, and crushed foam is met in its crater.

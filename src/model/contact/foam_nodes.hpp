@@ -1,6 +1,5 @@
 #pragma once
-/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp), computed by vectors of
-/// nodes for the instruction set of the processor.
+/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp), in vectors of nodes.
 
 #include <array>
 #include <cmath>

@@ -52,7 +52,7 @@ class KnotsAhead {
   const double* end_ = nullptr;
 };
 
-/// Calls append(depth) for each station, at most `most_stations` times: evenly over the expected contact,
+/// Calls append(depth) for each station, at most max_stations times: evenly over the expected contact,
 /// geometrically beyond. Where a' ends with a jump, at the rim of a nose, there is a station too.
 template <class Append>
 void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append) {

@@ -39,8 +39,7 @@ struct CellWeights {
   const double* outer = nullptr;
 };
 
-/// Depths, weights and two states, allocated once. Behind the last column there is room for one vector of
-/// columns, which are computed and ignored.
+/// Depths, weights and two states, allocated once, with spare room for one vector behind the last column.
 class ColumnStorage {
  public:
   ColumnStorage() {

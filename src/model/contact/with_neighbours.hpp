@@ -2,8 +2,7 @@
 /// A contact whose columns are helped by their neighbours: its force times g(Y), on the way in and, as an
 /// assumption, on the way back (theory.md, Eq. 57).
 ///
-/// The state is that of the columns; what does not depend on the factor is inherited. largest_stress() is
-/// that of the columns alone, since only its sign is used.
+/// The state is that of the columns; largest_stress() is theirs as well, since only its sign is used.
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,7 @@
 /// exp(-H) over a step (decay); and if they are not the usual ones (measure_of and relaxation_of below), the
 /// measure w (measure) and the factor of h at strain zero (relaxation). Stresses in Pa.
 ///
-/// Strains must be at least least_strain.
+/// Strains must be at least min_strain.
 
 #define DASHPAD_FORMULA [[nodiscard, gnu::always_inline]] inline
 

@@ -74,8 +74,7 @@ struct Sections {
       return rate_of_shape(s);
     return s <= depth ? std::max(width - taper * s, 0.0) : 0;
   }
-  /// Weights of the columns between two depths up to d, at both ends of that range, m: a' / (2 pi) there or,
-  /// of a shape, its mean over the range.
+  /// Weights a' / (2 pi) at both ends of a range of depths up to d, m; of a shape the mean over the range.
   struct Weights {
     double inner = 0;  ///< at the end closer to the tip
     double outer = 0;

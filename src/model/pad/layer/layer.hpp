@@ -181,8 +181,7 @@ struct StrainOfStress {
 /// The variable x = -ln(1 - e) of root searches, in which the complement of a closing layer keeps its digits.
 struct LogStrain {
   static constexpr double precision = 1e-13;
-  /// Share of a layer's thickness at which it counts as closed and carries any stress; less than the gap at
-  /// which a pad locks (theory.md, Eq. 29).
+  /// Share of the thickness at which a layer counts as closed, below that at which a pad locks (Eq. 29).
   static constexpr double min_complement = 1e-10;
 
   static double most() { return -std::log(min_complement); }
