@@ -61,17 +61,12 @@ struct Figures {
   /// Largest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest one before.
   double last_swing = 0, slowest_swing = 0;
   double final_velocity = 0;
-  double support_energy = 0;    ///< stored at the end, J
-  double support_loss = 0;      ///< lost by crushing and damping, J
-  double moving_energy = 0;     ///< kinetic energy of panel and body at the end, J
-  double weight_work = 0;       ///< J
+  EnergyLedger energy;          ///< without those of the impactor and the residual
   double peak_transmitted = 0;  ///< N
   double peak_deflection = 0;   ///< m
   double set = 0;               ///< m
   double crushing_force = 0;    ///< largest force of a support that crushes, N
   double body_velocity = 0;     ///< at the end, m/s
-  double pad_work = 0;          ///< integral of F dY, J
-  double sheet_energy = 0;      ///< given to a sheet on the pad, J
   double speed_to_sheet = 0;    ///< lost to the sheet by a flat tip at first contact, m/s
   int reloadings = 0;
   std::size_t stations = 0;

@@ -436,10 +436,10 @@ class March {
     figures_.steps = track.size();
     figures_.final_velocity = now_.velocity;
     const Foundation::Energy energy = foundation_.energy(now_.back, now_.force);
-    figures_.support_energy = energy.stored;
-    figures_.support_loss = energy.crushed + energy.damped;
-    figures_.moving_energy = energy.moving;
-    figures_.weight_work = impactor_.mass * impactor_.gravity * now_.motion;
+    figures_.energy.support = energy.stored;
+    figures_.energy.support_loss = energy.crushed + energy.damped;
+    figures_.energy.moving = energy.moving;
+    figures_.energy.weight = impactor_.mass * impactor_.gravity * now_.motion;
     figures_.set = foundation_.set();
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
@@ -452,14 +452,14 @@ class March {
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);
     if constexpr (memoryless)
-      figures_.pad_work = contact_.energy(contact_.recovers() ? std::max(now_.penetration, 0.0)
-                                                              : figures_.peak_penetration - crater_);
+      figures_.energy.pad = contact_.energy(contact_.recovers() ? std::max(now_.penetration, 0.0)
+                                                                : figures_.peak_penetration - crater_);
     else
-      figures_.pad_work = work_on_pad(track);
+      figures_.energy.pad = work_on_pad(track);
     if (has_sheet_) {
       const double left = track.history.velocity.front();
       figures_.speed_to_sheet = impactor_.speed - left;
-      figures_.sheet_energy =
+      figures_.energy.sheet =
           impactor_.mass * figures_.speed_to_sheet * (impactor_.speed + left) / 2 + motion_.work_on_sheet();
     }
     return figures_;

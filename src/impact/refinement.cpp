@@ -12,13 +12,15 @@ namespace {
 
 constexpr double unknown = infinite;
 
-constexpr double Figures::*extrapolated_numbers[]{
-    &Figures::peak_force,       &Figures::time_of_peak_force, &Figures::peak_motion,
-    &Figures::peak_penetration, &Figures::final_velocity,     &Figures::support_energy,
-    &Figures::support_loss,     &Figures::moving_energy,      &Figures::weight_work,
-    &Figures::peak_transmitted, &Figures::peak_deflection,    &Figures::set,
-    &Figures::crushing_force,   &Figures::body_velocity,      &Figures::pad_work,
-    &Figures::sheet_energy,     &Figures::last_swing,         &Figures::slowest_swing};
+constexpr double Figures::*extrapolated_numbers[]{&Figures::peak_force,      &Figures::time_of_peak_force,
+                                                  &Figures::peak_motion,     &Figures::peak_penetration,
+                                                  &Figures::final_velocity,  &Figures::peak_transmitted,
+                                                  &Figures::peak_deflection, &Figures::set,
+                                                  &Figures::crushing_force,  &Figures::body_velocity,
+                                                  &Figures::last_swing,      &Figures::slowest_swing};
+constexpr double EnergyLedger::*extrapolated_energies[]{&EnergyLedger::support, &EnergyLedger::support_loss,
+                                                        &EnergyLedger::moving,  &EnergyLedger::weight,
+                                                        &EnergyLedger::pad,     &EnergyLedger::sheet};
 constexpr std::optional<Moment> Figures::*extrapolated_moments[]{&Figures::force_below_weight,
                                                                  &Figures::contact_end, &Figures::release,
                                                                  &Figures::bottomed, &Figures::rest};
@@ -27,6 +29,7 @@ constexpr std::optional<Moment> Figures::*extrapolated_moments[]{&Figures::force
 template <class Visit, class... Run>
 void for_each_number(Visit&& visit, Run&... runs) {
   for (const auto number : extrapolated_numbers) visit(runs.*number...);
+  for (const auto energy : extrapolated_energies) visit(runs.energy.*energy...);
   for (const auto moment : extrapolated_moments) {
     if (!((runs.*moment).has_value() && ...)) continue;
     visit((runs.*moment)->time...);
@@ -152,7 +155,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
-    return 1 - v * v - (f.support_energy + f.support_loss + f.moving_energy - f.weight_work) / energy_;
+    return 1 - v * v -
+           (f.energy.support + f.energy.support_loss + f.energy.moving - f.energy.weight) / energy_;
   };
   const auto of_support = [&](double Figures::*figure, double scale) {
     if (now.*figure == 0 && before.*figure == 0 && run.*figure == 0) return 0.0;
@@ -178,7 +182,7 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   if (!is_beyond(-1, now.last_swing, before.last_swing, run.last_swing) ||
       !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
     errors_.energy_absorbed = unknown;
-  const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
+  const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
   // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
   const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
   // A reloading that only one of two runs has may matter or not: one more run decides.

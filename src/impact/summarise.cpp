@@ -95,15 +95,9 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
 }
 
 EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
-  EnergyLedger energy;
+  EnergyLedger energy = figures.energy;
   energy.impact = impactor.mass * impactor.speed * impactor.speed / 2;
   energy.kinetic = impactor.mass * figures.final_velocity * figures.final_velocity / 2;
-  energy.weight = figures.weight_work;
-  energy.support = figures.support_energy;
-  energy.support_loss = figures.support_loss;
-  energy.moving = figures.moving_energy;
-  energy.pad = figures.pad_work;
-  energy.sheet = figures.sheet_energy;
   energy.residual = energy.supply() - energy.kinetic - energy.support - energy.support_loss - energy.moving -
                     energy.pad - energy.sheet;
   return energy;

@@ -33,7 +33,7 @@ Figures figures_with(double error) {
   f.contact_end = Moment{off(0.0205, -1), off(-1.99, 0.6)};
   f.release = Moment{off(0.021, -1), off(-rebound, 0.7)};
   f.final_velocity = f.release->velocity;
-  f.pad_work = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
+  f.energy.pad = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
   return f;
 }
 
@@ -189,7 +189,7 @@ TEST(refinement, does_not_settle_on_what_is_no_number) {
       [](Figures& f) { f.contact_end->velocity = no_number; },
       [](Figures& f) { f.release->velocity = no_number; },
       [](Figures& f) { f.final_velocity = no_number; },
-      [](Figures& f) { f.pad_work = std::numeric_limits<double>::infinity(); },
+      [](Figures& f) { f.energy.pad = std::numeric_limits<double>::infinity(); },
   };
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
     Refinement refinement(impactor, 1e-2);
@@ -280,7 +280,7 @@ TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
   for (int k = 0; k < numerics.max_fixed_runs; ++k) {
     Figures run = figures_with(0);
-    run.pad_work -= 0.01 * impact_energy;
+    run.energy.pad -= 0.01 * impact_energy;
     refinement.add(run);
     EXPECT_FALSE(refinement.settled()) << k;
   }
