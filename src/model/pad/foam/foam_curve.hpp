@@ -55,9 +55,8 @@ class FoamCurve {
     const double x = cells_.width * static_cast<double>(place.cell);
     return {value_of(cubic, place.t), work_[place.cell] + work_of(cubic, x, cells_.width, place.t)};
   }
-  [[nodiscard]] Point beyond(Strain e) const { return beyond(e, inverse_power(e.complement)); }
-  /// `power`: (1 - e)^-n.
-  [[nodiscard]] Point beyond(Strain e, double power) const {
+  [[nodiscard]] Point beyond(Strain e) const {
+    const double power = inverse_power(e.complement);
     return {last_.stress + last_.growth * (power - last_.power),
             scalar::work_beyond(last_, e.value, e.complement, power)};
   }

@@ -39,10 +39,6 @@ class FoamStress {
     return {strain_of(root * root), cell, curve_.within(cell)};
   }
   [[nodiscard]] Place beyond(Strain strain) const { return {strain, last_cell, curve_.beyond(strain)}; }
-  /// `power`: (1 - e)^-n of Eq. 37.
-  [[nodiscard]] Place beyond(Strain strain, double power) const {
-    return {strain, last_cell, curve_.beyond(strain, power)};
-  }
   [[nodiscard]] Place at(Strain strain) const {
     if (strain.value >= curve_.last_strain()) return beyond(strain);
     return within(std::sqrt(std::max(strain.value, 0.0)));
