@@ -39,8 +39,7 @@ void add_parameters(const ImpactCase& base, const std::string& prefix, Place pla
 
 constexpr auto none = [](const auto&) { return false; };
 
-/// The same for the alternative that a variant holds: a nose, a law, a form of a curve, but not points of
-/// tables.
+/// The same for the alternative of a variant: a nose, a law, a form of a curve, but not points of tables.
 template <class Place>
 void add_alternative(const ImpactCase& base, const std::string& prefix, Place place,
                      std::vector<CaseQuantity>& into) {
@@ -142,8 +141,7 @@ void add_support(const Support& base, std::vector<CaseQuantity>& into) {
                         }});
 }
 
-/// Gravity of the fall, m/s2; standard gravity for a case without gravity, whose weight still does no work in
-/// contact.
+/// Gravity of the fall, m/s2; standard gravity for a case without, whose weight does no work in contact.
 double gravity_of_fall(const ImpactCase& impact) {
   return impact.impactor.gravity > 0 ? impact.impactor.gravity : standard_gravity;
 }

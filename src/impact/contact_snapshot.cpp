@@ -22,8 +22,7 @@ namespace {
 constexpr double start_resolution = 0.02;
 /// Usual number of points of a snapshot, more than a picture shows.
 constexpr int max_points = 160;
-/// Change of the stress, as a share, from which on a point is kept in any case, as near the axis of a nearly
-/// closed pad.
+/// Relative change of the stress from which on a point is kept anyway, as near the axis of a closing pad.
 constexpr double largest_jump = 0.05;
 
 /// The entries of the history that are shown, increasing.
@@ -66,14 +65,6 @@ void add_point(ContactSnapshot& snapshot, double radius, double strain, double s
   snapshot.stress.push_back(std::max(stress, 0.0));
 }
 
-/// Moves a contact from one entry of a history to another, step by step.
-template <IsContact Contact>
-void replay(const History& history, std::size_t& now, std::size_t entry, Contact& contact) {
-  for (; now < entry; ++now)
-    contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
-                                 history.time[now + 1] - history.time[now]));
-}
-
 /// Adds the pressing columns, out to where the stress vanishes.
 template <class Law>
 void look_at(const ColumnField<Law>& field, double penetration, const Sections& nose, double thickness,
@@ -96,6 +87,16 @@ void look_at(const ColumnField<Law>& field, double penetration, const Sections& 
               edge < nose.depth ? 0 : field.column(pressing - 1).stress);
 }
 
+/// Adds points at even radii up to `edge`, m; `point_at(depth)` returns strain and stress of a column.
+template <class PointAt>
+void add_evenly(ContactSnapshot& snapshot, const Sections& nose, double edge, PointAt&& point_at) {
+  for (int k = 0; k <= max_points; ++k) {
+    const double radius = edge * k / max_points;
+    const auto [strain, stress] = point_at(nose.depth_at(radius));
+    add_point(snapshot, radius, std::max(strain, 0.0), stress);
+  }
+}
+
 /// Leads a contact that locks at a penetration through the history; `look(entry, snapshot)` adds its columns.
 template <IsContact Contact, class Look>
 std::vector<ContactSnapshot> replayed(const ImpactCase& impact, const History& history, Contact& contact,
@@ -103,7 +104,9 @@ std::vector<ContactSnapshot> replayed(const ImpactCase& impact, const History& h
   std::vector<ContactSnapshot> snapshots;
   std::size_t now = 0;
   for (const std::size_t entry : chosen_entries(history)) {
-    replay(history, now, entry, contact);
+    for (; now < entry; ++now)
+      contact.accept(contact.trial(history.penetration[now + 1] - history.penetration[now], history.time[now],
+                                   history.time[now + 1] - history.time[now]));
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     snapshot.determined = history.penetration[entry] < lock * (1 - 1e-12);
     look(history.penetration[entry], snapshot);
@@ -134,11 +137,7 @@ std::vector<ContactSnapshot> from_foam(const FoamContact::Law& law, const Impact
   contact.start(start_resolution, thickness);
   const auto look = [&](double, ContactSnapshot& snapshot) {
     const double edge = contact.contact_radius();
-    for (int k = 0; k <= max_points && edge > 0; ++k) {
-      const double radius = edge * k / max_points;
-      const auto column = contact.column(nose.depth_at(radius));
-      add_point(snapshot, radius, std::max(column.strain, 0.0), column.stress);
-    }
+    if (edge > 0) add_evenly(snapshot, nose, edge, [&](double depth) { return contact.column(depth); });
   };
   return replayed(impact, history, contact, contact.crater() + contact.lock_penetration(), look);
 }
@@ -162,8 +161,7 @@ std::vector<ContactSnapshot> from_layers(const ImpactCase& impact, const History
   return replayed(impact, history, contact, contact.lock_penetration(), look);
 }
 
-/// Without memory the stress is that of the curve. A foam that does not recover leaves its curve once its
-/// penetration has stopped.
+/// Without memory the stress is that of the curve, which foam that does not recover leaves once it stops.
 std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCase& impact,
                                         const History& history) {
   const Sections nose = sections_of(impact);
@@ -176,12 +174,10 @@ std::vector<ContactSnapshot> from_curve(const StressCurve& curve, const ImpactCa
     ContactSnapshot snapshot = empty_snapshot(impact, history, entry);
     const double share = snapshot.force / contact.force(penetration);
     snapshot.determined = std::abs(share - 1) < 1e-6;
-    for (int k = 0; k <= max_points; ++k) {
-      const double radius = nose.radius(penetration) * k / max_points;
-      const double strain = std::max((penetration - nose.depth_at(radius)) / thickness, 0.0);
-      add_point(snapshot, radius, strain,
-                share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
-    }
+    add_evenly(snapshot, nose, nose.radius(penetration), [&](double depth) {
+      const double strain = (penetration - depth) / thickness;
+      return std::pair(strain, share * curve.at(std::max(strain, std::numeric_limits<double>::min())));
+    });
     snapshots.push_back(std::move(snapshot));
   }
   return snapshots;

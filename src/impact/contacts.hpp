@@ -31,26 +31,14 @@ inline LayeredContact::Parts layers_of(const Pad& pad) {
 
 class Contacts {
  public:
-  /// Whether this was the last foam, which is then sound. Checking the curves of a foam takes up to a third
-  /// of the time of an impact.
+  /// Whether this was the last foam, which is then sound; checking its curves takes a third of the time.
   [[nodiscard]] bool know(const PadLaw& law) const { return foam_ && foam_->is_of(law); }
-  /// Returns visit(contact), for the contact of columns with their neighbours. With ColumnMath::plain columns
-  /// are computed one by one, without short cuts.
+  /// Returns visit(contact). With ColumnMath::plain columns are computed one by one, without short cuts.
   template <class Visit>
   auto visit(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     const ColumnFactor factor = factor_of_columns(impact);
-    return visit_columns(impact, math, [&]<class Columns>(Columns& columns) {
-      static_assert(hands_on_all<Columns>);
-      WithNeighbours contact(columns, factor);
-      return visit(contact);
-    });
-  }
-
- private:
-  template <class Visit>
-  auto visit_columns(const ImpactCase& impact, ColumnMath math, Visit&& visit) {
     if (!impact.pad.layers.empty())
-      return visit(renewed(layered_, layers_of(impact.pad), sections_of(impact)));
+      return visit(renewed(layered_, factor, layers_of(impact.pad), sections_of(impact)));
     const double thickness = impact.pad.thickness;
     const double scale = stress_factor(impact.pad.condition, impact.pad.material);
     const Sections sections = sections_of(impact);
@@ -58,15 +46,16 @@ class Contacts {
     const auto of_law = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
       if constexpr (IsMemoryless<Law>) {
-        CurveContact contact(law.curve(), Law::recovers, thickness, sections, earlier);
+        WithNeighbours<CurveContact> contact(factor, law.curve(), Law::recovers, thickness, sections,
+                                             earlier);
         return visit(contact);
       } else if constexpr (SharesSlip<Law>) {
-        return visit(renewed(foam_, law, thickness, sections, scale, math, earlier));
+        return visit(renewed(foam_, factor, law, thickness, sections, scale, math, earlier));
       } else {
         if constexpr (std::is_same_v<Law, NineParameter>)
           if (math == ColumnMath::vector && !sections.shape)
-            return visit(renewed(nine_parameter_, law, thickness, sections));
-        return visit(renewed(std::get<Field<Law>>(fields_), law, thickness, sections, math));
+            return visit(renewed(nine_parameter_, factor, law, thickness, sections));
+        return visit(renewed(std::get<Field<Law>>(fields_), factor, law, thickness, sections, math));
       }
     };
     const PadLaw& law = impact.pad.material.law;
@@ -74,6 +63,7 @@ class Contacts {
     return has_curves(law) || scale == 1 ? std::visit(of_law, law) : std::visit(of_law, scaled(law, scale));
   }
 
+ private:
   template <class Contact, class... Arguments>
   static Contact& renewed(std::optional<Contact>& contact, const Arguments&... arguments) {
     if (contact)
@@ -83,11 +73,11 @@ class Contacts {
     return *contact;
   }
 
-  std::optional<LayeredContact> layered_;
-  std::optional<NineParameterContact> nine_parameter_;
-  std::optional<FoamContact> foam_;
+  std::optional<WithNeighbours<LayeredContact>> layered_;
+  std::optional<WithNeighbours<NineParameterContact>> nine_parameter_;
+  std::optional<WithNeighbours<FoamContact>> foam_;
   template <class Law>
-  using Field = std::optional<ColumnField<Law>>;
+  using Field = std::optional<WithNeighbours<ColumnField<Law>>>;
   WithMemory<Field> fields_;
 };
 

@@ -1,12 +1,10 @@
 #pragma once
-/// The nonlinear solution of a step: a trial at the end of which pad, support and impactor are in
-/// equilibrium.
+/// The nonlinear solution of a step: a trial after which pad, support and impactor are in equilibrium.
 ///
 ///   0 = Y1 + Xs(F(Y1)) - X1(F(Y1))        the unknown is the penetration           (theory.md, Eq. 25)
 ///
 /// in each of the phases, where Xs is the motion of the back of the pad, which on a moving support follows
-/// from the force over the step. While the pad is held, the unknown is the force. Lengths in m, times in s,
-/// forces in N.
+/// from the force over the step. While the pad is held, the unknown is the force. SI units.
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +34,21 @@ class Equilibrium {
     const double locked = contact_.lock_penetration();
     const double unhindered = farthest(step);
     const double most = std::min(unhindered, locked) - now().penetration;
-    if (most <= 0) return without_solution(unhindered > locked ? Event::lock : Event::turning, step);
+    if (most <= 0) return {.step = step, .obstacle = unhindered > locked ? Event::lock : Event::turning};
     MovingSearch at(*this, step, predictor);
     double advance = guess(step, predictor, at.slope);
     if (!(advance < most)) advance = spring_advance(step, at.slope);
     if (!(advance > 0 && advance < most))
       advance = std::min(std::max(predictor.pad_rate(), 0.0) * step, most) / 2;
-    RootSearch search;
-    search.high = fourth_root(most);
-    search.high_is_positive = unhindered <= locked;
-    search.guess = fourth_root(advance);
-    search.slope = at.slope * slope_of_fourth_power(search.guess);
-    search.resolution = numerics.fourth_root_resolution * search.high;
+    const double first = fourth_root(advance);
+    const double last = fourth_root(most);
     const Root root = find_root([&](double z) { return at.residual(z * z * z * z); },
-                                [&](double left) { return at.is_solved(left); }, search);
+                                [&](double left) { return at.is_solved(left); },
+                                {.high = last,
+                                 .high_is_positive = unhindered <= locked,
+                                 .guess = first,
+                                 .slope = at.slope * (4 * first * first * first),
+                                 .resolution = numerics.fourth_root_resolution * last});
     if (root.place == RootPlace::at_or_above_high) at.trial.obstacle = Event::lock;
     if (root.place == RootPlace::at_or_below_low) at.trial.obstacle = Event::turning;
     return finished(at.trial);
@@ -60,18 +59,17 @@ class Equilibrium {
     MovingSearch at(*this, step, predictor);
     double advance = guess(step, predictor, at.slope);
     if (!(advance < 0)) advance = std::min(predictor.pad_rate(), -std::abs(speed_to_back())) * step / 2;
-    RootSearch search;
-    search.low = -infinite;
-    search.high = 0;
-    search.high_is_positive = now().drive < 0;
-    search.guess = advance;
-    search.slope = at.slope;
-    search.resolution = numerics.rounding / 2 * (at.scale + thickness_);
-    // Strides are short, since of several roots the nearest belongs to the branch.
-    search.stride = numerics.unloading_stride * std::abs(advance) + search.resolution;
     at.may_let_go = true;
+    // Strides are short, since of several roots the nearest belongs to the branch.
+    const double resolution = numerics.rounding / 2 * (at.scale + thickness_);
     find_root([&](double x) { return at.residual(x); }, [&](double left) { return at.is_solved(left); },
-              search);
+              {.low = -infinite,
+               .high = 0,
+               .high_is_positive = now().drive < 0,
+               .guess = advance,
+               .slope = at.slope,
+               .resolution = resolution,
+               .stride = numerics.unloading_stride * std::abs(advance) + resolution});
     if (at.trial.pad.advance >= 0) {
       // By the error of the contact integral the pad carries less than the support's force: it is held until
       // that force has fallen. Likewise just after the turning point, where the drive is 0 within its error.
@@ -86,44 +84,38 @@ class Equilibrium {
 
   /// A step at constant penetration; the support's force moves the impactor.
   Trial held(double step, const Predictor& predictor) {
-    Trial trial;
-    trial.step = step;
+    // A later unloading continues from this stiffness.
+    Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     if (foundation_.kind() != Foundation::Kind::at_once) {
       motion_.stick(step, trial.end);
-      trial.pad_stiffness = predictor.pad_stiffness();
       trial.pad = contact_.trial(0, now().time, step);
       return finished(trial);
     }
-    trial.pad_stiffness = predictor.pad_stiffness();  // a later unloading continues from it
     const double flexibility = motion_.flexibility(now().back, now().force, step);
     const double travel = std::abs(speed_to_back()) * step;
     const double scale = std::abs(reach(now())) + travel;
-    RootSearch search;
-    search.low = -infinite;
-    search.high = std::max(now().force, 0.0) + 2 * (travel + scale) / flexibility;
-    search.guess = now().force + motion_.approach(step, false) / flexibility;
-    search.slope = flexibility;
-    search.resolution = numerics.rounding * std::abs(now().force);
-    // At first contact there is no force yet.
-    search.stride = now().force != 0 ? std::abs(now().force) : (travel + scale) / flexibility;
     // The support's line is continued below zero, so that the sign locates the release.
     const auto residual = [&](double force) {
       const double extended =
           force >= 0 ? 0 : force * foundation_.static_compliance(now().back, foundation_.holding());
       return motion_.residual(now().penetration, force, step, trial.end) + extended;
     };
-    find_root(
-        residual, [&](double left) { return is_rounding(left, scale); }, search);
+    // At first contact there is no force yet.
+    const double stride = now().force != 0 ? std::abs(now().force) : (travel + scale) / flexibility;
+    find_root(residual, [&](double left) { return is_rounding(left, scale); },
+              {.low = -infinite,
+               .high = std::max(now().force, 0.0) + 2 * (travel + scale) / flexibility,
+               .guess = now().force + motion_.approach(step, false) / flexibility,
+               .slope = flexibility,
+               .resolution = numerics.rounding * std::abs(now().force),
+               .stride = stride});
     trial.pad = contact_.trial(0, now().time, step);
     return finished(trial);
   }
 
-  /// A step without force, in which the motion is known, and with it the penetration; in flight that is below
-  /// zero.
+  /// A step without force, so that motion and penetration are known; in flight the latter is below zero.
   Trial released(double step, const Predictor& predictor) {
-    Trial trial;
-    trial.step = step;
-    trial.pad_stiffness = predictor.pad_stiffness();
+    Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     trial.end.penetration = -motion_.residual(0, 0, step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
     // Foam that stays crushed remains where it was left.
@@ -134,13 +126,10 @@ class Equilibrium {
 
   /// A step in which the penetration reaches the lock; Eq. 25 holds for one length of step only.
   Trial at_lock(double step, const Predictor& predictor) {
-    Trial trial;
-    trial.step = step;
-    trial.pad_stiffness = predictor.pad_stiffness();
+    Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     const double y = contact_.lock_penetration();
     trial.pad = contact_.trial(y - now().penetration, now().time, step);
-    // On a support that does not yield the force may have no bound there; its mean is then not half its last
-    // value.
+    // On a support that does not yield the force may have no bound, and its mean is not half its last value.
     const double bound = foundation_.stops_hard() && !memoryless ? 2 * now().force : trial.pad.force;
     motion_.residual(y, std::min(trial.pad.force, bound), step, trial.end);
     trial.end.drive = trial.end.velocity - trial.end.back.velocity();
@@ -151,9 +140,7 @@ class Equilibrium {
   /// penetration; for one length of step only the pad carries that force. If the pad would have to turn back,
   /// there is no such trial, and its force is that of a spring.
   Trial at_force(double force, Phase phase, double step, const Predictor& predictor) {
-    Trial trial;
-    trial.step = step;
-    trial.pad_stiffness = predictor.pad_stiffness();
+    Trial trial{.step = step, .pad_stiffness = predictor.pad_stiffness()};
     trial.end.penetration = -motion_.residual(0, force, step, trial.end);
     const double advance = trial.end.penetration - now().penetration;
     if (phase == Phase::loading ? advance > 0 : advance < 0) {
@@ -250,8 +237,7 @@ class Equilibrium {
     const std::optional<double> rate = predictor.next_rate(step);
     return rate ? *rate * step : spring_advance(step, slope);
   }
-  /// Root of Eq. 25 for a force proportional to the advance, m, limited to a share of the gap, over which the
-  /// stiffness changes. `slope`: slope of Eq. 25.
+  /// Root of Eq. 25 for a linear force, m, within a share of the gap; `slope` is the slope of Eq. 25.
   [[nodiscard]] double spring_advance(double step, double slope) const {
     const double most = numerics.guess_of_gap * (contact_.lock_penetration() - now().penetration);
     return std::clamp(motion_.approach(step, false) / slope, -most, most);
@@ -264,17 +250,9 @@ class Equilibrium {
   /// Speed of the impactor relative to the back of the pad, or to what is behind a support at once, m/s.
   [[nodiscard]] double speed_to_back() const { return now().velocity - now().back.velocity(); }
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
-  static double slope_of_fourth_power(double z) { return 4 * z * z * z; }
   static bool is_rounding(double left, double scale) { return std::abs(left) <= numerics.rounding * scale; }
-  static Trial without_solution(Event obstacle, double step) {
-    Trial trial;
-    trial.step = step;
-    trial.obstacle = obstacle;
-    return trial;
-  }
 
-  /// Search over trials of a moving pad: the residual as a function of the advance, and when it is close
-  /// enough to 0.
+  /// Search over trials of a moving pad: the residual as a function of the advance, and when it is solved.
   struct MovingSearch {
     MovingSearch(Equilibrium& equilibrium, double step, const Predictor& predictor) : of_(equilibrium) {
       const State& now = equilibrium.now();

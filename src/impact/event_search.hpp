@@ -1,6 +1,5 @@
 #pragma once
-/// Location of an event within a step: regula falsi with halved end values (Illinois). The values may jump to
-/// a bound where no step exists.
+/// Location of an event in a step by the Illinois rule; values may jump to a bound where no step exists.
 
 #include <algorithm>
 #include <cmath>

@@ -38,7 +38,7 @@ struct Sight {
 
 struct EventKind {
   Event event;
-  bool from_loading, from_unloading, from_held, from_flight;
+  unsigned phases;  ///< those in which it may happen, a sum of bits
   /// Positive before the event, usually growing with the time until it.
   double (*indicator)(const Sight&);
   /// Whether the event can happen from the present state.
@@ -47,18 +47,16 @@ struct EventKind {
   bool ends_after;
 
   [[nodiscard]] constexpr bool may_happen_in(Phase phase) const {
-    switch (phase) {
-      case Phase::loading: return from_loading;
-      case Phase::unloading: return from_unloading;
-      case Phase::held: return from_held;
-      case Phase::flight: return from_flight;
-      case Phase::over: break;
-    }
-    return false;
+    return (phases >> static_cast<unsigned>(phase) & 1U) != 0;
   }
 };
 
 namespace event_rules {
+
+inline constexpr unsigned loading = 1U << static_cast<unsigned>(Phase::loading);
+inline constexpr unsigned unloading = 1U << static_cast<unsigned>(Phase::unloading);
+inline constexpr unsigned held = 1U << static_cast<unsigned>(Phase::held);
+inline constexpr unsigned flight = 1U << static_cast<unsigned>(Phase::flight);
 
 inline constexpr double far_beyond = -infinite;
 
@@ -114,8 +112,7 @@ inline double left_to_wait_for(const Sight& s) {
   return speed_to_wait_for(s.foundation, s.trial.end, s.min_return);
 }
 inline bool has_not_landed(const Sight& s) { return !has_landed(s); }
-/// Speed at which the nose leaves the pad in flight, m/s; columns follow it, and their law has a corner where
-/// they turn.
+/// Speed at which the nose leaves the pad in flight, m/s; the law of columns has a corner where they turn.
 inline double speed_apart(const Sight& s) { return -s.trial.end.drive; }
 inline bool moves_apart(const Sight& s) { return s.recovers && s.now.drive < 0; }
 
@@ -125,30 +122,26 @@ inline bool is_before_joint(const Sight& s) {
   return s.joint > 0 && s.joint - s.now.penetration > numerics.at_joint * s.joint;
 }
 
+/// The events in order of precedence if they coincide.
+inline constexpr std::array<EventKind, 13> event_table{{
+    {Event::release, unloading | held, force, always, true},
+    {Event::touch, flight, is_apart, always, true},
+    {Event::unlock, held, force_over_held_pad, pad_recovers, true},
+    {Event::yielding, held, strength_left, is_below_strength, true},
+    {Event::turning, loading, drive, is_driven, false},
+    {Event::reloading, unloading, has_unloading_step, always, false},
+    {Event::lock, loading, has_step_below_lock, always, true},
+    {Event::support_turning, loading | unloading | held, support_goes_on, is_crushing, false},
+    {Event::corner, loading | unloading | held | flight, way_to_corner, is_off_corner, true},
+    {Event::joining, loading, penetration_to_joint, is_before_joint, true},
+    {Event::rate_corner, loading, over_rate_corner, always, true},
+    {Event::parting, flight, left_to_wait_for, has_not_landed, true},
+    {Event::closing, flight, speed_apart, moves_apart, true},
+}};
+
 }  // namespace event_rules
 
-/// The events in order of precedence if they coincide. The flags: loading, unloading, held, flight.
-inline constexpr std::array<EventKind, 13> event_table{{
-    {Event::release, false, true, true, false, event_rules::force, event_rules::always, true},
-    {Event::touch, false, false, false, true, event_rules::is_apart, event_rules::always, true},
-    {Event::unlock, false, false, true, false, event_rules::force_over_held_pad, event_rules::pad_recovers,
-     true},
-    {Event::yielding, false, false, true, false, event_rules::strength_left, event_rules::is_below_strength,
-     true},
-    {Event::turning, true, false, false, false, event_rules::drive, event_rules::is_driven, false},
-    {Event::reloading, false, true, false, false, event_rules::has_unloading_step, event_rules::always,
-     false},
-    {Event::lock, true, false, false, false, event_rules::has_step_below_lock, event_rules::always, true},
-    {Event::support_turning, true, true, true, false, event_rules::support_goes_on, event_rules::is_crushing,
-     false},
-    {Event::corner, true, true, true, true, event_rules::way_to_corner, event_rules::is_off_corner, true},
-    {Event::joining, true, false, false, false, event_rules::penetration_to_joint,
-     event_rules::is_before_joint, true},
-    {Event::rate_corner, true, false, false, false, event_rules::over_rate_corner, event_rules::always, true},
-    {Event::parting, false, false, false, true, event_rules::left_to_wait_for, event_rules::has_not_landed,
-     true},
-    {Event::closing, false, false, false, true, event_rules::speed_apart, event_rules::moves_apart, true},
-}};
+using event_rules::event_table;
 
 /// The first event of a trial, in the order of the table.
 struct FirstEvent {
@@ -200,8 +193,7 @@ inline FirstEvent first_event(const Sight& sight) {
 // The phase that follows an event (theory.md, section 4). Together with `is_driven` and `has_unloading_step`,
 // the ends of branches, these are all rules about branches.
 //
-// Up to three rates satisfy equilibrium; the drive (Eq. 26) selects the one in the limit of a vanishing
-// dashpot.
+// Up to three rates satisfy equilibrium; the drive selects that of a vanishing dashpot (Eq. 26).
 
 /// Conditions of an impact on which branches depend.
 struct BranchConditions {
@@ -225,15 +217,8 @@ inline Phase phase_after(Event event, Phase now, double drive, BranchConditions 
     case Event::yielding:
     case Event::reloading: return Phase::loading;
     case Event::unlock: return by_drive;
-    case Event::support_turning:
-    case Event::corner:
-    case Event::joining:
-    case Event::rate_corner:
-    case Event::landing:
-    case Event::closing:
-    case Event::none: break;
+    default: return now;
   }
-  return now;
 }
 
 }  // namespace dashpad

@@ -70,8 +70,7 @@ class ForceCurve {
   bool ahead_ = false;
 };
 
-/// The moment between entry i and the next at which the force falls below `level`, N. The force is above it
-/// at entry i and at most as large at the next.
+/// The moment between entry i and the next at which the force, above `level` at i, falls below it, N.
 Moment where_force_falls_below(double level, const Track& track, std::size_t i, const Impactor& impactor) {
   const History& h = track.history;
   const ForceCurve force(track, i);
@@ -192,7 +191,7 @@ void read_weight(const Track& track, const Impactor& impactor, Figures& figures)
 
 void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures) {
   figures.contact_end.reset();
-  if (figures.ending != Ending::released) return;
+  if (figures.ending != Status::released) return;
   const std::vector<double>& force = track.history.force;
   const double least = contact_end_share * figures.peak_force;
   std::size_t last = force.size() - 1;

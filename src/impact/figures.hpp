@@ -45,10 +45,8 @@ struct Track {
   }
 };
 
-enum class Ending { released, at_rest, bottomed_out, time_limit, too_many_steps };
-
 struct Figures {
-  Ending ending = Ending::too_many_steps;
+  Status ending = Status::tolerance_not_met;  ///< of a run that was given up, tolerance_not_met
   double peak_force = 0;
   double time_of_peak_force = 0;
   double peak_motion = 0;
@@ -63,17 +61,12 @@ struct Figures {
   /// Largest speeds of an impactor that came to rest, m/s: in its last swing, and in the slowest one before.
   double last_swing = 0, slowest_swing = 0;
   double final_velocity = 0;
-  double support_energy = 0;    ///< stored at the end, J
-  double support_loss = 0;      ///< lost by crushing and damping, J
-  double moving_energy = 0;     ///< kinetic energy of panel and body at the end, J
-  double weight_work = 0;       ///< J
+  EnergyLedger energy;          ///< without those of the impactor and the residual
   double peak_transmitted = 0;  ///< N
   double peak_deflection = 0;   ///< m
   double set = 0;               ///< m
   double crushing_force = 0;    ///< largest force of a support that crushes, N
   double body_velocity = 0;     ///< at the end, m/s
-  double pad_work = 0;          ///< integral of F dY, J
-  double sheet_energy = 0;      ///< given to a sheet on the pad, J
   double speed_to_sheet = 0;    ///< lost to the sheet by a flat tip at first contact, m/s
   int reloadings = 0;
   std::size_t stations = 0;
@@ -81,17 +74,14 @@ struct Figures {
   double work = 0;  ///< estimated processor time of the run, s
 };
 
-/// Reads peaks of force and motion between the entries of a track, by parabolas and cubics in smooth
-/// stretches.
+/// Reads peaks between the entries of a track, by parabolas and cubics in smooth stretches.
 void read_peaks(const Track& track, Figures& figures);
 
-/// Reads the moment at which the force falls below the impactor's weight on rebound, between the entries of a
-/// track; the release, if it was never above.
+/// Reads the moment at which the force falls below the weight on rebound; the release if it never exceeds it.
 void read_weight(const Track& track, const Impactor& impactor, Figures& figures);
 
-/// Reads the end of contact between the entries of a track: the force falls below contact_end_share of its
-/// peak for the last time. None unless the impactor was released without force. Reads `peak_force` and
-/// `ending`.
+/// Reads the end of contact between entries: the force falls below contact_end_share of its peak for the last
+/// time. None unless the impactor was released without force. Uses `peak_force` and `ending`.
 void read_contact_end(const Track& track, const Impactor& impactor, Figures& figures);
 
 /// Integral of F dY over the track, J, by local parabolas of F(t) and Y(t) within each smooth stretch: of

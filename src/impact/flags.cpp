@@ -89,8 +89,7 @@ std::string series_cut(const Summary& summary) {
                      summary.blow, summary.blows, why);
 }
 
-/// The flag of a pad or of layers struck through, in the order of time; nothing if none was. A pad that
-/// bottomed out has the flag BOTTOMED instead.
+/// The flag of a pad that did not bottom out, or of layers, struck through, in order of time; or nothing.
 std::optional<Flag> striking_through(const Summary& summary) {
   const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
@@ -212,12 +211,8 @@ const std::vector<std::string>& usual_figures() {
 }
 
 const char* to_string(Severity severity) {
-  switch (severity) {
-    case Severity::unusable: return "unusable";
-    case Severity::doubtful: return "doubtful";
-    case Severity::note: return "note";
-  }
-  return "";
+  constexpr const char* names[]{"unusable", "doubtful", "note"};
+  return names[static_cast<std::size_t>(severity)];
 }
 
 std::span<const FlagKind> flag_kinds() { return all_flags; }

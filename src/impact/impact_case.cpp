@@ -59,8 +59,7 @@ void check_rules(const Profile& profile, std::vector<Violation>& broken) {
   check(broken, list, profile.scale * profile.points.back().depth, lengths, "m", "the last depth must be ");
 }
 
-/// Checks the numbers of a nose: lengths against the range of lengths, or 0 if their table admits it; others
-/// against their bounds in the table.
+/// Checks the numbers of a nose: lengths against their common range (or 0 if admitted), others by the table.
 void check_nose(std::vector<Violation>& broken, const Nose& nose) {
   std::visit(
       [&]<class Shape>(const Shape& shape) {

@@ -6,16 +6,9 @@
 namespace dashpad {
 
 std::string to_string(Source source) {
-  switch (source) {
-    case Source::continuation: return "continuation";
-    case Source::rate: return "rate";
-    case Source::way_back: return "way back";
-    case Source::scatter: return "scatter";
-    case Source::posterior: return "posterior";
-    case Source::misfit: return "misfit";
-    case Source::neighbours: return "neighbours";
-  }
-  return "";
+  constexpr const char* names[]{"continuation", "rate",   "way back",  "scatter",
+                                "posterior",    "misfit", "neighbours"};
+  return names[static_cast<std::size_t>(source)];
 }
 
 double FigureInterval::share_of(Source source) const {

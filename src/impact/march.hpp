@@ -133,7 +133,7 @@ class March {
       // An impactor that will not meet the pad again is released, even if the panel is still in its gap.
       const bool has_left =
           phase_ == Phase::flight && foundation_.fastest_return(now_.back) + now_.velocity <= min_return();
-      figures_.ending = has_left ? Ending::released : Ending::time_limit;
+      figures_.ending = has_left ? Status::released : Status::time_limit;
       return true;
     }
     return track.size() > options_.max_steps || work(track) > max_work_ ||
@@ -216,8 +216,7 @@ class March {
     Trial trial = locate(first, beyond, is_corner(event));
     // On a branch with several forces for a rate the slower search is needed.
     if (is_corner(event) && !equilibrium_.is_solved(trial)) trial = locate(first, beyond, false);
-    // If the event is immediate, the phase changes at the present state, but a step still leads to a release
-    // or lock.
+    // An immediate event changes the phase at the present state, but a step still leads to release or lock.
     const bool branch_ends = event == Event::turning || event == Event::reloading;
     const bool goes_on = event != Event::release && event != Event::lock;
     if ((goes_on && trial.step < shortest) || (branch_ends && trial.step < too_short))
@@ -270,8 +269,7 @@ class March {
     return {trial, value};
   }
 
-  /// The longest step that does not pass an event, or the shortest that does, depending on the event; a step
-  /// of length 0 if the event is now.
+  /// The longest step before an event or the shortest beyond it, as its kind asks; of length 0 if it is now.
   Trial locate(const FirstEvent& first, const Trial& beyond, bool by_force) {
     const EventKind& kind = *first.kind;
     const bool by_attempt = kind.event != Event::lock && !is_lost_contact(kind.event) && !by_force;
@@ -316,12 +314,11 @@ class March {
       figures_.left_to_sink = *left;
       figures_.last_swing = swing_.last();
       figures_.slowest_swing = swing_.slowest();
-      enter(Phase::over, Ending::at_rest);
+      enter(Phase::over, Status::at_rest);
     }
   }
 
-  /// Holds the pad for a moment where neither phase has a solution, as at a corner of the support from which
-  /// loading and unloading both lead back.
+  /// Holds the pad for a moment where neither phase has a solution, as at some corners of the support.
   void hold_for_a_moment() {
     if (foundation_.stands_still(now_.back, now_.force)) return;
     // Holding would stop a pad that moves against a panel at once.
@@ -337,7 +334,7 @@ class March {
     if (phase_ == Phase::over) return;
     // Without force contact is lost.
     if (now_.force <= 0) return begin_phase(Event::release);
-    enter(now_.drive > 0 ? Phase::loading : Phase::unloading, Ending::released);
+    enter(now_.drive > 0 ? Phase::loading : Phase::unloading, Status::released);
   }
 
   void begin_phase(Event event) {
@@ -362,7 +359,7 @@ class March {
       // Rigid foam on a firm support has brought the impactor to rest.
       if (next == Phase::over && foundation_.backing().body_mass == 0) motion_.stop();
     }
-    enter(next, event == Event::lock ? Ending::bottomed_out : Ending::released);
+    enter(next, event == Event::lock ? Status::bottomed_out : Status::released);
   }
 
   void turn() {
@@ -386,12 +383,12 @@ class March {
   }
   [[nodiscard]] double min_return() const { return numerics.min_return * impactor_.speed; }
 
-  void enter(Phase phase, Ending if_over) {
+  void enter(Phase phase, Status if_over) {
     const bool was_in_flight = phase_ == Phase::flight;
     phase_ = phase;
     if (phase != Phase::over) return;
     figures_.ending = if_over;
-    if (if_over == Ending::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
+    if (if_over == Status::released && !was_in_flight) figures_.release = Moment{now_.time, now_.velocity};
   }
 
   // ------------------------------------------------------------------ the record of a run
@@ -439,30 +436,30 @@ class March {
     figures_.steps = track.size();
     figures_.final_velocity = now_.velocity;
     const Foundation::Energy energy = foundation_.energy(now_.back, now_.force);
-    figures_.support_energy = energy.stored;
-    figures_.support_loss = energy.crushed + energy.damped;
-    figures_.moving_energy = energy.moving;
-    figures_.weight_work = impactor_.mass * impactor_.gravity * now_.motion;
+    figures_.energy.support = energy.stored;
+    figures_.energy.support_loss = energy.crushed + energy.damped;
+    figures_.energy.moving = energy.moving;
+    figures_.energy.weight = impactor_.mass * impactor_.gravity * now_.motion;
     figures_.set = foundation_.set();
     figures_.crushing_force = foundation_.crushing_force();
     figures_.body_velocity = now_.back.body_velocity;
     // An impactor that came back after a release and stayed has not left the pad.
-    if (figures_.ending != Ending::released) figures_.release.reset();
+    if (figures_.ending != Status::released) figures_.release.reset();
     read_peaks(track, figures_);
     // On a rigid support it is the force of the pad, which has no finite value at bottoming.
-    if (figures_.ending == Ending::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
+    if (figures_.ending == Status::bottomed_out && foundation_.kind() == Foundation::Kind::at_once)
       figures_.peak_transmitted = 0;
     read_weight(track, impactor_, figures_);
     read_contact_end(track, impactor_, figures_);
     if constexpr (memoryless)
-      figures_.pad_work = contact_.energy(contact_.recovers() ? std::max(now_.penetration, 0.0)
-                                                              : figures_.peak_penetration - crater_);
+      figures_.energy.pad = contact_.energy(contact_.recovers() ? std::max(now_.penetration, 0.0)
+                                                                : figures_.peak_penetration - crater_);
     else
-      figures_.pad_work = work_on_pad(track);
+      figures_.energy.pad = work_on_pad(track);
     if (has_sheet_) {
       const double left = track.history.velocity.front();
       figures_.speed_to_sheet = impactor_.speed - left;
-      figures_.sheet_energy =
+      figures_.energy.sheet =
           impactor_.mass * figures_.speed_to_sheet * (impactor_.speed + left) / 2 + motion_.work_on_sheet();
     }
     return figures_;

@@ -133,8 +133,7 @@ class Motion {
     return end.penetration +
            (foundation_.is_plain() ? foundation_.deflection(end.force) : end.back.motion()) - end.motion;
   }
-  /// Travel of the impactor towards the back of the pad in a step at constant force, or without force if
-  /// `unhindered`, m.
+  /// Travel towards the back of the pad in a step, m, at constant force or, if `unhindered`, without force.
   [[nodiscard]] double approach(double step, bool unhindered) const {
     const double force = unhindered ? 0 : now_.force;
     const double way = (now_.velocity - force * step / (2 * mass_) + gravity_ * step / 2) * step;
@@ -158,8 +157,7 @@ class Motion {
   }
 
  private:
-  /// Updates dF/dY of a pad with a sheet at the end of a step; never below 0, for all rounding in short
-  /// steps.
+  /// Updates dF/dY of a pad with a sheet at the end of a step; at least 0, despite rounding in short steps.
   void learn_stiffness(const State& end, double step) {
     const double advance = end.penetration - now_.penetration;
     is_held_ = advance == 0;

@@ -10,8 +10,7 @@
 namespace dashpad {
 namespace {
 
-// Factors of c, by finite elements of our own, fitted to two foams and tested on a third (theory.md, section
-// 6.1).
+// Factors of c by our own finite elements: fitted to two foams, tested on a third (theory.md, section 6.1).
 constexpr double of_disc = 0.625;
 constexpr double of_slip = 0.375;
 /// Smallest computed radius over thickness; smaller noses have the factor of this one.
@@ -65,12 +64,8 @@ bool is_by_uniaxial_tests(const Material& material) {
 }  // namespace
 
 std::string name_of(Floor floor) {
-  switch (floor) {
-    case Floor::bonded: return "bonded";
-    case Floor::resting: return "resting";
-    case Floor::frictionless: break;
-  }
-  return "frictionless";
+  constexpr const char* names[]{"bonded", "resting", "frictionless"};
+  return names[static_cast<std::size_t>(floor)];
 }
 
 std::optional<Floor> floor_named(std::string_view name) {

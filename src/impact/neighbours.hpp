@@ -17,9 +17,8 @@ struct Tip {
   double until = 0;
 };
 
-/// The tip of a nose. Nothing where all columns are loaded alike (a block below a nose as wide), or where the
-/// effect was not computed: below cones, cylinders, profiles and long ellipsoids, and on a block if the nose
-/// reaches its rim.
+/// The tip of a nose. Nothing where all columns are loaded alike (a block below a nose as wide) or it was not
+/// computed: below cones, cylinders, profiles, long ellipsoids, and if the nose reaches the rim of a block.
 std::optional<Tip> tip_of(const ImpactCase& impact);
 
 /// Whether the face of the nose covers the pad, so that all columns are pressed alike.

@@ -14,33 +14,28 @@ struct Numerics {
   // --- The step (Eq. 25) ---
 
   /// Residual of Eq. 25 at which a trial of a pad with memory counts as solved, in rho^3 of the motion or, if
-  /// less, of `solved_residual_of_gap` times the gap before the lock. The force takes up the rest; the error
-  /// is of third order, below that of the step. (In the motion alone the residual exceeded the gap, over
-  /// which the force grows.)
+  /// less, of `solved_residual_of_gap` times the gap before the lock, over which the force grows. The force
+  /// takes up the rest; the error is of third order, below that of the step.
   double solved_residual = 0.1;
   double solved_residual_of_gap = 10;
-  /// Share of that residual that a first trial must reach, as its slope, and so what the force takes up, is a
-  /// guess.
+  /// Share of that residual required of a first trial, as its slope, and the force taken up, is a guess.
   double solved_first_trial = 0.2;
   /// Largest correction of the penetration equivalent to what the force takes up, in rho of the advance,
   /// above which the stricter `solved_small_advance` holds: the columns stay as they were tried.
   double largest_take_up = 0.05;
   double solved_small_advance = 0.1;  ///< share of the allowed residual
-  /// Largest such correction as a share of the advance, but for rounding: the next step makes up for it, and
-  /// would have no other rate where the pad hardly moves. (Without this, steps near the turning point on a
-  /// rigid support shrank to rounding.)
+  /// Largest such correction as a share of the advance, but for rounding: the next step, which makes up for
+  /// it, may hardly move. (Without this, steps near the turning point on a rigid support shrank to rounding.)
   double max_take_up = 0.1;
   /// Largest force taken up, in rho of the force: a step of a few roundings of the time has no stiffness.
-  /// (With up to half of the force the next step resolved the jump back, and runs on a panel stalled in steps
-  /// of 1e-16 s.)
+  /// (With up to half of the force runs on a panel stalled in steps of 1e-16 s.)
   double max_force_taken_up = 0.1;
   /// Relative rounding of a sum of a few terms, the accuracy of a residual without memory.
   double rounding = 4 * std::numeric_limits<double>::epsilon();
   /// Relative differences of advance and force below which two trials give no slope dF/dY.
   double min_change_of_advance = 1e-9;
   double min_change_of_force = 1e-12;
-  /// First stride of the search on unloading, in advances; of several roots the nearest belongs to the
-  /// branch.
+  /// First stride on unloading, in advances; of several roots the nearest belongs to the branch.
   double unloading_stride = 0.2;
   /// Rounding of the fourth root of an advance, relative to its upper bound.
   double fourth_root_resolution = 1e-14;
@@ -52,9 +47,8 @@ struct Numerics {
 
   /// Largest factor of the pad's stiffness from one step to the next that a guess may assume.
   double max_stiffening = 2;
-  /// Number of consecutive steps whose stiffness may be only a guess; then it is limited to what the step
-  /// shows. (Steps of a pad without memory shrank by a factor of 1.4 each, down to nothing; those of law 4 on
-  /// a panel stayed at 3e-10 s.)
+  /// Largest number of consecutive steps whose stiffness is a guess; then it is limited to what the step
+  /// shows. (Steps without memory shrank by 1.4 each, down to nothing; with law 4 on a panel to 3e-10 s.)
   int max_guesses = 6;
   /// Share of the gap by which a guess after an event may change it.
   double guess_of_gap = 0.1;
@@ -66,8 +60,7 @@ struct Numerics {
 
   /// Tolerance of an event's place in a step, in rho^2 of the step: an event shifts the figures by its error.
   double event_precision = 1e-3;
-  /// The same of the turning point with memory, in rho of the step: the pad turns at a rate near zero, so
-  /// that the error has no effect of first order.
+  /// The same of the turning point with memory, in rho of the step: near rate zero its error hardly matters.
   double turning_precision = 2e-2;
   /// Share of a step, in rho, within which the end of a branch counts as immediate: in so short a step only
   /// the residual of the last root moves anything.
@@ -101,7 +94,7 @@ struct Numerics {
 
   /// Largest growth of steps from one to the next, also after an event, where the strain rate may jump.
   double growth = 1.5;
-  /// Largest share of the gap that closes in a step, in rho, and at most `most_closing`.
+  /// Largest share of the gap that closes in a step, in rho, and at most `max_closing`.
   double closing = 4;
   double max_closing = 0.5;
   /// Closing always allowed, in rho^2 of the thickness, as a pad may lock. (With 1e-2 the last step into the
@@ -111,7 +104,7 @@ struct Numerics {
   /// Relative growth of the force over the gap below which it counts as bounded.
   double bounded = 0.1;
   /// Largest relative fall of the force in a step, in rho, before the end of contact, which is read between
-  /// the entries; after it, and at most, `most_fall`.
+  /// the entries; after it, and at most, `max_fall`.
   double fall = 7;
   double max_fall = 0.7;
   /// Shortest step towards the release, in rho of a usual step, before and after the end of contact.
@@ -130,8 +123,7 @@ struct Numerics {
   /// Largest ratio of the first step to the step that the stiffness in it allows.
   double first_step = 0.25;
   int max_first_halvings = 400;
-  /// Shortest step with a meaningful rate, in rho of a usual step: in shorter ones it is the residual of the
-  /// roots.
+  /// Shortest step with a meaningful rate, in rho of a usual step; in shorter ones it is a residual.
   double min_step_with_rate = 1e-2;
 
   // --- Refinement (Eq. 31) ---
@@ -151,15 +143,13 @@ struct Numerics {
   /// Least ratio of the error of the rebound speed to the one before. The error depends on the places of
   /// events in their steps; below the ratio of its order it falls only by chance.
   double fastest_fall_of_error = 0.25;
-  /// The same for bottoming on a yielding support (with a quarter, 8 of 8,800 such figures of plausible cases
-  /// were off by more than 1e-4).
+  /// The same for bottoming on a yielding support (with 0.25, 8 of 8,800 plausible ones were off by 1e-4).
   double fastest_fall_of_bottoming = 0.5;
   /// Relative rounding of an extrapolated figure.
   double rounding_of_figures = 1e-12;
   /// Share of the impact speed below which the tolerance of a speed is relative to that share.
   double min_speed = 1e-3;
-  /// Share of the impactor's motion below which the tolerance of deflections and sets is relative to that
-  /// share.
+  /// Share of the impactor's motion to which the tolerance of smaller deflections and sets is relative.
   double min_deflection = 1e-3;
   /// Largest error of the time of the peak force, relative to the time at which contact ends.
   double loosest_time_of_peak = 0.01;
@@ -178,7 +168,7 @@ struct Numerics {
   double lightest_panel = 0.05;
 
   /// Largest work of all runs of an impact, s, times (1e-3 / t)^(7/8) for a tolerance t below 1e-3, at most
-  /// `most_patience`. A run that would exceed it is not started.
+  /// `max_patience`. A run that would exceed it is not started.
   double max_work = 1.7;
   double max_patience = 15;
   /// Largest number of consecutive runs given up: some stall where finer ones get through.

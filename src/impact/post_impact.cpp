@@ -22,8 +22,7 @@ double share(double mass, double other) { return std::isinf(mass) ? 1 : mass / (
 
 }  // namespace
 
-/// Eqs. 1 and 2 as changes of velocity: that of each body is (1 + sqrt(C)) times the speed of approach times
-/// the other's share of the mass.
+/// Eqs. 1 and 2 as changes of velocity: (1 + sqrt(C)) times the speed of approach times the other's share.
 PostImpact post_impact(Body first, Body second, double absorbed_fraction, double error) {
   check(first, "first");
   check(second, "second");
@@ -64,8 +63,7 @@ PostImpact post_impact(Body first, Body second, const Solution& solution) {
 }
 
 ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second) {
-  impact.impactor.mass =
-      std::isinf(second.mass) ? first.mass : first.mass * (second.mass / (first.mass + second.mass));
+  impact.impactor.mass = first.mass * share(second.mass, first.mass);
   impact.impactor.speed = first.velocity - second.velocity;
   return impact;
 }

@@ -15,8 +15,7 @@ namespace dashpad {
 
 /// Guess of the penetration rate in the next step, m/s, by the mean rates of the last three steps.
 ///
-/// The rate falls and grows like an exponential for most of an impact, so its logarithm is extrapolated, by
-/// divided differences over the middles of the steps.
+/// The rate is nearly exponential in time, so its logarithm is extrapolated by divided differences.
 class RateTrend {
  public:
   /// Forgets all rates, as after an event the rate may be another.

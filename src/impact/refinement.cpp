@@ -12,37 +12,29 @@ namespace {
 
 constexpr double unknown = infinite;
 
+constexpr double Figures::*extrapolated_numbers[]{&Figures::peak_force,      &Figures::time_of_peak_force,
+                                                  &Figures::peak_motion,     &Figures::peak_penetration,
+                                                  &Figures::final_velocity,  &Figures::peak_transmitted,
+                                                  &Figures::peak_deflection, &Figures::set,
+                                                  &Figures::crushing_force,  &Figures::body_velocity,
+                                                  &Figures::last_swing,      &Figures::slowest_swing};
+constexpr double EnergyLedger::*extrapolated_energies[]{&EnergyLedger::support, &EnergyLedger::support_loss,
+                                                        &EnergyLedger::moving,  &EnergyLedger::weight,
+                                                        &EnergyLedger::pad,     &EnergyLedger::sheet};
+constexpr std::optional<Moment> Figures::*extrapolated_moments[]{&Figures::force_below_weight,
+                                                                 &Figures::contact_end, &Figures::release,
+                                                                 &Figures::bottomed, &Figures::rest};
+
 /// Calls visit(the member of each run) for every number that is extrapolated.
 template <class Visit, class... Run>
 void for_each_number(Visit&& visit, Run&... runs) {
-  visit(runs.peak_force...);
-  visit(runs.time_of_peak_force...);
-  visit(runs.peak_motion...);
-  visit(runs.peak_penetration...);
-  visit(runs.final_velocity...);
-  visit(runs.support_energy...);
-  visit(runs.support_loss...);
-  visit(runs.moving_energy...);
-  visit(runs.weight_work...);
-  visit(runs.peak_transmitted...);
-  visit(runs.peak_deflection...);
-  visit(runs.set...);
-  visit(runs.crushing_force...);
-  visit(runs.body_velocity...);
-  visit(runs.pad_work...);
-  visit(runs.sheet_energy...);
-  visit(runs.last_swing...);
-  visit(runs.slowest_swing...);
-  const auto moment = [&](auto&... moments) {
-    if (!(moments.has_value() && ...)) return;
-    visit(moments->time...);
-    visit(moments->velocity...);
-  };
-  moment(runs.force_below_weight...);
-  moment(runs.contact_end...);
-  moment(runs.release...);
-  moment(runs.bottomed...);
-  moment(runs.rest...);
+  for (const auto number : extrapolated_numbers) visit(runs.*number...);
+  for (const auto energy : extrapolated_energies) visit(runs.energy.*energy...);
+  for (const auto moment : extrapolated_moments) {
+    if (!((runs.*moment).has_value() && ...)) continue;
+    visit((runs.*moment)->time...);
+    visit((runs.*moment)->velocity...);
+  }
 }
 
 bool is_finite(const Figures& run) {
@@ -57,13 +49,13 @@ std::array<double*, 10> all(ErrorEstimates& e) {
 }
 
 /// Whether a run went through the impact and has finite figures.
-bool is_sound(const Figures& run) { return run.ending != Ending::too_many_steps && is_finite(run); }
+bool is_sound(const Figures& run) { return run.ending != Status::tolerance_not_met && is_finite(run); }
 
 /// Whether two runs ended alike.
 bool same_kind(const Figures& a, const Figures& b) {
-  return a.ending == b.ending && a.force_below_weight.has_value() == b.force_below_weight.has_value() &&
-         a.contact_end.has_value() == b.contact_end.has_value() &&
-         a.bottomed.has_value() == b.bottomed.has_value() && a.release.has_value() == b.release.has_value();
+  return a.ending == b.ending && std::ranges::all_of(extrapolated_moments, [&](const auto moment) {
+           return moment == &Figures::rest || (a.*moment).has_value() == (b.*moment).has_value();
+         });
 }
 
 Figures extrapolate(const Figures& fine, const Figures& coarse) {
@@ -71,9 +63,9 @@ Figures extrapolate(const Figures& fine, const Figures& coarse) {
   for_each_number([](double& x, const double& f, const double& c) { x = f + (f - c) / 3; }, result, fine,
                   coarse);
   // The correction of a tiny magnitude may exceed it.
-  for (double Figures::*of :
+  for (double Figures::*figure :
        {&Figures::peak_transmitted, &Figures::peak_deflection, &Figures::set, &Figures::crushing_force})
-    if (result.*of < 0) result.*of = fine.*of;
+    if (result.*figure < 0) result.*figure = fine.*figure;
   return result;
 }
 
@@ -95,7 +87,7 @@ bool Refinement::add(const Figures& run) {
   }
   const Figures before = extrapolated_;
   const bool comparable = has_sound_run_ && same_kind(run, last_run_);
-  reloads_alike_ = run.reloadings == last_run_.reloadings || run.ending == Ending::at_rest;
+  reloads_alike_ = run.reloadings == last_run_.reloadings || run.ending == Status::at_rest;
   extrapolated_ = comparable ? extrapolate(run, last_run_) : run;
   last_run_ = run;
   has_sound_run_ = true;
@@ -118,20 +110,20 @@ void Refinement::judge(const Figures& run, const Figures& before) {
         std::max({std::abs(x - x_before), std::abs(x - x_run), numerics.rounding_of_figures * std::abs(x)});
     return difference == 0 ? 0 : difference / scale;
   };
-  const auto relative = [&](double x, double x_before, double x_run) {
-    return error(x, x_before, x_run, std::abs(x));
+  const auto relative = [&](double Figures::*figure) {
+    return error(now.*figure, before.*figure, run.*figure, std::abs(now.*figure));
   };
   errors_ = {};
   // On a rigid support a bottomed pad has no peak force; what matters is time and speed at bottoming.
-  const bool ended_in_lock = now.ending == Ending::bottomed_out;
+  const bool ended_in_lock = now.ending == Status::bottomed_out;
   if (!ended_in_lock) {
-    errors_.peak_force = relative(now.peak_force, before.peak_force, run.peak_force);
+    errors_.peak_force = relative(&Figures::peak_force);
     errors_.time_of_peak_force =
         error(now.time_of_peak_force, before.time_of_peak_force, run.time_of_peak_force,
               now.contact_end ? now.contact_end->time : now.time_of_peak_force);
   }
-  errors_.peak_motion = relative(now.peak_motion, before.peak_motion, run.peak_motion);
-  errors_.peak_penetration = relative(now.peak_penetration, before.peak_penetration, run.peak_penetration);
+  errors_.peak_motion = relative(&Figures::peak_motion);
+  errors_.peak_penetration = relative(&Figures::peak_penetration);
   double worst = errors_.peak_force;
   if (is_still_sinking(now.left_to_sink, now.peak_penetration, tolerance_))
     errors_.peak_motion = errors_.peak_penetration = unknown;
@@ -142,10 +134,10 @@ void Refinement::judge(const Figures& run, const Figures& before) {
                  std::max(std::abs(m.velocity), numerics.min_speed * speed_));
   };
   // The larger of the errors of time and velocity.
-  const auto moment = [&](const std::optional<Moment>& m, const std::optional<Moment>& m_before,
-                          const std::optional<Moment>& m_run) {
-    if (!m) return 0.0;
-    return std::max(relative(m->time, m_before->time, m_run->time), of_speed(*m, *m_before, *m_run));
+  const auto moment = [&](std::optional<Moment> Figures::*figure) {
+    if (!(now.*figure)) return 0.0;
+    const Moment &m = *(now.*figure), &m_before = *(before.*figure), &m_run = *(run.*figure);
+    return std::max(error(m.time, m_before.time, m_run.time, std::abs(m.time)), of_speed(m, m_before, m_run));
   };
   // The time of release is ill-posed (theory.md, Eq. 27); the speed then is not.
   if (now.release) {
@@ -153,10 +145,9 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     errors_.rebound_speed = std::max(rebound, numerics.fastest_fall_of_error * rebound_error_);
     rebound_error_ = rebound;
   }
-  errors_.contact_end = moment(now.contact_end, before.contact_end, run.contact_end);
-  errors_.force_below_weight =
-      moment(now.force_below_weight, before.force_below_weight, run.force_below_weight);
-  const double bottomed = moment(now.bottomed, before.bottomed, run.bottomed);
+  errors_.contact_end = moment(&Figures::contact_end);
+  errors_.force_below_weight = moment(&Figures::force_below_weight);
+  const double bottomed = moment(&Figures::bottomed);
   const double fall = ended_in_lock ? numerics.fastest_fall_of_error : numerics.fastest_fall_of_bottoming;
   errors_.bottomed = std::max(bottomed, fall * bottomed_error_);
   bottomed_error_ = bottomed;
@@ -164,20 +155,19 @@ void Refinement::judge(const Figures& run, const Figures& before) {
       {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
-    return 1 - v * v - (f.support_energy + f.support_loss + f.moving_energy - f.weight_work) / energy_;
+    return 1 - v * v -
+           (f.energy.support + f.energy.support_loss + f.energy.moving - f.energy.weight) / energy_;
   };
-  const auto of_support = [&](double x, double x_before, double x_run, double scale) {
-    if (x == 0 && x_before == 0 && x_run == 0) return 0.0;
-    return scale > 0 ? error(x, x_before, x_run, scale) : unknown;
+  const auto of_support = [&](double Figures::*figure, double scale) {
+    if (now.*figure == 0 && before.*figure == 0 && run.*figure == 0) return 0.0;
+    return scale > 0 ? error(now.*figure, before.*figure, run.*figure, scale) : unknown;
   };
   // Deflections and sets count relative to the peak deflection, bodies' speeds to the impact speed.
   const auto of_ways = [&](double scale) {
-    return std::max(of_support(now.peak_deflection, before.peak_deflection, run.peak_deflection, scale),
-                    of_support(now.set, before.set, run.set, scale));
+    return std::max(of_support(&Figures::peak_deflection, scale), of_support(&Figures::set, scale));
   };
-  const double of_others = std::max(
-      of_support(now.peak_transmitted, before.peak_transmitted, run.peak_transmitted, now.peak_transmitted),
-      of_support(now.body_velocity, before.body_velocity, run.body_velocity, speed_));
+  const double of_others = std::max(of_support(&Figures::peak_transmitted, now.peak_transmitted),
+                                    of_support(&Figures::body_velocity, speed_));
   errors_.support = std::max(of_others, of_ways(now.peak_deflection));
   worst = std::max(
       {worst, of_others, of_ways(std::max(now.peak_deflection, numerics.min_deflection * now.peak_motion))});
@@ -192,9 +182,8 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   if (!is_beyond(-1, now.last_swing, before.last_swing, run.last_swing) ||
       !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
     errors_.energy_absorbed = unknown;
-  const double residual = std::abs(absorbed(now) - (now.pad_work + now.sheet_energy) / energy_);
-  // The absorbed share, a small difference of large numbers, is held to ten times the tolerance, relative to
-  // itself or to a twentieth of the impact energy.
+  const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
+  // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
   const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
   // A reloading that only one of two runs has may matter or not: one more run decides.
   const bool enough =

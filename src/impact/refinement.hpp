@@ -56,8 +56,7 @@ class Refinement {
 
 // The summary of an impact from the figures of its runs.
 
-/// The summary but for steps and wall time. `finest`: history of the finest run; `tolerance`: the one asked
-/// for.
+/// The summary without steps and wall time. `finest` is the finest history, `tolerance` the one asked for.
 Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,
                   double tolerance);
 

@@ -1,9 +1,7 @@
 #pragma once
-/// A sheet with mass but neither stiffness nor tension on the struck face of the pad: a rubber cover, a steel
-/// trim.
+/// A sheet with mass but neither stiffness nor tension on the struck face: a rubber cover, a steel trim.
 ///
-///   (M + m) dV/dt = M g - F - D,   m = mu a,   D = (dm/dt) (dY/dt) while the nose goes in   (theory.md, Eq.
-///   56)
+///   (M + m) dV/dt = M g - F - D,   m = mu a,   D = (dm/dt) (dY/dt) on the way in         (theory.md, Eq. 56)
 ///
 /// A column's share of it is at rest with the pad until the nose meets it, is taken along in a plastic blow,
 /// and keeps the speed that it has where the column is left without stress. Compression positive; SI units.

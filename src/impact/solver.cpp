@@ -77,7 +77,7 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     // nothing, and a finer one may get through.
     left -= run.work;
     const double growth = before > 0 ? std::clamp(run.work / before, 2.0, 4.0) : 2.0;
-    if (run.ending == Ending::too_many_steps) {
+    if (run.ending == Status::tolerance_not_met) {
       if (++given_up > numerics.max_given_up) break;
       cost *= 4, steps *= 2;
     } else {
@@ -88,13 +88,6 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
     if (cost > left || steps > double(options.max_steps)) break;
   }
   return refinement;
-}
-
-/// The first blow of a series, or the case itself.
-ImpactCase first_blow(const ImpactCase& series) {
-  ImpactCase blow = series;
-  blow.blows.reset();
-  return blow;
 }
 
 /// The case of the next blow (theory.md, Eq. 47): the only place where a state is carried from one blow to
@@ -122,15 +115,12 @@ struct Solver::Memory {
   Contacts contacts;
   Solution solution;
 
-  Refinement refine_law(const ImpactCase& impact, const Options& options) {
-    return contacts.visit(impact, options.plain ? ColumnMath::plain : ColumnMath::vector,
-                          [&](auto& contact) { return refine(impact, contact, options, runs); });
-  }
-
   /// Solves one blow.
   void solve(const ImpactCase& impact, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    const Refinement refinement = refine_law(impact, options);
+    const Refinement refinement =
+        contacts.visit(impact, options.plain ? ColumnMath::plain : ColumnMath::vector,
+                       [&](auto& contact) { return refine(impact, contact, options, runs); });
     solution.summary = summarise(impact, refinement, runs.finest.history, options.tolerance);
     solution.summary.steps = runs.finest.size() - 1;
     std::swap(solution.history, runs.finest.history);
@@ -164,7 +154,8 @@ const Solution& Solver::solve(const ImpactCase& impact, const Options& options) 
 
 void Solver::solve_each_blow(const ImpactCase& impact, const Options& options, const BlowVisitor& visit) {
   memory_->check(impact, options);
-  std::optional<ImpactCase> blow = first_blow(impact);
+  std::optional<ImpactCase> blow = impact;
+  blow->blows.reset();
   for (int number = 1; blow; ++number) {
     memory_->solve(*blow, options);
     Summary& summary = memory_->solution.summary;

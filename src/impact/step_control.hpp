@@ -40,7 +40,7 @@ class StepControl {
   }
 
   /// The first step, short against what the pad's stiffness over it allows; sets `pad_stiffness` to that,
-  /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `most_force`, N.
+  /// N/m. `force_of(penetration, step)` is the growth of the pad's force, limited to `max_force`, N.
   template <class ForceOf>
   [[nodiscard]] double first_step(Phase phase, double speed, double max_force, ForceOf&& force_of,
                                   double& pad_stiffness) const {
@@ -123,8 +123,7 @@ class StepControl {
   [[nodiscard]] double strain_limit(const State& state, double pad_rate) const {
     return resolution_ * std::min(thickness_, widening(state.penetration)) / std::abs(pad_rate);
   }
-  /// Penetration over which the area of the contact changes, m; the longer the larger a flat tip's share of
-  /// it.
+  /// Penetration over which the area of the contact changes, m; it grows with the share of a flat tip.
   [[nodiscard]] double widening(double penetration) const {
     return share_of_side_ > 0 ? (nose_.depth + penetration) / share_of_side_ : infinite;
   }

@@ -13,8 +13,7 @@ namespace dashpad {
 
 namespace {
 
-/// Shortest time over which a rate is taken, as a share of the history: in a shorter step it is the residual
-/// of the roots.
+/// Shortest time for a rate, as a share of the history; in shorter steps it is the residual of the roots.
 constexpr double shortest_share = 1e-3;
 
 double largest_rate(const std::vector<double>& time, const std::vector<double>& strain) {
@@ -95,48 +94,26 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
   return reasons;
 }
 
-Status status_of(const Refinement& refinement) {
-  if (!refinement.is_met()) return Status::tolerance_not_met;
-  switch (refinement.figures().ending) {
-    case Ending::released: return Status::released;
-    case Ending::at_rest: return Status::at_rest;
-    case Ending::bottomed_out: return Status::bottomed_out;
-    case Ending::time_limit: return Status::time_limit;
-    default: return Status::tolerance_not_met;
-  }
-}
-
 EnergyLedger ledger_of(const Impactor& impactor, const Figures& figures) {
-  EnergyLedger energy;
+  EnergyLedger energy = figures.energy;
   energy.impact = impactor.mass * impactor.speed * impactor.speed / 2;
   energy.kinetic = impactor.mass * figures.final_velocity * figures.final_velocity / 2;
-  energy.weight = figures.weight_work;
-  energy.support = figures.support_energy;
-  energy.support_loss = figures.support_loss;
-  energy.moving = figures.moving_energy;
-  energy.pad = figures.pad_work;
-  energy.sheet = figures.sheet_energy;
   energy.residual = energy.supply() - energy.kinetic - energy.support - energy.support_loss - energy.moving -
                     energy.pad - energy.sheet;
   return energy;
 }
 
 SupportFigures support_figures(const Support& support, const Backing& backing, const Figures& figures) {
-  SupportFigures of{.peak_transmitted = {},
-                    .peak_deflection = figures.peak_deflection,
-                    .crushing_force = figures.crushing_force,
-                    .set = {},
-                    .body_speed = {}};
-  if (!(support.is_rigid() && figures.ending == Ending::bottomed_out))
+  SupportFigures of{.peak_deflection = figures.peak_deflection, .crushing_force = figures.crushing_force};
+  if (!(support.is_rigid() && figures.ending == Status::bottomed_out))
     of.peak_transmitted = figures.peak_transmitted;
   if (backing.unloading_stiffness > 0) of.set = figures.set;
   if (backing.body_mass > 0) of.body_speed = figures.body_velocity;
   return of;
 }
 
-/// Summary::force_on_way_in. The rate stress of laws 4 and 5 depends on the magnitude of the strain rate, so
-/// that a pad that opens on a spring pushes the harder the faster it does. 0 unless the peak is larger by a
-/// twentieth.
+/// Summary::force_on_way_in. With laws 4 and 5, whose rate stress ignores the sign of the strain rate, a pad
+/// that opens on a spring pushes the harder the faster it does. 0 unless the peak is larger by 5 %.
 double force_on_way_in(const ImpactCase& impact, const History& history, double peak) {
   constexpr double noticed = 1.05;
   const PadLaw& law = impact.pad.material.law;
@@ -151,15 +128,9 @@ double force_on_way_in(const ImpactCase& impact, const History& history, double 
 }  // namespace
 
 std::string to_string(Status status) {
-  switch (status) {
-    case Status::released: return "released";
-    case Status::at_rest: return "at rest";
-    case Status::bottomed_out: return "bottomed out";
-    case Status::time_limit: return "time limit";
-    case Status::tolerance_not_met: return "tolerance not met";
-    case Status::not_run: break;
-  }
-  return "not run";
+  constexpr const char* names[]{"not run",    "released",          "bottomed out",
+                                "time limit", "tolerance not met", "at rest"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 Summary summarise(const ImpactCase& impact, const Refinement& refinement, const History& finest,
@@ -167,8 +138,8 @@ Summary summarise(const ImpactCase& impact, const Refinement& refinement, const 
   const Figures& figures = refinement.figures();
   const Impactor& impactor = impact.impactor;
   Summary s;
-  s.status = status_of(refinement);
-  if (figures.ending != Ending::bottomed_out) {
+  s.status = refinement.is_met() ? figures.ending : Status::tolerance_not_met;
+  if (figures.ending != Status::bottomed_out) {
     // The peak of a run that is cut at its very beginning may be extrapolated below 0.
     s.peak_force = std::max(figures.peak_force, 0.0);
     s.time_of_peak_force = figures.time_of_peak_force;

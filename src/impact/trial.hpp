@@ -38,8 +38,8 @@ enum class Event {
 
 /// A step tried from the present state, which changes only when the step is accepted.
 struct Trial {
-  State end;
-  PadTrial pad;
+  State end = {};
+  PadTrial pad = {};
   double step = 0;               ///< s
   double pad_stiffness = 0;      ///< dF/dY over the step, N/m
   double lasting_stiffness = 0;  ///< dF/dY without the immediate effect of the rate, N/m; 0: the same

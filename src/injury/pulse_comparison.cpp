@@ -28,17 +28,17 @@ void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
   });
 }
 
-/// The computed pulse with its peak, which the solver knows to lie between two samples.
+/// The computed pulse with its peak, which the solver knows to lie at a sample or between two.
 Pulse with_peak(Pulse pulse, const Summary& summary) {
   if (!summary.peak_acceleration || !summary.time_of_peak_force) return pulse;
   const double when = *summary.time_of_peak_force;
-  const auto place = std::ranges::lower_bound(pulse.time, when);
-  const auto index = place - pulse.time.begin();
-  if (place != pulse.time.end() && *place == when) {
-    pulse.acceleration[static_cast<std::size_t>(index)] = -*summary.peak_acceleration;
+  const auto samples = std::ranges::equal_range(pulse.time, when);
+  const auto place = pulse.acceleration.begin() + (samples.begin() - pulse.time.begin());
+  if (!samples.empty()) {
+    *place = -*summary.peak_acceleration;
   } else {
-    pulse.time.insert(place, when);
-    pulse.acceleration.insert(pulse.acceleration.begin() + index, -*summary.peak_acceleration);
+    pulse.acceleration.insert(place, -*summary.peak_acceleration);
+    pulse.time.insert(samples.begin(), when);
   }
   return pulse;
 }

@@ -6,7 +6,7 @@
 namespace dashpad::laboratory {
 namespace {
 
-/// At a vertex the rate is zero, not what rounding leaves of it.
+/// The rate, which at a vertex is exactly 0.
 double rate_in(const StrainPiece& piece, double time) {
   const double rate = piece.rate_at(time);
   return std::abs(rate) < 1e-13 * std::abs(piece.acceleration * time) ? 0 : rate;
@@ -38,7 +38,7 @@ std::vector<Arc> arcs_of(const StrainHistory& history) {
   for (std::size_t i = 0; i < history.pieces.size(); ++i) {
     const StrainPiece& piece = history.pieces[i];
     const bool last = i + 1 == history.pieces.size();
-    // What the next piece begins with counts, so that no rounding opens a gap between the two.
+    // The end is the start of the next piece, so that rounding opens no gap between them.
     const Motion start{std::max(piece.strain, 0.0), piece.rate};
     const double reached = last ? piece.strain_at(piece.duration) : history.pieces[i + 1].strain;
     const Motion end{reached < 1e-15 ? 0 : reached, piece.rate_at(piece.duration)};

@@ -1,6 +1,6 @@
 #pragma once
-/// The parts of a strain history in which the strain only grows, only falls, or stands still; when in one of
-/// them a column carries stress; and places within a history where a value is wanted.
+/// Parts of a strain history in which the strain only grows, only falls or stays, the contact of a column
+/// within them, and the record of a test.
 
 #include <algorithm>
 #include <cmath>
@@ -23,47 +23,47 @@ struct Motion {
   double rate = 0;  ///< 1/s
 };
 
-/// A parabola in time that does not turn. It is evaluated from its nearer end, so that a strain or a rate
-/// which vanishes at an end does so without cancellation.
+/// A strain that is a parabola in time and does not turn. It is evaluated from its nearer end, so that a
+/// strain or a rate that vanishes at an end does so without cancellation.
 struct Stretch {
-  double time = 0;      ///< of its start, s since first contact
+  double time = 0;      ///< time of its start, s since first contact
   double duration = 0;  ///< s
   Motion start;
   Motion end;
-  double acceleration = 0;  ///< of the strain, 1/s2
+  double acceleration = 0;  ///< 1/s2
 
-  /// `x` s after the start, best near it.
+  /// Motion `x` s after the start, most accurate near it.
   [[nodiscard]] Motion after_start(double x) const;
-  /// `y` s before the end, best near it.
+  /// Motion `y` s before the end, most accurate near it.
   [[nodiscard]] Motion before_end(double y) const;
   [[nodiscard]] Motion at(double x) const {
     return x <= duration / 2 ? after_start(x) : before_end(duration - x);
   }
   [[nodiscard]] Stretch part(double from, double to) const;
-  /// 1: the strain grows, -1: it falls, 0: it stands still.
+  /// 1 if the strain grows, -1 if it falls, 0 if it stays.
   [[nodiscard]] int direction() const;
 };
 
 struct Arc : Stretch {
   double piece_duration = 0;
-  double offset = 0;  ///< of its start in its piece, s
+  double offset = 0;  ///< time of its start within its piece, s
 };
 
-/// A piece that turns is split at its vertex. The history must have no violations().
+/// The arcs of a history, which must have no violations(): its pieces, split at their vertices.
 std::vector<Arc> arcs_of(const StrainHistory& history);
 
-/// When in an arc a column carries stress; times from the arc's start.
+/// The time within an arc in which a column carries stress, from the arc's start, s.
 struct Contact {
   bool any = false;
   double from = 0;
   double to = 0;
-  bool taken_up = false;  ///< at `from`, after it was lost
-  bool lost = false;      ///< at `to`
+  bool taken_up = false;  ///< contact begins again at `from`
+  bool lost = false;      ///< contact is lost at `to`
 };
 
-/// Where in an arc a column presses whose stress is known at every moment of it: asks `presses(x)` at even
-/// places, and finds the crossings between them. `lost`: whether the column did not press before the arc;
-/// then whether it does after it.
+/// The contact of a column whose stress is known at every moment of the arc: asks `presses(x)` at even places
+/// and locates the crossings between them. `lost`: whether the column had lost contact before the arc, and on
+/// return whether it has after it.
 template <class Presses>
 Contact pressing_part(const Arc& arc, bool& lost, Presses&& presses) {
   constexpr int places = 128;
@@ -97,31 +97,29 @@ Contact pressing_part(const Arc& arc, bool& lost, Presses&& presses) {
   return contact;
 }
 
-/// Of a whole history, s.
+/// Duration of a history, s.
 double duration_of(const StrainHistory& history);
 
-/// When the strain first stops to grow, s; 0 if it never grows.
+/// Time at which the strain first stops growing, s; 0 if it never grows.
 double end_of_first_loading(const StrainHistory& history);
 
-/// At a time from 0 to the end.
+/// Strain at a time from 0 to the end.
 double strain_at(const StrainHistory& history, double time);
 
-/// The same history in more pieces: one ends at each of `times` (increasing, s), so that it becomes a place
-/// of output.
+/// The same history in more pieces: one ends at each of `times`, s, increasing, as a place of output.
 StrainHistory split_at(const StrainHistory& history, const std::vector<double>& times);
 
-// Integrals with their estimated errors, by the two rules of Boost.Math that the laboratory needs.
-
-/// A number and how far it may be off.
+/// A number with its estimated error.
 struct WithError {
   double value = 0;
-  double error = 0;  ///< estimated, >= 0
+  double error = 0;  ///< >= 0
 };
 
-/// One application of the rule of 15 points; the error is the distance from the one of 7, far too large.
+/// Gauss-Kronrod quadrature with 15 points, bisected until the error estimate, the difference from the rule
+/// of 7 points, is small enough; that estimate is far too large.
 template <class F>
 WithError bisected(F&& f, double from, double to, double relative, double absolute, int depth) {
-  // Boost forgets the length of the interval in the error, so it gets one of length 2.
+  // Boost's error disregards the length of the interval, so it gets one of length 2.
   const double middle = from + (to - from) / 2;
   const double half = (to - from) / 2;
   const auto scaled = [&](double z) { return half * f(middle + half * z); };
@@ -136,15 +134,15 @@ WithError bisected(F&& f, double from, double to, double relative, double absolu
   return {first.value + second.value, first.error + second.error};
 }
 
-/// Of a smooth function, to a fraction of the integral of its magnitude. (The adaptive rule of Boost compares
-/// with the integral itself, and does not end where that is nearly zero.)
+/// Integral of a smooth function, to a fraction of the integral of its magnitude. (Boost's adaptive rule
+/// compares with the integral itself and does not end where that is nearly zero.)
 template <class F>
 WithError integral(F&& f, double from, double to, double tolerance = 1e-11, int depth = 15) {
   return to > from ? bisected(f, from, to, tolerance, -1, depth) : WithError{};
 }
 
-/// Of a function that may have an infinite slope or an integrable infinity where it begins. From 0 on is
-/// best: there the distance from the beginning has no rounding.
+/// Integral of a function that may have an infinite slope or an integrable infinity at `from`, which is best
+/// 0: the distance from it then has no rounding.
 template <class F>
 WithError integral_from_singularity(F&& f, double from, double to, double tolerance = 1e-12) {
   thread_local boost::math::quadrature::tanh_sinh<double> rule(12);
@@ -154,8 +152,7 @@ WithError integral_from_singularity(F&& f, double from, double to, double tolera
   return result;
 }
 
-// The record of a material test while it is written.
-
+/// The record of a material test while it is written.
 class Record {
  public:
   void add(double time, Motion motion, WithError stress) {
@@ -166,13 +163,13 @@ class Record {
     test_.work.push_back(work_.value);
     largest_error_ = std::max(largest_error_, stress.error);
   }
-  /// Done since the last place.
+  /// Adds the work done since the last place.
   void work(WithError done) {
     work_.value += done.value;
     work_.error += done.error;
   }
   void note(ColumnEvent::Kind kind, double time, double strain, double before, double after) {
-    test_.events.push_back({kind, time, strain, before, after});
+    test_.events.push_back({kind, time, strain, before, after, test_.size() - 1});
   }
   [[nodiscard]] double stress() const { return test_.stress.back(); }
 
@@ -190,8 +187,7 @@ class Record {
   double largest_error_ = 0;
 };
 
-// The rules that what is asked of a test breaks, thrown together.
-
+/// Collects the rules that a request for a test breaks.
 class Rules {
  public:
   Rules& require(bool is_kept, const std::string& name, double value, const std::string& rule) {
@@ -210,7 +206,7 @@ class Rules {
     for (const Violation& violation : broken) require(false, violation.key, violation.value, violation.rule);
     return *this;
   }
-  /// Throws std::invalid_argument that says them all; nothing where none is broken.
+  /// Throws std::invalid_argument that names all broken rules, if there are any.
   void done() const {
     if (!text_.empty()) throw std::invalid_argument(text_);
   }

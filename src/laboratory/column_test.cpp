@@ -29,8 +29,7 @@ void check(const PadLaw& law, const StrainHistory& history, int places) {
   rules.done();
 }
 
-/// Times from the arc's start, beyond it, at which there is output: the places of its piece, the ends of the
-/// contact, the arc's end.
+/// Times of output after the arc's start: the places of its piece, the ends of contact and of the arc.
 std::vector<double> output_times(const Arc& arc, const Contact& contact, int places) {
   std::vector<double> special{arc.duration};
   for (const double x : {contact.from, contact.to})
@@ -47,7 +46,7 @@ std::vector<double> output_times(const Arc& arc, const Contact& contact, int pla
   return times;
 }
 
-/// One column on its way, with the record of it.
+/// Leads a column through a history and records it.
 template <class Column>
 class Drive {
  public:
@@ -90,7 +89,7 @@ class Drive {
     const bool within = contact.any && last >= contact.from && x <= contact.to;
     if (within) {
       const auto power = [&](double t) { return column_.at(t).value * arc.at(t).rate; };
-      // After a jump of the rate the stress may change within no time, and from strain zero it does.
+      // After a jump of the rate the stress may change within no time; from strain zero it does.
       if (arc.direction() != 0)
         record_.work(last == contact.from ? integral_from_singularity(
                                                 [&](double t) { return power(last + t); }, 0, x - last, 1e-9)
@@ -111,10 +110,10 @@ class Drive {
   Column column_;
   int places_;
   Record record_;
-  int course_ = 0;  ///< of the strain, when it last was not still
+  int course_ = 0;  ///< direction of the strain when it last moved
 };
 
-/// Gives `use` a column of the law.
+/// Calls `use` with a column of the law.
 template <class Use>
 auto with_column(const PadLaw& law, Use&& use) {
   return std::visit(
@@ -132,7 +131,7 @@ auto with_column(const PadLaw& law, Use&& use) {
       law);
 }
 
-/// Takes a column through an arc; the stress at its end, Pa.
+/// Leads a column through an arc and returns the stress at its end, Pa.
 template <class Column>
 double stress_at_end(Column& column, const Arc& arc) {
   if constexpr (requires { column.pass(arc); }) {
@@ -166,8 +165,7 @@ std::vector<double> stress_at_ends(const PadLaw& law, const StrainHistory& histo
     }
     return stresses;
   };
-  if (const Foam* const foam = std::get_if<Foam>(&law); foam != nullptr && memo != nullptr)
-    return through(FoamColumn(*foam, *memo));
+  if (const Foam* const foam = std::get_if<Foam>(&law)) return through(FoamColumn(*foam, memo));
   return with_column(law, through);
 }
 

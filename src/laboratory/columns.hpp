@@ -1,9 +1,6 @@
 #pragma once
-/// A column of foam on its way through a history (theory.md, Eqs. 32 to 38).
-///
-/// The slip follows an arc of constant rate exactly; a parabola is cut into pieces, and the error estimated
-/// by pieces of twice the length. The stress is a function of strain and slip, so the column presses wherever
-/// that is more than nothing, also when it is loaded again.
+/// Columns of foams and of laws without memory, led through a history arc by arc: enter() an arc, ask for
+/// stresses at() times within it, leave() it.
 
 #include <algorithm>
 #include <array>
@@ -17,11 +14,16 @@
 
 namespace dashpad::laboratory {
 
+/// A column of foam (theory.md, Eqs. 32 to 38).
+///
+/// The slip follows an arc of constant rate exactly; a parabola is cut into pieces, and the error is
+/// estimated with pieces of twice the length. The stress is a function of strain and slip, so the column
+/// presses wherever that is above 0, also on reloading.
 class FoamColumn {
  public:
   template <SharesSlip Law>
   explicit FoamColumn(const Law& law) : law_(law) {}
-  FoamColumn(const Foam& law, FoamMemo& memo) : law_(law, memo) {}
+  FoamColumn(const Foam& law, FoamMemo* memo) : law_(law, memo) {}
 
   Contact enter(const Arc& arc) {
     arc_ = arc;
@@ -30,13 +32,13 @@ class FoamColumn {
     return pressing_part(arc, lost_, [this](double x) { return stress(x, fine_) > 0; });
   }
 
-  /// `x` s after the arc's start.
+  /// Stress `x` s after the arc's start, Pa.
   [[nodiscard]] WithError at(double x) const {
     const double value = stress(x, fine_);
     return {std::max(value, 0.0), std::abs(value - stress(x, coarse_)) + 4e-16 * std::abs(value)};
   }
 
-  /// Goes through an arc at once; the stress at its end. In place of enter(), at() and leave().
+  /// Passes through an arc in place of enter(), at() and leave(); returns the stress at its end.
   [[nodiscard]] double pass(const Arc& arc) {
     if (arc.acceleration != 0) {
       enter(arc);
@@ -61,7 +63,7 @@ class FoamColumn {
  private:
   static constexpr int pieces = 256;
 
-  /// g at the ends of even pieces of the arc.
+  /// g at the ends of `count` even pieces of the arc.
   [[nodiscard]] std::vector<double> slips_along(const Arc& arc, int count, double g) const {
     std::vector<double> all{g};
     for (int i = 0; i < count; ++i) {
@@ -90,9 +92,8 @@ class FoamColumn {
   bool lost_ = false;
 };
 
-// A column without memory on its way through a history: its stress is a curve of the strain, on which a law
-// that does not recover only is while its strain grows beyond the largest, or is held there.
-
+/// A column without memory, whose stress is a curve of the strain. A law that does not recover follows it
+/// only while the strain grows beyond the largest one, or is held there.
 template <IsMemoryless Law>
 class CurveColumn {
  public:
@@ -119,7 +120,7 @@ class CurveColumn {
   }
 
   [[nodiscard]] WithError at(double x) const {
-    // Where the strain begins to grow from zero, the curve's jump is past.
+    // Where the strain begins to grow from zero, the jump of the curve has happened.
     const double strain = arc_.at(x).strain;
     const bool grows_from_zero = x == from_ && strain == 0 && arc_.direction() > 0;
     const double stress = grows_from_zero ? curve_.initial_stress : curve_.at(strain);
@@ -129,7 +130,7 @@ class CurveColumn {
   void leave() { largest_ = std::max(largest_, arc_.end.strain); }
 
  private:
-  /// When the strain passes the largest so far: the root of the parabola without cancellation.
+  /// Time at which the strain passes the largest so far: a root of the parabola, without cancellation.
   [[nodiscard]] double passing() const {
     const double rise = largest_ - arc_.start.strain;
     if (rise <= 0) return 0;
@@ -146,35 +147,33 @@ class CurveColumn {
   bool lost_ = false;
 };
 
-// A column of viscoelastic foam on its way through a history (theory.md, Eq. 40): the lasting stress is
-// exact, each branch an integral over the arc.
-//
-//   q(x) = q(0) exp(-x / tau) + integral of g p'(e) de/dt exp(-(x - y) / tau) dy
-
+/// A column of viscoelastic foam (theory.md, Eq. 40): exact lasting stress, branches integrated over arcs.
+///
+///   q(x) = q(0) exp(-x / tau) + integral of g p'(e) de/dt exp(-(x - y) / tau) dy
 class MaxwellColumn {
  public:
   explicit MaxwellColumn(const ViscoelasticFoam& law) : law_(law), power_(law.exponents()) {}
 
-  /// In tension the column is left, and follows the platen without force until it presses again.
+  /// A column in tension loses contact and follows the platen without force until it presses again.
   Contact enter(const Arc& arc) {
     arc_ = arc;
     return pressing_part(arc, lost_, [this](double x) { return stress(x).value > 0; });
   }
 
-  /// `x` s after the arc's start.
+  /// Stress `x` s after the arc's start, Pa.
   [[nodiscard]] WithError at(double x) const {
     const WithError found = stress(x);
     return {std::max(found.value, 0.0), found.error};
   }
 
-  /// p.
+  /// Lasting stress p, Pa.
   [[nodiscard]] double lasting(double strain) const {
     return strain > 0 ? envelope(law_, power_, strain_of(strain), {}, strain) : 0;
   }
-  /// q of the first (0) or second (1) branch, `x` s after the arc's start.
+  /// Stress q of the first (0) or second (1) branch, `x` s after the arc's start.
   [[nodiscard]] WithError branch(int i, double x) const;
 
-  /// Goes through an arc at once; the stress at its end. In place of enter(), at() and leave().
+  /// Passes through an arc in place of enter(), at() and leave(); returns the stress at its end.
   [[nodiscard]] double pass(const Arc& arc) {
     arc_ = arc;
     leave();
@@ -213,7 +212,7 @@ inline WithError MaxwellColumn::branch(int i, double x) const {
     const double slope = envelope_slope(law_, power_, strain_of(motion.strain), {}, motion.strain);
     return share * slope * motion.rate * std::exp((y - x) / time);
   };
-  // Older parts than 40 relaxation times are gone.
+  // What is older than 40 relaxation times has vanished.
   const WithError sum = integral(added, std::max(0.0, x - 40 * time), x, 1e-10, 10);
   return {before.value * kept + sum.value, before.error * kept + sum.error};
 }

@@ -17,10 +17,9 @@ namespace {
 
 constexpr double farthest_strain = 0.999;
 
-/// Times after the loading, geometric up to the end of the hold.
+/// Times of output after the loading, s, in geometric sequence up to the end of the hold.
 std::vector<double> hold_times(double hold, int places) {
-  // Of the hold: the first place of output after the loading.
-  constexpr double earliest_share = 1e-6;
+  constexpr double earliest_share = 1e-6;  // of the hold
   std::vector<double> times;
   for (int i = 1; i < places; ++i)
     times.push_back(hold * std::pow(earliest_share, 1 - (i - 1) / (places - 1.0)));
@@ -28,23 +27,19 @@ std::vector<double> hold_times(double hold, int places) {
   return times;
 }
 
-struct HoldPlace {
-  double strain = 0;
-  double rate = 0;
-};
-
-/// The loading alone.
-StrainHistory loading_for(double duration, const CreepTest& test) {
-  return {{{duration, 0, test.loading_rate, 0}}};
+/// The loading of a test over a time, s.
+ColumnTest loading_of(const PadLaw& law, const CreepTest& test, double duration, int places) {
+  return drive(law, {{{duration, 0, test.loading_rate, 0}}}, places);
 }
 
-/// The loading with the hold after it. `crept_at` gives the strain at times after the loading, fine or
-/// coarse; `slope_at`: of the lasting stress at a strain, Pa. Nothing where the hold ends too early.
+/// The test with a loading of that duration, s. `crept_at` returns the motion at times after it, fine or
+/// coarse, `slope_at` the slope of the lasting stress at a strain, Pa. Nothing if the hold ends too early.
 template <class Crept, class Slope>
-std::optional<ColumnTest> with_hold(ColumnTest loading, const CreepTest& test, int places, Crept&& crept_at,
-                                    Slope&& slope_at) {
+std::optional<ColumnTest> with_hold(const PadLaw& law, const CreepTest& test, double duration, int places,
+                                    Crept&& crept_at, Slope&& slope_at) {
+  ColumnTest loading = loading_of(law, test, duration, places);
   const std::vector<double> times = hold_times(test.hold, places);
-  const std::vector<HoldPlace> held = crept_at(times, false), coarse = crept_at(times, true);
+  const std::vector<Motion> held = crept_at(times, false), coarse = crept_at(times, true);
   if (held.size() < times.size() || coarse.size() < times.size()) return std::nullopt;
   const double loaded_at = loading.time.back();
   const double work = loading.work.back();
@@ -62,19 +57,17 @@ std::optional<ColumnTest> with_hold(ColumnTest loading, const CreepTest& test, i
   return loading;
 }
 
-// Creep of foams by their curves and of slow foam: the strain at which a stress stays.
-
-/// Of the strains that are searched: the least stress that can be stated on the stiffest foam.
+/// Lower end of the searches for a strain, below that of the least stress on the stiffest foam.
 constexpr double min_part = 1e-30;
 
-/// Slow foam: under a constant stress p and the branches obey linear equations, which steps in which p goes
-/// evenly solve to second order. The error is estimated by steps of twice the length.
-std::vector<HoldPlace> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
-                             double loaded_for, double strain, const std::vector<double>& times, int steps) {
+/// Creep of slow foam. Under a constant stress p and the branches obey linear equations, which steps with an
+/// even change of p solve to second order. The error is estimated with steps of twice the length.
+std::vector<Motion> crept(const ViscoelasticFoam& law, const MaxwellColumn& column, double stress,
+                          double loaded_for, double strain, const std::vector<double>& times, int steps) {
   double p = column.lasting(strain);
   double first = column.branch(0, loaded_for).value;
   double second = column.branch(1, loaded_for).value;
-  std::vector<HoldPlace> result;
+  std::vector<Motion> result;
   double last = 0;
   for (const double time : times) {
     const double step = (time - last) / steps;
@@ -116,15 +109,14 @@ std::optional<ColumnTest> creep_of(const ViscoelasticFoam& law, const CreepTest&
   const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
     return crept(law, column, test.stress, loaded_for, strain, times, is_coarse ? 8 : 16);
   };
-  return with_hold(drive(law, loading_for(loaded_for, test), places), test, places, crept_at,
-                   [&](double e) { return column.lasting(e) / e; });
+  return with_hold(law, test, loaded_for, places, crept_at, [&](double e) { return column.lasting(e) / e; });
 }
 
-/// Foams: the strain at which the stress stays, step by step, in which it goes evenly. The error is estimated
-/// by steps of twice the length.
-std::vector<HoldPlace> crept(const FoamStress& law, double stress, double strain, double slip,
-                             const std::vector<double>& times, int steps) {
-  std::vector<HoldPlace> result;
+/// Creep of foams by their curves: steps with an even change of the strain, each to the strain at which the
+/// stress is kept. The error is estimated with steps of twice the length.
+std::vector<Motion> crept(const FoamStress& law, double stress, double strain, double slip,
+                          const std::vector<double>& times, int steps) {
+  std::vector<Motion> result;
   double last = 0;
   for (const double time : times) {
     double rate = 0;
@@ -159,11 +151,12 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
   const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
     return crept(column, test.stress, strain, slip_at(strain), times, is_coarse ? 4 : 8);
   };
-  return with_hold(drive(law, loading_for(strain / test.loading_rate, test), places), test, places, crept_at,
+  return with_hold(law, test, strain / test.loading_rate, places, crept_at,
                    [&](double e) { return column.at(strain_of(e)).base.stress / e; });
 }
 
-constexpr double tolerance = 1e-12;  ///< of the integration, relative
+/// Relative tolerance of the integration.
+constexpr double tolerance = 1e-12;
 
 void check(const PadLaw& law, const CreepTest& test, int places) {
   Rules()
@@ -175,14 +168,14 @@ void check(const PadLaw& law, const CreepTest& test, int places) {
       .done();
 }
 
-/// How a law that has been loaded to its stress goes on under it.
+/// The creep of a law with memory under a constant stress.
 template <HasMemory Law>
 class Creep {
  public:
   Creep(const Law& law, double stress) : law_(law), power_(law.exponents()), stress_(stress) {}
 
-  /// The rate at which the stress stands still: the root of (dG/de) rate + h (G - stress), which grows with
-  /// the rate. 0 where the lasting stress has come up to the stress.
+  /// The strain rate that keeps the stress: the root of (dG/de) rate + h (G - stress), which grows with the
+  /// rate; 0 once the lasting stress has reached the stress.
   [[nodiscard]] double rate(double time, double strain) {
     if (balance(time, strain, 0) >= 0) return last_rate_ = 0;
     const auto of_logarithm = [&](double log_rate) { return balance(time, strain, std::exp(log_rate)); };
@@ -195,11 +188,11 @@ class Creep {
     return last_rate_ = std::exp(high > low ? root_between(of_logarithm, low, high) : low);
   }
 
-  /// The lasting stress has come up to the stress, as far as numbers tell.
+  /// Whether the lasting stress has reached the stress, but for rounding.
   [[nodiscard]] bool settled(double strain) const {
     return stress_ - envelope(strain, law_.rate_part(0)) <= 1e-13 * stress_;
   }
-  /// Of the lasting stress, Pa.
+  /// Slope of the lasting stress, Pa.
   [[nodiscard]] double lasting_slope(double strain) const {
     return envelope_slope(law_, power_, strain_of(strain), law_.rate_part(0), strain);
   }
@@ -217,25 +210,25 @@ class Creep {
   Law law_;
   PowerShape power_;
   double stress_;
-  double last_rate_ = 0;  ///< a good guess of the next
+  double last_rate_ = 0;  ///< the guess for the next search
 };
 
-/// The strain at times after the loading; fewer where it passes 0.999.
+/// Creep by integration of the rate. The result ends where the strain passes 0.999.
 template <HasMemory Law>
-std::vector<HoldPlace> crept(const Law& law, double stress, double loaded_at, double strain,
-                             const std::vector<double>& times, double accuracy) {
+std::vector<Motion> crept(const Law& law, double stress, double loaded_at, double strain,
+                          const std::vector<double>& times, double accuracy) {
   namespace odeint = boost::numeric::odeint;
   Creep creep(law, stress);
   const double loaded_strain = strain;
   const auto slope = [&](const double& e, double& rate, double t) {
-    // Too long a step, which will be rejected, may try strains that the column has passed or cannot have.
+    // A step that is too long and will be rejected may try impossible strains.
     rate = e < farthest_strain ? creep.rate(loaded_at + t, std::max(e, loaded_strain)) : 0;
   };
   auto stepper = odeint::make_controlled(accuracy, accuracy, odeint::runge_kutta_fehlberg78<double>());
-  std::vector<HoldPlace> result;
+  std::vector<Motion> result;
   double last = 0;
   for (const double time : times) {
-    // In bounded stretches, so that a strain which has settled is found before the steps become many.
+    // The stretches are bounded, so that a settled strain is noticed before the steps become many.
     while (last < time && !creep.settled(strain)) {
       const double next = std::min(time, std::max(1.2 * last, times.front()));
       odeint::integrate_adaptive(stepper, slope, strain, last, next, (next - last) / 100);
@@ -248,11 +241,11 @@ std::vector<HoldPlace> crept(const Law& law, double stress, double loaded_at, do
 }
 
 /// Law 2: E_0 de/dt = (stress - E_inf e) / tau.
-std::vector<HoldPlace> crept(const LinearViscoelastic& law, double stress, double, double strain,
-                             const std::vector<double>& times, double) {
+std::vector<Motion> crept(const LinearViscoelastic& law, double stress, double, double strain,
+                          const std::vector<double>& times, double) {
   const double lasting = stress / law.asymptotic_modulus;
   const double time_constant = law.relaxation_time * law.initial_modulus / law.asymptotic_modulus;
-  std::vector<HoldPlace> result;
+  std::vector<Motion> result;
   for (const double time : times) {
     const double left = (strain - lasting) * std::exp(-time / time_constant);
     if (lasting + left >= farthest_strain) break;
@@ -261,7 +254,7 @@ std::vector<HoldPlace> crept(const LinearViscoelastic& law, double stress, doubl
   return result;
 }
 
-/// The loading, as far as the strain where the stress is reached; absent where it is not.
+/// The strain at which the loading reaches the stress; nothing if it does not.
 template <HasMemory Law>
 std::optional<double> strain_at(const Law& law, const CreepTest& test) {
   const ViscousStress<Law> column(law);
@@ -280,17 +273,15 @@ template <HasMemory Law>
 std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
   const std::optional<double> strain = strain_at(law, test);
   if (!strain) return std::nullopt;
-  ColumnTest loading = drive(law, loading_for(*strain / test.loading_rate, test), places);
-  const auto crept_at = [&, loaded_at = loading.time.back()](const std::vector<double>& times,
-                                                             bool is_coarse) {
-    return crept(law, test.stress, loaded_at, *strain, times, is_coarse ? 100 * tolerance : tolerance);
+  const double duration = *strain / test.loading_rate;
+  const auto crept_at = [&](const std::vector<double>& times, bool is_coarse) {
+    return crept(law, test.stress, duration, *strain, times, is_coarse ? 100 * tolerance : tolerance);
   };
   const Creep creep(law, test.stress);
-  return with_hold(std::move(loading), test, places, crept_at,
-                   [&](double e) { return creep.lasting_slope(e); });
+  return with_hold(law, test, duration, places, crept_at, [&](double e) { return creep.lasting_slope(e); });
 }
 
-/// Laws 1 and 3: the strain is that of the curve.
+/// Laws 1 and 3 do not creep: the strain is that of the curve.
 template <IsMemoryless Law>
 std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int places) {
   const StressCurve curve = law.curve();
@@ -303,7 +294,7 @@ std::optional<ColumnTest> creep_of(const Law& law, const CreepTest& test, int pl
   }
   ColumnTest result;
   if (strain > 0) {
-    result = drive(law, loading_for(strain / test.loading_rate, test), places);
+    result = loading_of(law, test, strain / test.loading_rate, places);
   } else {
     Record record;
     record.add(0, {0, test.loading_rate}, {});

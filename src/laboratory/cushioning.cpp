@@ -23,7 +23,7 @@ CushionPoint point(const CushionCurve& curve, std::size_t i) {
   return {curve.strain[i], curve.stress[i], curve.energy[i], curve.efficiency[i], curve.ideality[i]};
 }
 
-/// The point before the first place: stress = S1 (strain / e1)^q, with q from the first two places.
+/// A point before the first place, by the power law stress = S1 (strain / e1)^q through the first two places.
 CushionPoint before_first(const CushionCurve& curve, double limit) {
   const double e = curve.strain[0], S = curve.stress[0];
   const double q =
@@ -32,7 +32,7 @@ CushionPoint before_first(const CushionCurve& curve, double limit) {
   return point_of(e * share, limit, curve.energy[0] * share * limit / S);
 }
 
-/// ln(stress) at ln(strain) = x, by Neville's scheme over four places around the interval before place i.
+/// ln(stress) at ln(strain) = x, by Neville's scheme through four places around the interval before place i.
 double log_stress(const CushionCurve& curve, std::size_t i, double x) {
   const std::size_t n = curve.strain.size();
   const std::size_t count = std::min<std::size_t>(4, n);
@@ -49,7 +49,7 @@ double log_stress(const CushionCurve& curve, std::size_t i, double x) {
   return value[0];
 }
 
-/// Hermite's cubic from place i - 1 to place i.
+/// Energy between places i - 1 and i, by Hermite's cubic.
 double energy_between(const CushionCurve& curve, std::size_t i, double strain) {
   const double width = curve.strain[i] - curve.strain[i - 1];
   const double t = (strain - curve.strain[i - 1]) / width;
@@ -68,7 +68,7 @@ CushionPoint between(const CushionCurve& curve, std::size_t i, double limit) {
   return point_of(strain, limit, energy_between(curve, i, strain));
 }
 
-/// Whether the efficiency has no kink at place i: its bend there is that of the places around.
+/// Whether the efficiency has no kink at place i, judged by its second differences there and nearby.
 bool is_smooth(const CushionCurve& curve, std::size_t i) {
   if (i < 3 || i + 3 >= curve.efficiency.size()) return false;
   const auto bend = [&](std::size_t k) {
@@ -77,7 +77,7 @@ bool is_smooth(const CushionCurve& curve, std::size_t i) {
   return bend(i) < 3 * std::max(bend(i - 2), bend(i + 2));
 }
 
-/// The highest efficiency, between places where the curve is smooth.
+/// The point of the highest efficiency; where the curve is smooth, it may lie between places.
 CushionPoint best_of(const CushionCurve& curve) {
   const auto best = std::ranges::max_element(curve.efficiency);
   if (best == curve.efficiency.end()) return {};
@@ -96,16 +96,15 @@ CushionPoint best_of(const CushionCurve& curve) {
   return found.efficiency > *best ? found : point(curve, i);
 }
 
-/// The largest stress: where it is no end of a stretch, the vertex of the parabola through three places in
-/// time.
+/// Sets the largest stress and its strain, by a parabola in time unless it lies at an event or an end.
 void find_peak(const ColumnTest& test, CushionFigures& figures) {
   const auto peak = std::ranges::max_element(test.stress);
   if (peak == test.stress.end() || !(*peak > 0)) return;
   const auto i = static_cast<std::size_t>(peak - test.stress.begin());
   figures.peak_stress = *peak;
   figures.strain_at_peak = test.strain[i];
-  const auto at_an_event = [&](const ColumnEvent& event) { return event.time == test.time[i]; };
-  if (i == 0 || i + 1 == test.size() || std::ranges::any_of(test.events, at_an_event)) return;
+  const bool is_at_event = std::ranges::find(test.events, i, &ColumnEvent::place) != test.events.end();
+  if (i == 0 || i + 1 == test.size() || is_at_event) return;
   const double before = test.time[i - 1] - test.time[i], after = test.time[i + 1] - test.time[i];
   const double fall_before = (test.stress[i - 1] - *peak) / before;
   const double fall_after = (test.stress[i + 1] - *peak) / after;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "laboratory/column.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::laboratory {
@@ -26,7 +27,7 @@ StrainHistory history_of(const MaterialTest& test, double rate) {
   throw std::invalid_argument("creep has no strain history: its stress is given");
 }
 
-/// The times of the update's strains, from 0 on.
+/// The times of the update's strains, s, from 0 on.
 std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double step = end_of_first_loading(history) / steps;
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
@@ -40,20 +41,20 @@ std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   return times;
 }
 
-/// Relaxation is fast at first: more places near the beginning of the hold.
+/// Extra places of output in a hold, most of them near its beginning, where relaxation is fast.
 std::vector<double> marks_in_hold(double ramp, double hold) {
   std::vector<double> times{ramp};
   for (const double share : {1e-4, 1e-3, 1e-2, 0.1}) times.push_back(ramp + share * hold);
   return times;
 }
 
-/// Enough for smooth curves, and not too many for a file.
+/// Number of places of output in a piece: enough for smooth curves, and not too many for a file.
 int places_for(std::size_t pieces) {
   const auto few = static_cast<int>(std::clamp<std::size_t>(600 / pieces, 20, 200));
   return std::min(few, std::max(2, static_cast<int>(200'000 / pieces)));
 }
 
-/// Of the place of output that is nearest.
+/// Stress at the nearest place of output, Pa.
 double stress_at(const ColumnTest& column, double time) {
   const auto after = std::lower_bound(column.time.begin(), column.time.end(), time);
   auto i = static_cast<std::size_t>(after - column.time.begin());
@@ -64,13 +65,7 @@ double stress_at(const ColumnTest& column, double time) {
 UpdateOf1984 compare_with(StressUpdate update_stress, const Material& material, const StrainHistory& history,
                           std::vector<double> times, int steps, const ColumnTest& column) {
   const double step = times[1];
-  UpdateOf1984 update{.step = step,
-                      .time = std::move(times),
-                      .strain = {},
-                      .stress = {},
-                      .exact = {},
-                      .update_at_turn = {},
-                      .exact_at_turn = {}};
+  UpdateOf1984 update{.step = step, .time = std::move(times)};
   for (const double time : update.time) {
     update.strain.push_back(std::max(strain_at(history, time), 0.0));
     update.exact.push_back(stress_at(column, time));
@@ -105,7 +100,7 @@ MaterialTestRun strain_run(const Material& material, const MaterialTest& test, d
   return run;
 }
 
-/// Absent where the law does not reach the stress.
+/// A creep test; nothing if the law does not reach the stress.
 std::optional<MaterialTestRun> creep_run(const Material& material, const MaterialTest& test, double rate) {
   std::optional<ColumnTest> column = creep(material.law, {test.stress, rate, test.hold});
   if (!column) return std::nullopt;
@@ -120,7 +115,7 @@ std::optional<MaterialTestRun> creep_run(const Material& material, const Materia
   return run;
 }
 
-/// A strain of 0.95 that was computed is not beyond 0.95.
+/// A value without its rounding, so that a computed 0.95 is not beyond 0.95.
 double without_rounding(double value) { return rounded_to(value, 12); }
 
 std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run) {
@@ -167,21 +162,6 @@ void add_figures(MaterialTestRun& run, const Material& material, const MaterialT
   run.flags = flags_of(material, run);
 }
 
-std::vector<double> rates_of(const FoamCurves& curves) {
-  std::vector<double> rates{curves.slowest_rate};
-  std::visit(
-      [&rates]<class Effect>(const Effect& effect) {
-        if constexpr (std::is_same_v<Effect, PowerRateEffect>)
-          rates.push_back(effect.highest_rate);
-        else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
-          rates.insert(rates.end(), effect.rate.begin(), effect.rate.end());
-        else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
-          for (const CurvesRateEffect::AtRate& at : effect.curves) rates.push_back(at.rate);
-      },
-      curves.rate_effect);
-  return rates;
-}
-
 }  // namespace
 
 const char* to_string(TestKind kind) {
@@ -219,7 +199,7 @@ std::vector<double> tested_rates(const Material& material) {
   return std::visit(
       [&material]<class Law>(const Law& law) -> std::vector<double> {
         if constexpr (SharesSlip<Law>)
-          return rates_of(law.curves);
+          return dashpad::tested_rates(law.curves);
         else if (material.fitted && material.fitted->lowest_rate > 0)
           return {material.fitted->lowest_rate, material.fitted->highest_rate};
         else

@@ -11,7 +11,8 @@
 namespace dashpad::laboratory {
 namespace {
 
-constexpr double rounding = 1e-9;  ///< of a strain
+/// Rounding of a strain that counts as none.
+constexpr double rounding = 1e-9;
 
 StrainPiece straight(double from, double to, double rate) {
   return {std::abs(to - from) / rate, from, to > from ? rate : -rate, 0};
@@ -25,7 +26,7 @@ void check_numbers(const StrainPiece& piece, const std::string& key, std::vector
     if (!std::isfinite(value)) broken.push_back({key + name, value, "must be a finite number"});
 }
 
-/// The strain is largest or smallest at an end or at the vertex.
+/// Checks the largest and smallest strain, at an end or at the vertex.
 void check_range(const StrainPiece& piece, const std::string& key, std::vector<Violation>& broken) {
   double low = std::min(piece.strain, piece.strain_at(piece.duration));
   double high = std::max(piece.strain, piece.strain_at(piece.duration));

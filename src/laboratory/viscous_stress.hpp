@@ -1,16 +1,16 @@
 #pragma once
-/// The stress of a column with memory at the end of a stretch.
+/// The stress of a column with memory at the end of a stretch of strain.
 ///
-/// Straight (theory.md, Eq. 9), with H the integral of h over the stretch:
+/// On a straight stretch, with H the integral of h over it (theory.md, Eq. 9):
 ///
 ///   stress_1 = G(e1) + (stress_0 - G(e0)) exp(-H)
 ///
-/// Parabolic, with H(t) the integral of h from t to the end (the solution of theory.md, Eq. 8):
+/// On a parabolic one, with H(t) the integral of h from t to the end (the solution of theory.md, Eq. 8):
 ///
 ///   stress_1 = stress_0 exp(-H) + integral of exp(-H(t)) (dG/de de/dt + h G) dt
 ///
-/// In this form nothing has to be derived by the rate, so the envelope's infinite slope at rate zero does no
-/// harm. dG/de ~ e^(m-1) at strain zero is taken in t = z^(1/m), where it is finite.
+/// This form needs no derivative by the rate, so the infinite slope of the envelope at rate zero does no
+/// harm. dG/de ~ e^(m-1) at strain zero is integrated over z in t = z^(1/m), where it is finite.
 
 #include <algorithm>
 #include <array>
@@ -23,13 +23,13 @@
 
 namespace dashpad::laboratory {
 
-/// H over the part of a stretch between two times from its start.
+/// H between two times of a stretch, counted from its start, s.
 template <HasMemory Law>
 WithError relaxation(const Law& law, const Stretch&, double from, double to) {
   return {(to - from) * law.relaxation_rate(0), 0};
 }
 
-/// Law 5: h depends on time and strain. In u = t^a it is not singular where contact begins.
+/// The same for law 5, whose h depends on time and strain; over u = t^a it has no singularity.
 inline WithError relaxation(const TwentyOneParameter& law, const Stretch& stretch, double from, double to) {
   const double a = law.relaxation_exponent;
   const double log_base = std::log(law.relaxation_strain_base);
@@ -51,8 +51,8 @@ class ViscousStress {
  public:
   explicit ViscousStress(const Law& law) : law_(law), power_(law.exponents()) {}
 
-  /// With `largest` the largest strain seen until the stretch begins. On unloading the strain at the end must
-  /// be more than 0: the envelopes of laws 4 and 5 have no lower bound there.
+  /// Stress at the end of a stretch that begins with `stress`, Pa, and the largest strain so far. On
+  /// unloading the strain at the end must be above 0: at 0 the envelopes of laws 4 and 5 have no lower bound.
   [[nodiscard]] WithError after(const Stretch& stretch, WithError stress, double largest) const {
     const WithError H = relaxation(law_, stretch, 0, stretch.duration);
     const double kept = std::exp(-H.value);
@@ -69,16 +69,14 @@ class ViscousStress {
 
  private:
   static constexpr double rounding = 4e-16;
-  /// Strains below it are not told from zero.
-  static constexpr double min_strain = 1e-300;
 
   [[nodiscard]] double envelope(Motion motion, double largest) const {
     return dashpad::envelope(law_, power_, strain_of(motion.strain), law_.rate_part(motion.rate), largest);
   }
 
-  /// exp(-H(t)) (dG/de de/dt + h G), `x` s after the start of the stretch.
+  /// The integrand exp(-H(t)) (dG/de de/dt + h G) `x` s after the start of the stretch.
   [[nodiscard]] double integrand(const Stretch& stretch, double x, Motion motion, double largest) const {
-    if (motion.strain < min_strain) return 0;
+    if (motion.strain < scalar::min_strain) return 0;
     const Strain strain = strain_of(motion.strain);
     const auto rate = law_.rate_part(motion.rate);
     const double slope = envelope_slope(law_, power_, strain, rate, largest);
@@ -87,8 +85,8 @@ class ViscousStress {
     return kept * (slope * motion.rate + h * envelope(motion, largest));
   }
 
-  /// The end of a stretch, as far back as exp(-H(t)) is more than e^-40. Without this cut a quadrature over
-  /// many relaxation times could step over all that counts.
+  /// The last part of a stretch, in which exp(-H(t)) is above e^-40. Without this cut a quadrature over many
+  /// relaxation times could miss all that counts.
   [[nodiscard]] Stretch remembered(const Stretch& stretch) const {
     double from = 0;
     for (;;) {
@@ -99,7 +97,7 @@ class ViscousStress {
     return from == 0 ? stretch : stretch.part(from, stretch.duration);
   }
 
-  /// The integral, by halves: each counts time from its own end of the stretch.
+  /// The integral over both halves of a stretch, with times counted from its nearer end.
   [[nodiscard]] WithError memory(const Stretch& stretch, double largest) const {
     const double half = stretch.duration / 2;
     const auto first = [&](double x) { return integrand(stretch, x, stretch.after_start(x), largest); };
@@ -121,7 +119,7 @@ class ViscousStress {
   template <class F>
   [[nodiscard]] WithError from_zero_strain(F&& f, double half) const {
     const double m = power_.exponents().m;
-    const double least = std::pow(1e-140, m);  // below it the integrand is constant in z, and x underflows
+    const double least = std::pow(1e-140, m);  // below, the integrand is constant in z and x underflows
     const auto in_power = [&](double z) {
       z = std::max(z, least);
       const double x = half * std::pow(z, 1 / m);
@@ -134,14 +132,13 @@ class ViscousStress {
   PowerShape power_;
 };
 
-// A column with memory on its way through a history, arc by arc.
-
+/// A column with memory, led through a history arc by arc.
 template <HasMemory Law>
 class ViscousColumn {
  public:
   explicit ViscousColumn(const Law& law) : law_(law) {}
 
-  /// Goes on to the next arc. The rule for tension is that of dashpad/laboratory/column_test.hpp.
+  /// Enters the next arc. The rule for tension is in dashpad/laboratory/column_test.hpp.
   Contact enter(const Arc& arc) {
     const int direction = arc.direction();
     arc_ = arc;
@@ -163,7 +160,7 @@ class ViscousColumn {
     return contact;
   }
 
-  /// `x` s after the arc's start, within the contact.
+  /// Stress `x` s after the arc's start, within the contact, Pa.
   [[nodiscard]] WithError at(double x) const {
     if (x == 0) return nodes_.front().stress;
     auto node = nodes_.end() - 1;
@@ -182,8 +179,8 @@ class ViscousColumn {
     WithError stress;
   };
 
-  /// Where the stress is computed on the way, as fractions of an arc: closer at its ends, where the singular
-  /// quadratures are. They do not depend on the places of output, so neither does any stress.
+  /// Places of an arc at which the stress is computed, as fractions of it: closer at its ends, where the
+  /// quadratures are singular. They do not depend on the places of output, so no stress does.
   static constexpr int ends = 5, middle = 32;
   static constexpr auto node_places = [] {
     std::array<double, middle + 1 + 2 * ends> places{};

@@ -1,6 +1,5 @@
 #pragma once
-/// Variants of alternatives with a name and a parameter table (laws, noses): checks, their numbers as a list,
-/// and alternatives by name.
+/// Variants of alternatives with names and parameter tables (laws, noses): checks, listing, choice by name.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,6 @@
 #pragma once
-/// Roots of increasing functions, which may be as steep as a jump in places: secants from a good guess,
-/// inside the bracket found so far, and TOMS 748 if they do not settle soon. Times of events within a step
-/// are found by impact/event_search.hpp.
+/// Roots of increasing functions, which may be as steep as a jump in places: secants inside the bracket, and
+/// TOMS 748 if they do not settle soon. For times of events within a step see impact/event_search.hpp.
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -20,9 +19,8 @@ struct RootNumerics {
   int max_secants = 12;            ///< secants of increasing_root()
   int max_strides = 200;           ///< evaluations while the sign on one side is not known
   double probe = 1e4;              ///< least step over the precision until the slope is known
-  /// Longest chord over the precision with a slope usable at the root; a longer one may contain a steep place
-  /// elsewhere. And largest step times chord over the precision squared: the error after a last step is
-  /// proportional to both.
+  /// Longest chord over the precision whose slope is usable at the root, and largest step times chord over
+  /// the precision squared, to which the error after a last step is proportional.
   double longest_chord = 1e8;
   double max_left = 1e10;
   int usual_bits = 50;  ///< precision of root_between(), bits
@@ -45,8 +43,7 @@ struct RootBracket {
     else
       low = x, f_low = value, low_known = true;
   }
-  /// The place to evaluate next: `next`, but inside the bracket, and at most a stride towards a side where no
-  /// sign is known.
+  /// The place to evaluate next: `next`, inside the bracket and within a stride where no sign is known.
   [[nodiscard]] double place_inside(double next, double x, double& stride) const {
     if (next >= x && !high_known) {
       next = std::min({next, x + stride, high});

@@ -7,78 +7,63 @@ namespace dashpad {
 
 namespace {
 
-EstimatedValue present(const std::optional<double>& value, double error) {
-  return value ? EstimatedValue{.value = *value, .error = error} : EstimatedValue{};
+double error_of(const Summary& summary, double ErrorEstimates::*estimate) {
+  return estimate == nullptr ? 0 : summary.errors.*estimate;
 }
 
-EstimatedValue present(const std::optional<Moment>& moment, double error = 0) {
-  return moment ? EstimatedValue{moment->time, error, moment->velocity} : EstimatedValue{};
+/// A figure of the impact, with its estimate.
+template <auto figure, double ErrorEstimates::*estimate = nullptr>
+EstimatedValue figure_of(const Summary& summary) {
+  const std::optional<double> value = summary.*figure;
+  return value ? EstimatedValue{.value = *value, .error = error_of(summary, estimate)} : EstimatedValue{};
 }
 
-template <class Figure>
-EstimatedValue of_support(const Summary& summary, Figure figure) {
-  return summary.support ? present(figure(*summary.support), summary.errors.support) : EstimatedValue{};
+template <auto moment, double ErrorEstimates::*estimate = nullptr>
+EstimatedValue moment_of(const Summary& summary) {
+  const std::optional<Moment>& at = summary.*moment;
+  return at ? EstimatedValue{at->time, error_of(summary, estimate), at->velocity} : EstimatedValue{};
+}
+
+/// A figure of the support; no value where the impact has none.
+template <auto figure>
+EstimatedValue support_figure_of(const Summary& summary) {
+  if (!summary.support) return {};
+  const std::optional<double> value = *summary.support.*figure;
+  return value ? EstimatedValue{.value = *value, .error = summary.errors.support} : EstimatedValue{};
+}
+
+EstimatedValue energy_residual_of(const Summary& summary) {
+  return {.value = summary.energy.residual / summary.energy.impact};
 }
 
 }  // namespace
 
 std::span<const SummaryQuantity> summary_quantities() {
-  static const std::vector<SummaryQuantity> all = [] {
-    std::vector<SummaryQuantity> list;
-    const auto figure = [&](const char* key, EstimatedValue (*of)(const Summary&)) {
-      list.push_back({&result_quantity(key), of});
-    };
-    figure("peak_force",
-           [](const Summary& summary) { return present(summary.peak_force, summary.errors.peak_force); });
-    figure("peak_acceleration", [](const Summary& summary) {
-      return present(summary.peak_acceleration, summary.errors.peak_force);
-    });
-    figure("time_to_peak_force", [](const Summary& summary) {
-      return present(summary.time_of_peak_force, summary.errors.time_of_peak_force);
-    });
-    figure("peak_motion",
-           [](const Summary& summary) { return present(summary.peak_motion, summary.errors.peak_motion); });
-    figure("peak_penetration", [](const Summary& summary) {
-      return present(summary.peak_penetration, summary.errors.peak_penetration);
-    });
-    figure("peak_strain", [](const Summary& summary) {
-      return present(summary.peak_strain, summary.errors.peak_penetration);
-    });
-    figure("peak_strain_rate", [](const Summary& summary) { return present(summary.peak_strain_rate, 0); });
-    figure("rebound_speed", [](const Summary& summary) {
-      return present(summary.rebound_speed, summary.errors.rebound_speed);
-    });
-    figure("restitution",
-           [](const Summary& summary) { return present(summary.restitution, summary.errors.rebound_speed); });
-    figure("contact_end",
-           [](const Summary& summary) { return present(summary.contact_end, summary.errors.contact_end); });
-    figure("release", [](const Summary& summary) { return present(summary.release); });
-    figure("force_below_weight", [](const Summary& summary) {
-      return present(summary.force_below_weight, summary.errors.force_below_weight);
-    });
-    figure("bottomed",
-           [](const Summary& summary) { return present(summary.bottomed, summary.errors.bottomed); });
-    figure("rest", [](const Summary& summary) { return present(summary.rest); });
-    figure("peak_transmitted_force", [](const Summary& summary) {
-      return of_support(summary, [](const SupportFigures& support) { return support.peak_transmitted; });
-    });
-    figure("peak_support_deflection", [](const Summary& summary) {
-      return of_support(summary, [](const SupportFigures& support) { return support.peak_deflection; });
-    });
-    figure("support_set", [](const Summary& summary) {
-      return of_support(summary, [](const SupportFigures& support) { return support.set; });
-    });
-    figure("body_speed", [](const Summary& summary) {
-      return of_support(summary, [](const SupportFigures& support) { return support.body_speed; });
-    });
-    figure("energy_absorbed_fraction", [](const Summary& summary) {
-      return present(summary.energy_absorbed_fraction, summary.errors.energy_absorbed);
-    });
-    figure("energy_residual_fraction", [](const Summary& summary) {
-      return present(summary.energy.residual / summary.energy.impact, 0);
-    });
-    return list;
-  }();
+  using Error = ErrorEstimates;
+  static const std::vector<SummaryQuantity> all{
+      {&result_quantity("peak_force"), figure_of<&Summary::peak_force, &Error::peak_force>},
+      {&result_quantity("peak_acceleration"), figure_of<&Summary::peak_acceleration, &Error::peak_force>},
+      {&result_quantity("time_to_peak_force"),
+       figure_of<&Summary::time_of_peak_force, &Error::time_of_peak_force>},
+      {&result_quantity("peak_motion"), figure_of<&Summary::peak_motion, &Error::peak_motion>},
+      {&result_quantity("peak_penetration"), figure_of<&Summary::peak_penetration, &Error::peak_penetration>},
+      {&result_quantity("peak_strain"), figure_of<&Summary::peak_strain, &Error::peak_penetration>},
+      {&result_quantity("peak_strain_rate"), figure_of<&Summary::peak_strain_rate>},
+      {&result_quantity("rebound_speed"), figure_of<&Summary::rebound_speed, &Error::rebound_speed>},
+      {&result_quantity("restitution"), figure_of<&Summary::restitution, &Error::rebound_speed>},
+      {&result_quantity("contact_end"), moment_of<&Summary::contact_end, &Error::contact_end>},
+      {&result_quantity("release"), moment_of<&Summary::release>},
+      {&result_quantity("force_below_weight"),
+       moment_of<&Summary::force_below_weight, &Error::force_below_weight>},
+      {&result_quantity("bottomed"), moment_of<&Summary::bottomed, &Error::bottomed>},
+      {&result_quantity("rest"), moment_of<&Summary::rest>},
+      {&result_quantity("peak_transmitted_force"), support_figure_of<&SupportFigures::peak_transmitted>},
+      {&result_quantity("peak_support_deflection"), support_figure_of<&SupportFigures::peak_deflection>},
+      {&result_quantity("support_set"), support_figure_of<&SupportFigures::set>},
+      {&result_quantity("body_speed"), support_figure_of<&SupportFigures::body_speed>},
+      {&result_quantity("energy_absorbed_fraction"),
+       figure_of<&Summary::energy_absorbed_fraction, &Error::energy_absorbed>},
+      {&result_quantity("energy_residual_fraction"), energy_residual_of}};
   return all;
 }
 

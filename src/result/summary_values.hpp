@@ -1,6 +1,5 @@
 #pragma once
-/// What a summary says of each quantity of a result: read here, and nowhere else, by text, page, JSON and
-/// studies.
+/// The values of a summary by the quantities of the table of results, for text, page, JSON and studies.
 
 #include <span>
 
@@ -10,12 +9,11 @@
 
 namespace dashpad {
 
-/// A value in SI and its error, estimated as ErrorEstimates has it; of a moment its time, and the velocity
-/// then.
+/// A value in SI with its estimated error, as in ErrorEstimates.
 struct EstimatedValue {
-  double value = no_value;     ///< NaN where the impact has none
-  double error = 0;            ///< 0 where the quantity has no estimate
-  double velocity = no_value;  ///< m/s
+  double value = no_value;     ///< of a moment its time; NaN if the impact has none
+  double error = 0;            ///< 0 if the quantity has no estimate
+  double velocity = no_value;  ///< velocity at a moment, m/s
 };
 
 struct SummaryQuantity {
@@ -23,7 +21,7 @@ struct SummaryQuantity {
   EstimatedValue (*of)(const Summary&);
 };
 
-/// In the order of the table of results.
+/// The quantities that a summary has, in the order of the table of results.
 std::span<const SummaryQuantity> summary_quantities();
 
 }  // namespace dashpad

@@ -1,4 +1,4 @@
-// How a foam goes on beyond its tested strain: the exponent of Eq. 37 at its two ends.
+// Uncertainty of the stress beyond the tested strain (the exponent of Eq. 37) and beyond the tested rates.
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/pad/foam/foam_curve.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/overstress.hpp"
 #include "quantities/text.hpp"
 #include "uncertainty/line.hpp"
@@ -13,7 +14,7 @@
 namespace dashpad::uncertainty {
 namespace {
 
-/// The base curve up to a strain within it.
+/// The base curve, cut at a strain.
 BaseCurve cut_at(const BaseCurve& base, double strain) {
   if (strain >= last_strain_of(base)) return base;
   const double stress = FoamCurve(base, 2).at(strain_of(strain)).stress;
@@ -35,7 +36,7 @@ BaseCurve cut_at(const BaseCurve& base, double strain) {
       base);
 }
 
-/// Up to which strain the foam was tested.
+/// The strain up to which the foam was tested.
 std::optional<double> tested_strain(const Material& material) {
   std::optional<double> strain;
   if (material.fitted) strain = material.fitted->highest_strain;
@@ -47,7 +48,7 @@ std::optional<double> tested_strain(const Material& material) {
   return strain;
 }
 
-/// -1: the gentlest continuation that the card admits; 1: the steepest. The curve ends where the tests do.
+/// Sets the continuation beyond the tested strain, from the gentlest (place -1) to the steepest (1).
 void continue_by(Material& material, double tested, double place) {
   std::visit(
       [&]<class Law>(Law& law) {
@@ -61,25 +62,24 @@ void continue_by(Material& material, double tested, double place) {
       material.law);
 }
 
-/// Of foams that were tested at one rate alone. Measured exponents, from the slowest test to the fastest:
-/// 0.02 to 0.05 for EPS, 0.03 to 0.11 for VN600 at strains from 0.25 to 0.5, 0.11 to 0.21 for the hard
-/// polyurethane.
+/// Exponents of the rate for foams tested at one rate only. Those measured over all rates are 0.02 to 0.05
+/// for EPS, 0.03 to 0.11 for VN600 at strains from 0.25 to 0.5, and 0.11 to 0.21 for the hard polyurethane.
 constexpr double usual_exponent = 0.1, usual_exponent_of_crushable = 0.05;
 
-/// That of the last stretch between two tested rates, at a strain of a third; nothing where one rate was
-/// tested.
-std::optional<double> last_exponent(const FoamCurves& curves, double highest_rate) {
+/// The exponent between the two highest tested rates, at a strain of a third; nothing if one rate was tested.
+std::optional<double> last_exponent(const FoamCurves& curves) {
   if (std::holds_alternative<NoRateEffect>(curves.rate_effect)) return std::nullopt;
   const FoamCurve base(curves.base, 2);
   const Overstress over(curves, base, 0, 1, curves.slowest_rate / 1000);
   const double strain = std::min(1.0 / 3, 0.9 * base.last_strain());
-  const Overstress::Value at =
-      over.of(over.at((1 - 1e-6) * highest_rate), strain, base.cells().place(std::sqrt(strain)));
+  const Overstress::Value at = over.of(over.at((1 - 1e-6) * tested_rates(curves).back()), strain,
+                                       base.cells().place(std::sqrt(strain)));
   return std::max(at.rise / (1 + at.stress), 0.0);
 }
 
-/// The rates up to which a foam's curves go on to grow by the power `exponent`.
-void grow_beyond(FoamCurves& curves, double tested, double reached, double exponent) {
+/// Lets the curves of a foam grow with the rate by the power `exponent` up to `reached`, 1/s.
+void grow_beyond(FoamCurves& curves, double reached, double exponent) {
+  const double tested = tested_rates(curves).back();
   std::visit(
       [&]<class Effect>(Effect& effect) {
         const double factor = std::pow(reached / tested, exponent);
@@ -101,11 +101,11 @@ void grow_beyond(FoamCurves& curves, double tested, double reached, double expon
     curves.rate_effect = PowerRateEffect{.exponent = exponent, .exponent_slope = 0, .highest_rate = reached};
 }
 
-/// What a part may do beyond its rates.
+/// The range of a part beyond its tested rates.
 struct Growth {
-  double tested = 0;    ///< 1/s, the highest or, for an impact that is slower than all tests, the lowest
-  double reached = 0;   ///< 1/s
-  double exponent = 0;  ///< the largest
+  double tested = 0;    ///< highest tested rate, or the lowest for an impact slower than all tests, 1/s
+  double reached = 0;   ///< rate in the impact, 1/s
+  double exponent = 0;  ///< largest exponent of the rate
 };
 
 void grow(Material& material, PadCondition& condition, const Growth& by, double place) {
@@ -115,9 +115,8 @@ void grow(Material& material, PadCondition& condition, const Growth& by, double 
   }
   std::visit(
       [&]<class Law>(Law& law) {
-        if constexpr (SharesSlip<Law>)
-          grow_beyond(law.curves, tested_range(law.curves).highest_rate, by.reached, place * by.exponent);
-        // The power of laws 4 and 5 goes on by itself; the other end is that it stops.
+        if constexpr (SharesSlip<Law>) grow_beyond(law.curves, by.reached, place * by.exponent);
+        // The power of laws 4 and 5 continues anyway; the other end is that it stops.
         if constexpr (std::is_same_v<Law, NineParameter>)
           law.rate_modulus *= std::pow(by.tested / by.reached, place * by.exponent);
         if constexpr (std::is_same_v<Law, TwentyOneParameter>)
@@ -126,13 +125,13 @@ void grow(Material& material, PadCondition& condition, const Growth& by, double 
       material.law);
 }
 
-/// 0 where nothing is known of the rate beyond the tests; nothing for a law without a rate.
+/// The largest exponent of the rate beyond the tests; nothing for a law without a power of the rate.
 std::optional<double> exponent_of(const Material& material) {
   if (const auto& stated = material.uncertainty.rate_exponent) return stated->high;
   return std::visit(
       []<class Law>(const Law& law) -> std::optional<double> {
         if constexpr (SharesSlip<Law>) {
-          if (const auto last = last_exponent(law.curves, tested_range(law.curves).highest_rate)) return last;
+          if (const auto last = last_exponent(law.curves)) return last;
           return std::is_same_v<Law, CrushableFoam> ? usual_exponent_of_crushable : usual_exponent;
         } else if constexpr (std::is_same_v<Law, NineParameter> || std::is_same_v<Law, TwentyOneParameter>) {
           return law.rate_exponent;
@@ -146,7 +145,7 @@ std::optional<double> exponent_of(const Material& material) {
 }  // namespace
 
 void add_continuation(const ImpactCase& impact, const Summary& summary, Open& open) {
-  std::vector<std::optional<double>> beyond;  // the tested strain of parts that went beyond it
+  std::vector<std::optional<double>> beyond;  // tested strain of the parts that exceeded it
   double first = 1;
   bool by_curves = false;
   for (const Part& part : parts_of(impact.pad, summary)) {

@@ -28,19 +28,20 @@ std::vector<Part> parts_of(const Pad& pad, const Summary& summary) {
 
 namespace {
 
+/// Tolerance of the impacts at the ends of lines.
 constexpr double tolerance_of_ends = 1e-3;
-/// Of the nominal: what a point between the ends has to add to be worth an impact.
+/// Share of the nominal figure that a point between the ends must add to be solved.
 constexpr double worth_solving = 3e-3;
-/// Of a figure: an impact whose peak is less sure says nothing.
+/// Largest relative error of the peak force of an impact that is used.
 constexpr double largest_error = 0.05;
 
 /// A figure that gets an interval.
 struct AskedFigure {
   const ResultQuantity* quantity;
-  double level = 0;  ///< m/s2, of a dwell time
+  double level = 0;  ///< level of a dwell time, m/s2
 };
 
-/// All of them; with a dwell time for each level.
+/// All figures that get an interval, with a dwell time for each level.
 std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels) {
   std::vector<AskedFigure> asked;
   for (const ResultQuantity& result_quantity : result_quantities())
@@ -52,7 +53,7 @@ std::vector<AskedFigure> asked_figures(std::span<const double> dwell_levels) {
   return asked;
 }
 
-/// Their values, SI; NaN where the impact has none.
+/// The values of the figures in SI; NaN where the impact has none.
 std::vector<double> figures_of(const Solution& solution, std::span<const AskedFigure> asked) {
   const Summary& summary = solution.summary;
   const auto injury = injury::whole_pulse_figures(solution);
@@ -70,22 +71,21 @@ std::vector<double> figures_of(const Solution& solution, std::span<const AskedFi
   return values;
 }
 
-/// A solved place of a line, as figures less those of the base.
+/// A solved place of a line.
 struct Place {
   double at = 0;
-  std::vector<double> change;
+  std::vector<double> change;  ///< figures less those of the base
 };
 
-/// A line as far as it was solved.
+/// A line with its solved places.
 struct Solved {
   const Line* line = nullptr;
-  std::vector<Place> places;  ///< by their coordinate; the base among them
-  bool is_mirrored = false;   ///< of a symmetric line one end only was solved
+  std::vector<Place> places = {};  ///< in order, the base among them
+  bool is_mirrored = false;        ///< only one end of a symmetric line was solved
   bool failed = false;
 };
 
-/// The figures of a case; empty where it could not be solved well enough. A pad that bottoms out has no
-/// finite force.
+/// The figures of a case; empty if it was not solved well enough. Forces of a pad that bottoms are infinite.
 std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
                                    const std::vector<AskedFigure>& asked) {
   if (!violations(impact).empty()) return {};
@@ -110,7 +110,7 @@ class Search {
       : impact_(impact), options_(options), asked_(asked), nominal_(figures_of(nominal, asked)) {
     options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
     options_.fixed_runs = 0;
-    for (const Line& line : lines) solved_.push_back({.line = &line, .places = {}});
+    for (const Line& line : lines) solved_.push_back({.line = &line});
     solve_ends();
     solve_between();
   }
@@ -134,7 +134,7 @@ class Search {
     impacts_ += static_cast<int>(jobs.size());
   }
 
-  /// Puts what was solved in the order of its places.
+  /// Adds solved places to their lines, in order.
   void take(const std::vector<Job>& jobs) {
     for (const Job& job : jobs) {
       if (job.of == nullptr) continue;
@@ -153,7 +153,7 @@ class Search {
     if (solved_.empty()) return;
     std::size_t ends = 0;
     for (const Solved& solved : solved_) ends += solved.line->ends.size();
-    // Where there are too many, the axes of a posterior are taken to be symmetric.
+    // If there are too many ends, axes of a posterior are taken to be symmetric.
     for (Solved& solved : solved_)
       if (ends > max_impacts - 1 && solved.line->source == Source::posterior) {
         solved.is_mirrored = true;
@@ -176,7 +176,7 @@ class Search {
     take(jobs);
   }
 
-  /// Where the ends, the nominal and what is between them bend by enough, at the place that a parabola says.
+  /// Solves one more place of each range that bends enough, at the vertex of a parabola.
   void solve_between() {
     std::vector<Job> jobs;
     for (Solved& solved : solved_) {
@@ -198,8 +198,7 @@ class Search {
     take(jobs);
   }
 
-  /// Of the parabola through three places: where it turns, and by how much of the nominal it leaves their
-  /// hull.
+  /// Vertex of the parabola through three places, and how far it leaves their hull, over the nominal.
   [[nodiscard]] std::optional<std::pair<double, double>> turning_point(const Solved& solved,
                                                                        std::size_t first,
                                                                        std::size_t figure) const {
@@ -227,7 +226,7 @@ class Search {
   int impacts_ = 0;
 };
 
-/// How far a figure may lie below and above its nominal.
+/// Distances of the ends of an interval below and above the nominal figure.
 struct Deviation {
   double down = 0, up = 0;
 
@@ -241,7 +240,7 @@ struct Deviation {
   }
 };
 
-/// That of a line: of a range the hull of its places, of a statistical one 1.96 standard deviations.
+/// The deviation by a line: the hull of its places for a range, else 1.96 standard deviations.
 Deviation deviation_of(const Solved& solved, std::size_t figure) {
   Deviation deviation;
   for (const Place& place : solved.places) {
@@ -259,7 +258,7 @@ Deviation deviation_of(const Solved& solved, std::size_t figure) {
   return deviation;
 }
 
-/// 95 % of what is given as a share.
+/// The deviation at 95 % by a source given as shares.
 Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double nominal,
                        const Solution& solution) {
   const auto even = [](double value) { return Deviation{two_sided_95 * value, two_sided_95 * value}; };
@@ -279,7 +278,7 @@ Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double n
       return deviation;
     }
     case Doubt::of_level: {
-      // A pulse that is higher by a share lies above a level as long as it did above a lower one.
+      // A pulse scaled up by a share exceeds a level as long as the pulse exceeds a lower one.
       const Pulse pulse = injury::pulse_of(solution.history);
       const double share = two_sided_95 * shares.acceleration;
       return {nominal - injury::cumulative_dwell(pulse, figure.level * (1 + share)),
@@ -292,11 +291,10 @@ Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double n
 constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,
                                  Source::posterior,    Source::misfit, Source::neighbours};
 
-/// Eq. 58.
+/// The interval of a figure by Eq. 58.
 FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double nominal, const Search& search,
                            const Open& open, const Solution& solution) {
-  FigureInterval interval{
-      .key = asked.quantity->key, .level = asked.level, .nominal = nominal, .sources = {}};
+  FigureInterval interval{.key = asked.quantity->key, .level = asked.level, .nominal = nominal};
   Deviation ranges, statistics;
   for (const Source source : all_sources) {
     Deviation alone;
@@ -331,7 +329,7 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
   add_way_back(impact, summary, open);
   add_statistics(impact, summary, open);
   add_neighbours(impact, summary, open);
-  Intervals intervals{.figures = {}, .sources = std::move(open.sources), .warning = warning_of_model(impact)};
+  Intervals intervals{.sources = std::move(open.sources), .warning = warning_of_model(impact)};
   if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
     const std::vector<AskedFigure> asked = asked_figures(dwell_levels);
     const Search search(impact, options, solution, asked, open.lines);

@@ -1,5 +1,5 @@
 #pragma once
-/// A way in which a case may be otherwise: one number that goes from 0, the case as it is, to its ends.
+/// The uncertainties of a case, as lines of cases and as shares of figures.
 
 #include <functional>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace dashpad::uncertainty {
 
-/// Standard deviations of a normal distribution, to both sides, that hold 95 %.
+/// Number of standard deviations of a normal distribution to both sides of its mean that contain 95 %.
 inline constexpr double two_sided_95 = 1.959964;
 
 /// Whether the ends of a line are standard deviations of a normal distribution.
@@ -18,40 +18,41 @@ constexpr bool is_statistical(Source source) {
          source == Source::neighbours;
 }
 
+/// A line of cases along which one unknown varies; the case as it is lies at 0.
 struct Line {
   Source source = Source::continuation;
-  std::vector<double> ends = {};              ///< one or two, none of them 0
-  std::function<ImpactCase(double)> at = {};  ///< the case there
-  double deviations = two_sided_95;           ///< of a statistical source, at which the ends lie
+  std::vector<double> ends = {};              ///< one or two places, none of them 0
+  std::function<ImpactCase(double)> at = {};  ///< the case at a place
+  double deviations = two_sided_95;           ///< standard deviations at the ends, for a statistical source
 };
 
-/// The share of a figure, one standard deviation, that a source leaves open without a further impact.
+/// Standard deviations of figures by a source that needs no further impact, as shares of the figures.
 struct Shares {
   Source source = Source::misfit;
-  double acceleration = 0;  ///< of peaks, forces and clips
-  double hic = 0;           ///< of every window, and of the severity index
+  double acceleration = 0;  ///< share of peaks, forces and clips
+  double hic = 0;           ///< share of HIC of every window and of the severity index
   double rebound = 0;
   double penetration = 0;
-  /// Metres by which a penetration may be less, and more, at 95 %: columns alone go too deep.
+  /// Amounts by which a penetration may be smaller and larger at 95 %, m; columns alone go too deep.
   double shallower = 0, deeper = 0;
 };
 
-/// All that is open.
+/// All uncertainties of a case.
 struct Open {
   std::vector<Line> lines;
   std::vector<Shares> shares;
   std::vector<OpenSource> sources;
 };
 
-/// What the pad is made of: one entry, or one a layer, with how far the impact went there.
+/// The pad or one of its layers, with the largest strain and strain rate of the impact in it.
 struct Part {
   const Material* material = nullptr;
-  double strain = 0;  ///< largest
-  double rate = 0;    ///< 1/s, largest
+  double strain = 0;
+  double rate = 0;  ///< 1/s
 };
 std::vector<Part> parts_of(const Pad& pad, const Summary& summary);
 
-/// The case with `change(material, condition, index)` done to its pad or to each of its layers.
+/// The case after `change(material, condition, index)` of its pad or each of its layers.
 template <class Change>
 ImpactCase with_parts(ImpactCase impact, const Change& change) {
   if (impact.pad.layers.empty()) {
@@ -63,18 +64,18 @@ ImpactCase with_parts(ImpactCase impact, const Change& change) {
   return impact;
 }
 
-// A file each:
+// Each adds the uncertainty of one kind, from a file of its own.
 void add_continuation(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_rate(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_statistics(const ImpactCase& impact, const Summary& summary, Open& open);
 void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open);
 
-/// "SMALL NOSE: ...", with the size of the error; empty where the nose is not small against the pad.
+/// The text "SMALL NOSE: ..." with the size of the error; empty unless the nose is small against the pad.
 std::string warning_of_model(const ImpactCase& impact);
 
-/// Of Student's t, the quantile for both sides: P(|t| < it) = 0.95. Infinite without a degree of freedom;
-/// their number may be broken.
+/// The two-sided quantile of Student's t, P(|t| < quantile) = 0.95, for a number of degrees of freedom that
+/// need not be whole; infinite if it is not above 0.
 [[nodiscard]] double student_95(double degrees_of_freedom);
 
 }  // namespace dashpad::uncertainty

@@ -1,9 +1,6 @@
-// Columns that do not help each other, or help as Eq. 57 has it: by how much their figures are off those of
-// finite elements.
-//
-// Impacts on 50 pads of hyperelastic foam against finite elements of our own (theory.md, section 6), of a
-// headform of R = 2 L and 3.3 L; beside them 10 pads each of R = L and 6.6 L. The error goes as L / R, and
-// grows with the strain.
+// The error of columns that do not help each other, or help by Eq. 57, against finite elements of our own
+// (theory.md, section 6): impacts of a headform on 50 pads of hyperelastic foam with R = 2 L and 3.3 L, and
+// on 10 pads each with R = L and 6.6 L. The error is proportional to L / R and grows with the strain.
 
 #include <algorithm>
 #include <cmath>
@@ -18,20 +15,20 @@
 namespace dashpad::uncertainty {
 namespace {
 
-/// Standard deviations, of the figure and of the thickness.
+/// Standard deviations as shares of the figure and, for depths, of the thickness.
 struct Error {
   double peak = 0, hic = 0;
   double depth_bias = 0, depth_scatter = 0;
 };
 
-// Of columns alone.
-constexpr double nearest = 2, farthest = 3.3;  // R / L between which the impacts were
+/// Range of R / L of the impacts, and the error of columns alone in them.
+constexpr double nearest = 2, farthest = 3.3;
 constexpr Error of_columns{.peak = 0.06, .hic = 0.08, .depth_bias = 0.030, .depth_scatter = 0.016};
-/// A disc's force at half the thickness is off by 0.5 L / a, and with Eq. 57 by half of that; of such an
-/// error of a sphere's force, 15 to 21 %, a third is left in the peak.
+/// The error of a disc's force at half the thickness is 0.5 L / a, with Eq. 57 half of that; of such an error
+/// of a sphere's force, 15 to 21 %, a third remains in the peak.
 constexpr double of_disc = 0.5, left_with_factor = 0.5, left_in_peak = 1.0 / 3;
 
-/// As if the columns were alone.
+/// The error of columns alone.
 Error error_of_columns(const Tip& tip) {
   Error error = of_columns;
   if (tip.is_flat)
@@ -42,8 +39,8 @@ Error error_of_columns(const Tip& tip) {
   return error;
 }
 
-/// With Eq. 57: 2.9 and 3.5 % in the peak at strains of 0.5 and 0.65 on bonded pads of R = 2 L, 1.7 and 2.1 %
-/// at 3.3 L; on frictionless floors 4 % more that does not fall with L / R (foams differ in how they slip).
+/// The error with Eq. 57: 2.9 and 3.5 % in the peak at strains of 0.5 and 0.65 on bonded pads of R = 2 L, 1.7
+/// and 2.1 % at 3.3 L; on frictionless floors 4 % more at any L / R, as foams slip differently.
 Error error_with_neighbours(const Tip& tip, Floor floor, double strain) {
   Error error;
   if (tip.is_flat) {
@@ -61,7 +58,7 @@ Error error_with_neighbours(const Tip& tip, Floor floor, double strain) {
   return error;
 }
 
-/// What impacts on a like nose and pad have shown is in the misfit.
+/// Whether the misfit of the card includes this error, as it was found with a similar nose and pad.
 bool is_in_misfit(const ImpactCase& impact, const Tip& tip) {
   const auto& misfit = impact.pad.material.uncertainty.misfit;
   if (!impact.pad.layers.empty() || !misfit || !misfit->nose_over_pad) return false;
@@ -113,7 +110,7 @@ std::string warning_of_model(const ImpactCase& impact) {
   const std::string head =
       fmt::format("SMALL NOSE: {} of {:.2g} times the thickness of the pad; ",
                   tip->is_flat ? "the flat face has a radius" : "the nose has a radius", r);
-  // Of forces at half the thickness, finite elements over columns.
+  // The ratio of the forces of finite elements and of columns at half the thickness.
   const double least = 1 + (tip->is_flat ? 0.2 : 0.3) / r, most = 1 + (tip->is_flat ? 1.2 : 0.9) / r;
   if (!is_helped)
     return head + fmt::format(

@@ -1,4 +1,4 @@
-// What the foam gives back: recoil, the unloading, and the strain over which the rate's stress turns round.
+// Uncertainty of the unloading (recoil, unloading factor, lag strain), and the statistical uncertainties.
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,11 @@
 namespace dashpad::uncertainty {
 namespace {
 
-/// Of recoil, of the unloading factor where no loss was stated, and of the lag strain, where a card does not
-/// give them: all that is admitted, and for the lag, which no test in hand measures, a factor of 2.5 to 4
-/// about the standard half per cent.
+/// Ranges where a card gives none: all that is admitted for recoil, and for the unloading factor if no loss
+/// was stated; for the lag strain, which no test at hand measures, 2.5 times less to 4 times more than 0.005.
 constexpr ValueRange any_share{0, 1}, usual_lag{0.002, 0.02};
 
-/// Nothing was stated of the way back.
+/// Whether nothing was stated about the unloading.
 bool is_unstated(const Foam& foam) {
   return foam.friction == 0 && foam.unloading_factor == 1 && !foam.unloading_curve;
 }
@@ -27,7 +26,7 @@ ValueRange around(double value, const ValueRange& range) {
   return {std::min(value, range.low), std::max(value, range.high)};
 }
 
-/// From the value to the end of its range that the place points to.
+/// The value moved towards the lower (place -1) or upper (place 1) end of its range.
 double towards(double value, const ValueRange& range, double place) {
   return place < 0 ? value - place * (range.low - value) : value + place * (range.high - value);
 }
@@ -36,7 +35,7 @@ struct WayBack {
   ValueRange recoil, unloading_factor;
 };
 
-/// What is open of a foam; both ranges are points where all of it is known or does not matter.
+/// The ranges of a foam; a range is a point if the number is known or has no effect.
 WayBack open_of(const Foam& foam, const Uncertainty& uncertainty, bool has_rate) {
   WayBack open{{foam.recoil, foam.recoil}, {foam.unloading_factor, foam.unloading_factor}};
   if (has_rate) open.recoil = around(foam.recoil, uncertainty.recoil.value_or(any_share));
@@ -76,7 +75,7 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
   open.lines.push_back(std::move(line));
 }
 
-/// The case with the values of one end of an axis.
+/// The case with the values at one end of an axis.
 ImpactCase with_values(ImpactCase impact, const std::string& prefix, const PosteriorAxes& axes,
                        std::size_t axis, bool is_plus) {
   const CaseQuantities quantities = quantities_of(impact);
@@ -94,7 +93,7 @@ void add_posterior(const ImpactCase& impact, const std::vector<Part>& parts, Ope
     const std::string prefix = impact.pad.layers.empty() ? "pad." : fmt::format("pad.layers[{}].", i + 1);
     for (std::size_t axis = 0; axis < axes.minus.size(); ++axis) {
       any = true;
-      // One standard deviation is solved for, and taken 1.96 times.
+      // The ends lie at one standard deviation; the result is multiplied by 1.96.
       open.lines.push_back(
           {.source = Source::posterior,
            .ends = {-1, 1},
@@ -159,7 +158,7 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
                             : recoil ? "what the foam gives back at the rate of the impact"
                                      : "what the foam gives back",
                             ""});
-    // 1: the most loss of all; -1: the least.
+    // Place 1 has the largest loss, -1 the smallest.
     open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact, of_part](double place) {
                             return with_parts(impact, [&](Material& material, PadCondition&, std::size_t i) {
                               if (!of_part[i]) return;

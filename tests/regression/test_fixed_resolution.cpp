@@ -57,11 +57,11 @@ std::string support_of(const ImpactCase& impact) {
 
 std::string ending_of(const Figures& run) {
   switch (run.ending) {
-    case Ending::released: return "released";
-    case Ending::bottomed_out: return "bottomed-out";
-    case Ending::time_limit: return "time-limit";
-    case Ending::at_rest: return "at-rest";
-    case Ending::too_many_steps: break;
+    case Status::released: return "released";
+    case Status::bottomed_out: return "bottomed-out";
+    case Status::time_limit: return "time-limit";
+    case Status::at_rest: return "at-rest";
+    default: break;
   }
   return "gave-up";
 }
@@ -81,8 +81,8 @@ Line line_of(const ImpactCase& impact, const Run& run) {
                   {"peak_penetration", f.peak_penetration},
                   {"peak_pad_rate", f.peak_pad_rate},
                   {"final_velocity", f.final_velocity},
-                  {"support_energy", f.support_energy},
-                  {"pad_work", f.pad_work},
+                  {"support_energy", f.energy.support},
+                  {"pad_work", f.energy.pad},
                   {"sum_of_forces", sum(run.track.history.force)},
                   {"sum_of_penetrations", sum(run.track.history.penetration)}};
   const auto add = [&line](const std::string& name, const std::optional<Moment>& moment) {

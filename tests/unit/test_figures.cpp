@@ -52,7 +52,7 @@ TEST(figures, reads_the_end_of_contact_at_a_thousandth_of_the_peak) {
   std::vector<double> times = uneven_times(200, 1);
   times.insert(times.end(), {2, 3});
   Figures figures;
-  figures.ending = Ending::released;
+  figures.ending = Status::released;
   figures.peak_force = 100;
   Track track = track_of(times, force, nothing, velocity);
   track.stretch_starts.push_back(200);  // a kink
@@ -66,12 +66,12 @@ TEST(figures, reads_the_end_of_contact_at_a_thousandth_of_the_peak) {
 TEST(figures, finds_no_end_of_contact_where_the_force_is_still_up_or_the_run_was_cut) {
   const Path rising = [](double t) { return 100 * t; };
   Figures figures;
-  figures.ending = Ending::released;
+  figures.ending = Status::released;
   figures.peak_force = 100;
   read_contact_end(track_of({0, 0.5, 1}, rising, nothing, nothing), {.mass = 1}, figures);
   EXPECT_FALSE(figures.contact_end) << "the pad holds the impactor";
   const Path falling = [](double t) { return 100 * (1 - t); };
-  for (const Ending ending : {Ending::time_limit, Ending::too_many_steps, Ending::bottomed_out}) {
+  for (const Status ending : {Status::time_limit, Status::tolerance_not_met, Status::bottomed_out}) {
     figures.ending = ending;
     read_contact_end(track_of({0, 0.5, 1}, falling, nothing, nothing), {.mass = 1}, figures);
     EXPECT_FALSE(figures.contact_end);

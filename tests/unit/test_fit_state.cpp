@@ -120,7 +120,7 @@ TEST(FoamMemo, GivesWhatWouldBeMade) {
     foam.unloading_shape = 0.5 + 0.5 * (i % 7);
     foam.curves.base = HyperfoamCurve{50e3 + 1e3 * (i % 40), 8, 5e3, -1, 0.65};
     foam.curves.slowest_rate = 0.01;
-    const FoamStress plain(foam), remembered(foam, memo);
+    const FoamStress plain(foam), remembered(foam, &memo);
     for (const double strain : {0.01, 0.3, 0.6, 0.7})
       for (const double ahead : {0.0, 0.02})
         ASSERT_EQ(plain.stress(strain_of(strain), ahead, 0), remembered.stress(strain_of(strain), ahead, 0));

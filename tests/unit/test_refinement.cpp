@@ -23,7 +23,7 @@ constexpr double rebound = 2;        // m/s
 Figures figures_with(double error) {
   const auto off = [error](double x, double factor) { return x * (1 + factor * error); };
   Figures f;
-  f.ending = Ending::released;
+  f.ending = Status::released;
   f.peak_force = off(500, 1);
   f.time_of_peak_force = off(0.01, -2);
   f.peak_motion = off(0.05, 0.5);
@@ -33,7 +33,7 @@ Figures figures_with(double error) {
   f.contact_end = Moment{off(0.0205, -1), off(-1.99, 0.6)};
   f.release = Moment{off(0.021, -1), off(-rebound, 0.7)};
   f.final_velocity = f.release->velocity;
-  f.pad_work = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
+  f.energy.pad = off(impact_energy - impactor.mass * rebound * rebound / 2, 1.5);
   return f;
 }
 
@@ -189,7 +189,7 @@ TEST(refinement, does_not_settle_on_what_is_no_number) {
       [](Figures& f) { f.contact_end->velocity = no_number; },
       [](Figures& f) { f.release->velocity = no_number; },
       [](Figures& f) { f.final_velocity = no_number; },
-      [](Figures& f) { f.pad_work = std::numeric_limits<double>::infinity(); },
+      [](Figures& f) { f.energy.pad = std::numeric_limits<double>::infinity(); },
   };
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
     Refinement refinement(impactor, 1e-2);
@@ -227,7 +227,7 @@ TEST(refinement, a_run_that_fails_changes_nothing_of_what_was_agreed_on) {
     const ErrorEstimates errors = refinement.errors();
     Figures failed = figures_with(0);
     failed.peak_force = is_no_number ? std::numeric_limits<double>::quiet_NaN() : 2.9e12;
-    if (!is_no_number) failed.ending = Ending::too_many_steps;
+    if (!is_no_number) failed.ending = Status::tolerance_not_met;
     EXPECT_FALSE(refinement.add(failed));
     EXPECT_FALSE(refinement.settled());
     EXPECT_EQ(refinement.figures().peak_force, before.peak_force);
@@ -261,7 +261,7 @@ TEST(refinement, an_impactor_is_at_rest_only_once_its_last_swing_is_told_from_on
     Refinement refinement(impactor, 1e-2);
     for (int k = 0; k < numerics.max_fixed_runs; ++k, error /= 4) {
       Figures run = figures_with(0);
-      run.ending = Ending::at_rest;
+      run.ending = Status::at_rest;
       run.last_swing = slow * (last - error);
       run.slowest_swing = slow * (slowest - error);
       refinement.add(run);
@@ -280,7 +280,7 @@ TEST(refinement, does_not_settle_while_energy_is_missing) {
   Refinement refinement(impactor, 1e-3);
   for (int k = 0; k < numerics.max_fixed_runs; ++k) {
     Figures run = figures_with(0);
-    run.pad_work -= 0.01 * impact_energy;
+    run.energy.pad -= 0.01 * impact_energy;
     refinement.add(run);
     EXPECT_FALSE(refinement.settled()) << k;
   }

@@ -75,7 +75,7 @@ TYPED_TEST(Convergence, IsOfSecondOrder) {
       double resolution = coarsest;
       for (int i = 0; i < runs; ++i, resolution /= 2)
         sequence.push_back(run_once(impact, resolution).figures);
-      ASSERT_EQ(sequence.back().ending, Ending::released);
+      ASSERT_EQ(sequence.back().ending, Status::released);
       const Figures fine = run_once(impact, resolution).figures;
       const Figures finest = run_once(impact, resolution / 2).figures;
       for (std::size_t k = 0; k < figures_read.size(); ++k) {

@@ -626,9 +626,9 @@ TEST(Ledger, ClosesOnEverySupport) {
           // Of the run itself: where runs do not agree, the summary is that of the last that did.
           const Figures run = run_once(impact, 0.4 / std::pow(2, runs)).figures;
           const double v = run.final_velocity;
-          residual.push_back(std::abs(e.impact + run.weight_work - impact.impactor.mass * v * v / 2 -
-                                      run.support_energy - run.support_loss - run.moving_energy -
-                                      run.pad_work) /
+          residual.push_back(std::abs(e.impact + run.energy.weight - impact.impactor.mass * v * v / 2 -
+                                      run.energy.support - run.energy.support_loss - run.energy.moving -
+                                      run.energy.pad) /
                              e.impact);
           EXPECT_NEAR(e.supply(), e.kinetic + e.support + e.support_loss + e.moving + e.pad + e.residual,
                       1e-12 * e.impact);

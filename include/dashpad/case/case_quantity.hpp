@@ -56,13 +56,11 @@ class CaseQuantities {
   std::unordered_map<std::string, std::size_t> places_;
 };
 
-/// All numbers of a case with the nose, law, forms of curves and support of `base`. They apply to every such
-/// case; on another law or nose they throw std::bad_variant_access. `support.scale` is relative to the
-/// support of `base`.
+/// All numbers of a case with the nose, law, forms of curves and support of `base`. On a case with another
+/// law or nose they throw std::bad_variant_access. `support.scale` is relative to that of `base`.
 CaseQuantities quantities_of(const ImpactCase& base);
 
-/// A number that a case may give beside those of its law, its nose and the curve of its support, from the
-/// parameter tables of the structures.
+/// A number of a case beside those of law, nose and curve of the support, from the parameter tables.
 struct CaseField {
   std::string table;  ///< "pad", "pad.layers"
   std::string key;    ///< key in that table: "area"

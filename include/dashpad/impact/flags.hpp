@@ -10,16 +10,14 @@
 
 namespace dashpad {
 
-/// Whether the pulse is complete: contact was lost, or the impactor came to rest. Otherwise HIC, clips, dwell
-/// times and the duration are those of a part of the pulse.
+/// Whether the pulse is complete, after release or rest; else HIC, clips and durations are those of a part.
 bool pulse_is_whole(const Summary& summary);
 
 /// Whether the pad was fully compressed on a support that does not yield at once, so that the force has no
 /// finite value; true also if the tolerance was missed before.
 bool bottomed_on_rigid_support(const Summary& summary);
 
-/// Whether the run ends before the pulse does, other than by bottoming on a rigid support: the largest values
-/// are those of a part of the impact.
+/// Whether the run ends before the pulse, except by bottoming on a rigid support; peaks are then partial.
 bool is_cut(const Summary& summary);
 
 /// Whether the state of the pad after a blow is known: contact was lost, the penetration is reliable, and the

@@ -60,14 +60,12 @@ struct Pad {
   double thickness = 0;  ///< m, > 0; with layers their sum (set_layers())
   Material material;     ///< unused with layers
   PadCondition condition = {};
-  /// Area of the face of a block, m2, > 0; the nose may overhang it. Without it the pad is wider than the
-  /// nose.
+  /// Area of the face of a block, m2, > 0, which the nose may overhang; else the pad is wider than the nose.
   std::optional<double> area = {};
   /// Largest penetration remembered from earlier blows of the same nose at the same place, m, in [0,
   /// thickness); 0 for a new pad and for laws that recover fully (theory.md, Eq. 46).
   double earlier_penetration = 0;
-  /// Mass per area of a sheet without stiffness on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3]
-  /// (theory.md, Eq. 56).
+  /// Mass per area of a limp sheet on the struck face, kg/m2, 0 (none) or in [1e-3, 1e3] (theory.md, Eq. 56).
   double sheet = 0;
   Floor floor = Floor::bonded;
   /// Help of the columns by their neighbours, c of theory.md, Eq. 57, in [0, 2]; 0: none, as in the report.

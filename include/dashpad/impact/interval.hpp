@@ -1,6 +1,5 @@
 #pragma once
-/// The uncertainty of an impact and the interval that it gives each figure (theory.md, section 6.2). Plain
-/// data, filled by uncertainty/intervals.hpp. SI.
+/// The uncertainty of an impact and the intervals of its figures (theory.md, section 6.2), as plain data.
 
 #include <string>
 #include <string_view>
@@ -32,7 +31,7 @@ struct FigureInterval {
   std::string key;   ///< key in result_quantities()
   double level = 0;  ///< level of a dwell time, m/s2
   double nominal = 0, low = 0, high = 0;
-  std::vector<Contribution> sources;  ///< sources that move the figure, largest first
+  std::vector<Contribution> sources = {};  ///< sources that move the figure, largest first
 
   /// Half the width by one source, over the nominal figure; 0 if the source does not move the figure.
   [[nodiscard]] double share_of(Source source) const;
@@ -46,7 +45,7 @@ struct OpenSource {
 };
 
 struct Intervals {
-  std::vector<FigureInterval> figures;
+  std::vector<FigureInterval> figures = {};
   std::vector<OpenSource> sources;
   int impacts = 0;      ///< number of impacts solved for the intervals
   std::string warning;  ///< text of SMALL NOSE with the size of the error; may be empty

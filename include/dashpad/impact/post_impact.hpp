@@ -6,8 +6,7 @@
 ///   1 - C = E_absorbed / E_available                                                        (report, Eq. 3)
 ///   E_available = M1 M2 (V1 - V2)^2 / (2 (M1 + M2))                                         (report, Eq. 4)
 ///
-/// The report calls C the coefficient of restitution, but it multiplies energy: the usual coefficient, the
-/// ratio of speeds, is its square root.
+/// The report calls C the coefficient of restitution, which usually means its square root, a ratio of speeds.
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
@@ -48,8 +47,7 @@ struct EnergySplit {
 };
 EnergySplit energy_split(const ImpactCase& impact, const Solution& solution);
 
-/// The case of two free bodies in relative motion: mass and speed of the impactor are replaced by the reduced
-/// mass and the speed of approach.
+/// The case of two free bodies in relative motion: reduced mass and speed of approach for the impactor.
 ImpactCase relative_motion(ImpactCase impact, const Body& first, const Body& second);
 
 }  // namespace dashpad

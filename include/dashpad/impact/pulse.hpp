@@ -5,8 +5,7 @@
 
 namespace dashpad {
 
-/// Samples at increasing times, evenly spaced or not; between two samples the acceleration is linear, outside
-/// the pulse it is 0.
+/// Samples at increasing times, with the acceleration linear between them and 0 outside.
 struct Pulse {
   std::vector<double> time;          ///< s, strictly increasing
   std::vector<double> acceleration;  ///< m/s2, of either sign

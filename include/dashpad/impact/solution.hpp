@@ -20,8 +20,7 @@ struct Options {
   double tolerance = 1e-4;          ///< relative error asked for, in [1e-8, 1e-2]
   double time_limit = 10;           ///< time after first contact at which an impact is given up, s, > 0
   std::size_t max_steps = 400'000;  ///< limit for one run; beyond it the tolerance counts as out of reach
-  /// Computes column by column, without vectors and short cuts: many times slower, for checks of the fast
-  /// path.
+  /// Computes columns one by one, without short cuts: much slower, for checks of the fast path.
   bool plain = false;
   /// Number of runs at successively halved resolution whatever the tolerance, in [0, 10]; 0: as many as the
   /// tolerance asks for. With a fixed number the results are smooth functions of the case, as fits need: to
@@ -94,11 +93,11 @@ struct EnergyLedger {
 /// Figures of a support that is more than an elastic curve, where forces of pad and support differ.
 struct SupportFigures {
   /// Force on the ground or the body behind, N; absent where a pad bottoms out on a rigid support.
-  std::optional<double> peak_transmitted;
-  double peak_deflection = 0;        ///< m
-  double crushing_force = 0;         ///< largest force so far of a support that crushes, N
-  std::optional<double> set;         ///< lasting deflection of such a support, m
-  std::optional<double> body_speed;  ///< final speed of a free body behind, m/s
+  std::optional<double> peak_transmitted = {};
+  double peak_deflection = 0;             ///< m
+  double crushing_force = 0;              ///< largest force so far of a support that crushes, N
+  std::optional<double> set = {};         ///< lasting deflection of such a support, m
+  std::optional<double> body_speed = {};  ///< final speed of a free body behind, m/s
 };
 
 /// Figures of a layer of a pad, on the axis: of the finest run, not extrapolated.
@@ -117,8 +116,7 @@ inline bool is_struck_through(double penetration, double thickness) {
   return thickness - penetration < struck_through_gap * thickness;
 }
 
-/// Whether an impactor at rest on a creeping pad would still sink by more than the tolerance of its
-/// penetration; `left` and `penetration` in m.
+/// Whether an impactor at rest would sink by `left`, m, more than the tolerance of its penetration, m.
 inline bool is_still_sinking(double left, double penetration, double tolerance) {
   return left > tolerance * penetration;
 }
@@ -137,9 +135,8 @@ struct Summary {
   std::optional<double> peak_acceleration;   ///< m/s2, magnitude
   /// Moment at which the force falls below the impactor's weight on rebound (the report's end of the impact).
   std::optional<Moment> force_below_weight;
-  /// End of contact: the force falls below contact_end_share of its peak for the last time. Absent where
-  /// contact is not lost: at the time limit, after bottoming out, and where rigid foam stops the impactor on
-  /// a rigid support.
+  /// End of contact: the force falls below contact_end_share of its peak for the last time. Absent at the
+  /// time limit, after bottoming out, and where rigid foam stops the impactor on a rigid support.
   std::optional<Moment> contact_end;
   /// Release: no column is left under pressure (theory.md, Eq. 27). Its time has no error estimate, since a
   /// spot of micrometres on the axis that carries next to nothing may decide it.
@@ -167,8 +164,7 @@ struct Summary {
   std::vector<LayerSummary> layers;     ///< from the struck face on; empty for a pad of one foam
   ErrorEstimates errors;
   std::size_t steps = 0;  ///< number of steps of the finest run
-  /// Stations of the finest run; 0 where the force was a closed form throughout (laws without memory; law 4
-  /// if never unloaded).
+  /// Stations of the finest run; 0 with a closed form throughout (no memory, or law 4 never unloaded).
   std::size_t stations = 0;
   int runs = 0;  ///< number of runs, each at half the resolution before
   double tolerance = 0;
@@ -214,8 +210,7 @@ struct History {
 struct Solution {
   Summary summary;
   History history;
-  /// Pulse of the run before the finest, with twice its step: the difference shows the error of the steps in
-  /// a figure. Empty if there was only one run.
+  /// Pulse of the run before the finest, with twice its step, for the error of the steps; may be empty.
   Pulse coarser = {};
 };
 

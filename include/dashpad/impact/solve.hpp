@@ -40,8 +40,7 @@ class Solver {
   /// Solves one impact as solve() does; the solution stays valid until the next call.
   const Solution& solve(const ImpactCase& impact, const Options& options = {});
 
-  /// Called with each blow of a series in order: its case, with the pad as that blow meets it, and its
-  /// solution.
+  /// Called with the case of each blow, with the pad as it meets it, and its solution.
   using BlowVisitor = std::function<void(const ImpactCase&, const Solution&)>;
   /// Solves the blows of a series, or the only one, as solve_blows().
   void solve_each_blow(const ImpactCase& impact, const Options& options, const BlowVisitor& visit);

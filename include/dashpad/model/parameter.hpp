@@ -1,6 +1,5 @@
 #pragma once
-/// The numbers of a case as tables: key, unit, admissible range and meaning of each, beside the structure
-/// that holds it.
+/// The numbers of a case as tables beside their structures: key, unit, admissible range, meaning.
 
 #include <optional>
 #include <string>
@@ -42,8 +41,7 @@ constexpr Bounds above_to(double lowest, double highest) { return {lowest, highe
 /// Positive, between two values that no real impact lies outside of; both are admitted.
 constexpr Bounds wide(double lowest, double highest) { return {lowest, highest, true, true, true, ""}; }
 
-/// Bounds with a wording of their own for the rule, which reads "must be " and `words`. The highest value is
-/// admitted.
+/// Bounds whose rule reads "must be " and `words`. The highest value is admitted.
 constexpr Bounds in_words(double lowest, double highest, const char* words, bool lowest_admitted = true) {
   return {lowest, highest, lowest_admitted, true, false, words};
 }
@@ -128,8 +126,7 @@ struct Violation {
 /// The rule that bounds express: "must be at least 0 kg/m2".
 std::string rule_of(const Bounds& bounds, std::string_view unit);
 
-/// The rule that a value breaks, if any: that of its bounds, or the limits 1e-15 and 1e15 of any magnitude,
-/// beyond which products might overflow.
+/// The rule that a value breaks, if any: its bounds, or 1e-15 and 1e15, beyond which products may overflow.
 std::optional<std::string> broken_rule(double value, const Bounds& bounds, std::string_view unit);
 
 }  // namespace dashpad

@@ -1,13 +1,11 @@
 #pragma once
-/// How sure the figures of an impact are, by what is not known of its foam and its model (theory.md, section
-/// 6).
+/// Intervals of the figures of an impact by the uncertainties of foam and model (theory.md, section 6).
 ///
-///   low  = nominal - sum over ranges of (nominal - least) - 1.96 sqrt(sum of variances),   high likewise
-///   (Eq. 58)
+///   low = nominal - sum over ranges of (nominal - least) - 1.96 sqrt(sum of variances)              (Eq. 58)
 ///
-/// A range (continuation, rate, way back) gives the least and the greatest figure over its ends, the nominal
-/// and, where these bend, points between. A statistical source (scatter, posterior, misfit, neighbours)
-/// gives 1.96 standard deviations, up and down apart.
+/// and likewise the high end. A range (continuation, rate, way back) gives the least and the largest figure
+/// over its ends, the nominal and, where these bend, a point between. A statistical source (scatter,
+/// posterior, misfit, neighbours) gives 1.96 standard deviations, separately up and down.
 
 #include <span>
 
@@ -16,13 +14,13 @@
 
 namespace dashpad::uncertainty {
 
-/// Impacts that are solved for the ends of ranges and the axes of a posterior, at most.
+/// Largest number of impacts solved for the ends of ranges and the axes of a posterior.
 inline constexpr int max_impacts = 12;
 
 /// Sets solution.summary.intervals of a solved impact. Further impacts are solved, on all cores and to a
-/// tolerance of 1e-3, only for sources that are open and that the impact reaches. `dwell_levels`: m/s2, of
-/// the dwell times that are asked for. Of an impact that was not run, was cut or bottomed out on a rigid
-/// support only the sources are named.
+/// tolerance of 1e-3, only for uncertain sources that the impact reaches. `dwell_levels` are those of the
+/// wanted dwell times, m/s2. For an impact that was cut or bottomed out on a rigid support only the sources
+/// are named; for one that was not run nothing is set.
 void add_intervals(const ImpactCase& impact, const Options& options, Solution& solution,
                    std::span<const double> dwell_levels = {});
 

@@ -74,8 +74,7 @@ class ColumnField {
     return {depth, (penetration_ - depth) / thickness_, columns_.now.stress[j]};
   }
 
-  /// Starts a run. `resolution` is the intended relative spacing of stations, `expected` the largest
-  /// penetration, m, over which they are spread.
+  /// Starts a run, with the relative spacing of stations and the largest penetration for them, m.
   void start(double resolution, double expected = infinite) {
     clear(resolution);
     lay_columns(expected, thickness_);
@@ -158,8 +157,7 @@ class ColumnField {
     if (penetration_ == largest_penetration_) grade_axis();
   }
 
-  /// Stressed part of the contact in the accepted state: number of pressing columns, and the depth beyond the
-  /// last of them at which the stress vanishes, m.
+  /// Pressing columns in the accepted state: their number, and the depth at which their stress ends, m.
   struct Stressed {
     std::size_t columns = 0;
     double depth = 0;
@@ -189,17 +187,18 @@ class ColumnField {
   [[nodiscard]] SweepStep sweep_step() const {
     return {columns_.depth(), trial_live_, thickness_, penetration_, trial_, largest_penetration_};
   }
-  void set_at_rest(const Columns& columns, std::size_t j) const {
-    for (double* array : columns.all()) array[j] = 0;
+  /// The numbers of a column's strain part.
+  static std::array<double, Formulas::parts> parts_of(const Columns& columns, std::size_t j) {
+    std::array<double, Formulas::parts> part;
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns.part[k][j];
+    return part;
   }
   /// Sets a column that the nose no longer touches to strain zero. The stresses of its branches continue to
   /// relax, and count again when the nose comes back.
   void let_go(std::size_t j) const {
-    set_at_rest(columns_.next_state, j);
+    for (double* array : columns_.next_state.all()) array[j] = 0;
     if constexpr (scalar::carries_branches<Law, double>) {
-      const Columns& now = columns_.now;
-      std::array<double, Formulas::parts> left;
-      for (std::size_t k = 0; k < left.size(); ++k) left[k] = now.part[k][j];
+      std::array<double, Formulas::parts> left = parts_of(columns_.now, j);
       if (left[1] == 0 && left[2] == 0) return;
       const Formulas formulas{law_, power_, rate_part_, time_part_};
       // The strain vanished within a share of the step.
@@ -220,9 +219,7 @@ class ColumnField {
     const double stress = columns_.next_state.stress[0];
     if (!(nose_.tip > 0 && stress > 0)) return 0;
     if constexpr (scalar::carries_branches<Law, double>) {
-      std::array<double, Formulas::parts> part;
-      for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.next_state.part[k][0];
-      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(part.data());
+      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(parts_of(columns_.next_state, 0).data());
     }
     const double strain = trial_ / thickness_;
     const double largest = std::max(largest_penetration_, trial_) / thickness_;
@@ -254,8 +251,7 @@ class ColumnField {
     const double width = columns.measure[live - 1] - edge_measure(penetration);
     double sum = 0;
     if (unloading) {
-      // The stress at the edge is not known: g is continued from the last two columns, within bounds, since
-      // these may lie close together.
+      // The stress at the edge is not known: g is continued from the last two columns, within bounds.
       edge = last;
       if (live > 1) {
         const std::size_t j = live - 2;
@@ -359,10 +355,8 @@ class ColumnField {
   /// Stress over envelope of a column while loading.
   [[nodiscard]] double relaxed(std::size_t j) const {
     const double strain = (penetration_ - columns_.depth()[j]) / thickness_;
-    std::array<double, Formulas::parts> part;
-    for (std::size_t k = 0; k < part.size(); ++k) part[k] = columns_.now.part[k][j];
-    return columns_.now.stress[j] /
-           Formulas{law_, power_, rate_part_, time_part_}.envelope(part.data(), strain, strain);
+    const Formulas formulas{law_, power_, rate_part_, time_part_};
+    return columns_.now.stress[j] / formulas.envelope(parts_of(columns_.now, j).data(), strain, strain);
   }
 
   /// Repeats a trial from the accepted state unless it is the last one.

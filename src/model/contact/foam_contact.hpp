@@ -3,11 +3,10 @@
 ///
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
 ///
-/// The stress of a column follows from its strain, its largest strain, which exceeds the strain by the same
-/// amount in all columns, and the slip rate, the same for all. So no state is kept for a column, and the
-/// integral is taken anew in every trial, over the work of the base curve (model/contact/work_nodes.hpp). On
-/// unloading columns lose their stress, usually from the edge inwards, so the integral is taken between
-/// strains at which the stress vanishes.
+/// The stress of a column follows from its strain, its largest strain, larger by the same amount in all
+/// columns, and their common slip rate. So no column has a state, and each trial takes the integral anew,
+/// over the work of the base curve (model/contact/work_nodes.hpp). On unloading columns lose their stress,
+/// usually from the edge inwards, so the integral is taken between the strains at which it vanishes.
 ///
 /// From earlier blows the pad keeps the largest penetration Ym (theory.md, Eqs. 46 to 48): columns start with
 /// the largest strain e* of that blow, and crushed foam is met in its crater.
@@ -39,14 +38,8 @@ class FoamContact {
   /// `factor` multiplies every stress; `earlier` is the largest penetration of earlier blows, m.
   FoamContact(const Law& law, double thickness, const Sections& nose, double factor = 1,
               ColumnMath math = ColumnMath::vector, double earlier = 0)
-      : law_(law),
-        stress_(made_of(law)),
-        thickness_(thickness),
-        nose_(nose),
-        factor_(factor),
-        math_(math),
-        vectors_(&foam_node_math()) {
-    remember(earlier);
+      : law_(law), stress_(made_of(law)) {
+    set(law, thickness, nose, factor, math, earlier);
   }
   void set(const Law& law, double thickness, const Sections& nose, double factor, ColumnMath math,
            double earlier) {
@@ -211,9 +204,8 @@ class FoamContact {
   /// Number of panels times the root of the resolution: the rule is of fourth order, twice that of the step.
   static constexpr double panels_at_one = 1.75;
   /// The same where the ratio of stresses follows the points of tested curves: it waves between these, and
-  /// with panels as wide as some of the waves runs agree by chance. (With the usual panels 48 of 26,700
-  /// figures of random foams were off by more than 1e-4; with these, and the slip of slip.hpp, 3: theory.md,
-  /// section 5.1.)
+  /// with wide panels runs agree by chance. (With the usual panels 48 of 26,700 figures of random foams were
+  /// off by more than 1e-4; with these, and the slip of slip.hpp, 3: theory.md, section 5.1.)
   static constexpr double panels_by_points = 5.25;
   /// Share of the panels for a factor of e in the complement of the strain, beyond the tested strains.
   static constexpr double panels_beyond = 0.35;
@@ -221,8 +213,7 @@ class FoamContact {
   static constexpr double precision_of_edge = 5e-3;
   /// Grading of a shape's pieces over the root of the resolution, since they are of fourth order.
   static constexpr double grading = 1.3;
-  /// Depth of the shape's tip over which the stress is taken as linear, in the resolution times the smaller
-  /// of penetration and gap.
+  /// Depth of the tip over which the stress is taken as linear, in rho times penetration or gap.
   static constexpr double thin = 0.1;
   static constexpr std::size_t looks = 12;  ///< places searched for pressing rings
   static constexpr int ring_bits = 12;      ///< precision of the place of the last pressing ring, bits
@@ -514,8 +505,7 @@ class FoamContact {
   [[nodiscard]] double depth_of(double leading) const {
     return trial_penetration_ + (lead_ - leading) * thickness_;
   }
-  /// a' / (2 pi) where the nose meets that column, m. At the rim of a nose it jumps to zero, which rounding
-  /// must not bring forward.
+  /// a' / (2 pi) where the nose meets that column, m; rounding must not bring forward its jump at the rim.
   [[nodiscard]] double rate_at(const FoamStress::Place& leading) const {
     return piece_.rate(std::min(depth_of(leading.strain.value), nose_.depth));
   }
@@ -581,11 +571,11 @@ class FoamContact {
 
   Law law_;
   FoamStress stress_;
-  double thickness_;
+  double thickness_ = 0;
   Sections nose_;
   double factor_ = 1;
-  ColumnMath math_;  ///< computation of the integral's nodes
-  const FoamNodeMath* vectors_;
+  ColumnMath math_ = ColumnMath::vector;  ///< computation of the integral's nodes
+  const FoamNodeMath* vectors_ = &foam_node_math();
   NodeValues values_;
   std::vector<SectionPiece> pieces_;  ///< pieces of a shape
   SectionPiece piece_;                ///< piece being integrated; other noses have only this

@@ -1,6 +1,5 @@
 #pragma once
-/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp), computed by vectors of
-/// nodes for the instruction set of the processor.
+/// Values at the nodes of a foam's contact integral (model/contact/work_nodes.hpp), in vectors of nodes.
 
 #include <array>
 #include <cmath>
@@ -10,9 +9,8 @@
 
 namespace dashpad {
 
-/// Values at consecutive nodes: the work of the base curve, J/m3; the stress and its relaxing (1/s) over that
-/// curve's stress, less the part common to all columns and times a'(s) / (2 pi). Index 0 is the node before
-/// them.
+/// Values at consecutive nodes: the work of the base curve, J/m3; stress and its relaxing, 1/s, over that
+/// curve, less the part common to all columns, times a'(s) / (2 pi). Index 0 is the node before them.
 struct NodeValues {
   static constexpr std::size_t most = 64;
   static constexpr std::size_t spare = 64;  ///< lanes of the widest known vector

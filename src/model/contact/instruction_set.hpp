@@ -9,8 +9,7 @@
 
 namespace dashpad {
 
-/// Instruction sets of the processor and the system as Highway's bits; on other processors than x86 those
-/// that the compiler was told to use.
+/// Instruction sets of processor and system as Highway's bits; without x86 those known when compiling.
 inline std::int64_t instruction_sets() {
   std::int64_t sets = HWY_ENABLED_BASELINE;
 #if HWY_ARCH_X86

@@ -33,62 +33,53 @@ PositiveMean positive_mean_of(double inner, double outer) {
 
 }  // namespace
 
-LayeredContact::LayeredContact(const Parts& parts, const Sections& nose)
-    : parts_(parts), series_(parts), nose_(nose), columns_(parts.size()) {}
-
 void LayeredContact::set(const Parts& parts, const Sections& nose) {
   nose_ = nose;
   if (parts == parts_) return;
-  if (parts.size() != columns_.layers()) columns_ = LayerColumns(parts.size());
   parts_ = parts;
   series_ = LayerSeries(parts);
 }
 
 void LayeredContact::start(double resolution, double expected) {
   const double thickness = series_.thickness();
-  columns_.clear();
   const double gap = expected < thickness ? thickness - expected : first_gap * thickness;
+  places_.clear();
   lay_stations(nose_, {resolution, expected, thickness, gap},
-               [this](double depth) { columns_.append(depth); });
-  for (std::size_t j = 0; j + 1 < columns_.size(); ++j) {
-    const Sections::Weights weights = nose_.weights(columns_.depth()[j], columns_.depth()[j + 1]);
-    columns_.set_weights(j, weights.inner, weights.outer);
-  }
-  penetration_ = largest_ = last_step_ = 0;
+               [this](double depth) { places_.push_back({.depth = depth}); });
+  for (std::size_t j = 0; j + 1 < places_.size(); ++j)
+    places_[j].weights = nose_.weights(places_[j].depth, places_[j + 1].depth);
+  now_.resize(places_.size());
+  next_.resize(places_.size());
+  penetration_ = last_step_ = 0;
   touched_ = 0;
   updates_ = nested_updates_ = 0;
   last_ = {};
 }
 
 Shortening LayeredContact::shortening(std::size_t j, double penetration) const {
-  const double depth = columns_.depth()[j];
+  const double depth = places_[j].depth;
   return {penetration - depth, (series_.thickness() - penetration) + depth};
 }
 
-/// States before a step. A column that the nose has not reached takes over the slip of the column inside it,
-/// and starts as far below strain zero as the nose is away: all columns of a pad of one foam then have one
-/// slip, as that foam alone has.
+/// States before a step. A column not reached yet takes over the slip of the column inside it and a strain as
+/// far below zero as the nose is away: all columns of a pad of one foam then have one slip.
 LayerStates LayeredContact::states_before(std::size_t j) const {
+  if (j < touched_) return now_[j].layers;
   LayerStates states;
-  const LayerColumns::Moment& now = columns_.now;
-  if (j < touched_) {
-    for (std::size_t i = 0; i < series_.size(); ++i)
-      states[i] = {now.strain[i][j], now.largest[i][j], now.rate[i][j], now.memory[i][j]};
-    return states;
-  }
-  const double y = penetration_ - columns_.depth()[j];
+  const LayerStates inside = touched_ > 0 ? now_[touched_ - 1].layers : LayerStates{};
+  const double y = penetration_ - places_[j].depth;
   double speed = 0;
   bool all_yield = touched_ > 0;
   for (std::size_t i = 0; all_yield && i < series_.size(); ++i) {
-    speed += series_.thickness(i) * now.rate[i][touched_ - 1];
-    all_yield = now.rate[i][touched_ - 1] > 0;
+    speed += series_.thickness(i) * inside[i].rate;
+    all_yield = inside[i].rate > 0;
   }
   for (std::size_t i = 0; i < series_.size(); ++i) {
     states[i].strain = y / series_.thickness();
     states[i].memory = series_.memory_at_rest(i);
     if (touched_ == 0) continue;
-    states[i].rate = now.rate[i][touched_ - 1];
-    states[i].memory = series_.memory_off_contact(i, now.memory[i][touched_ - 1]);
+    states[i].rate = inside[i].rate;
+    states[i].memory = series_.memory_off_contact(i, inside[i].memory);
     if (all_yield) states[i].strain = y * states[i].rate / speed;
   }
   return states;
@@ -96,15 +87,14 @@ LayerStates LayeredContact::states_before(std::size_t j) const {
 
 ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double y) const {
   ColumnGuess guess;
-  const LayerColumns::Moment& next = columns_.next_moment;
-  if (has_trial_ && j < trial_touched_ && next.flexibility[j] > 0) {
+  if (const State& next = next_[j]; has_trial_ && j < trial_touched_ && next.flexibility > 0) {
     // From the last trial of this state.
-    const double change = y - next.y[j];
-    guess.total_flexibility = next.flexibility[j];
-    guess.stress = next.stress[j] + change / guess.total_flexibility;
+    const double change = y - next.y;
+    guess.total_flexibility = next.flexibility;
+    guess.stress = next.stress + change / guess.total_flexibility;
     for (std::size_t i = 0; i < series_.size(); ++i) {
-      guess.flexibility[i] = next.layer_flexibility[i][j];
-      guess.strain[i] = next.strain[i][j] + change * guess.flexibility[i] / guess.total_flexibility;
+      guess.flexibility[i] = next.layer_flexibility[i];
+      guess.strain[i] = next.layers[i].strain + change * guess.flexibility[i] / guess.total_flexibility;
     }
     return guess;
   }
@@ -116,15 +106,15 @@ ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double 
   }
   // The rates of layers that move against each other predict little of the next step.
   const bool is_shared = std::abs(speed) > 0.2 * series_.thickness() * fastest;
-  const double before = penetration_ - columns_.depth()[j];
+  const double before = penetration_ - places_[j].depth;
   for (std::size_t i = 0; i < series_.size(); ++i) {
     const double share = is_shared ? now[i].rate / speed : 1 / series_.thickness();
     guess.strain[i] = now[i].strain + share * (y - before);
-    if (j < touched_) guess.flexibility[i] = columns_.now.layer_flexibility[i][j];
+    if (j < touched_) guess.flexibility[i] = now_[j].layer_flexibility[i];
   }
   if (j < touched_) {
-    guess.stress = columns_.now.stress[j] + columns_.chord[j] * (y - before);
-    guess.total_flexibility = columns_.now.flexibility[j];
+    guess.stress = now_[j].stress + places_[j].chord * (y - before);
+    guess.total_flexibility = now_[j].flexibility;
   } else {
     guess.stress = series_.slow_curve().at(strain_of(std::min(y / series_.thickness(), 0.9))).stress;
   }
@@ -136,17 +126,11 @@ void LayeredContact::solve_column(std::size_t j) {
   const LayerStep step{last_.step, last_step_};
   const LayerStates now = states_before(j);
   const LayerSeries::Solution found = series_.solve(end, now, step, guess(j, now, end.y));
-  LayerColumns::Moment& next = columns_.next_moment;
-  next.stress[j] = found.stress;
-  next.y[j] = end.y;
-  next.flexibility[j] = found.flexibility;
+  State& next = next_[j];
+  next = {found.stress, end.y, found.flexibility, {}, found.layer_flexibility};
   for (std::size_t i = 0; i < series_.size(); ++i) {
-    const LayerState after = series_.after(i, found.strain[i], now[i], step);
-    next.strain[i][j] = after.strain;
-    next.largest[i][j] = after.largest;
-    next.rate[i][j] = after.rate;
-    next.memory[i][j] = end.y > 0 ? after.memory : series_.memory_off_contact(i, after.memory);
-    next.layer_flexibility[i][j] = found.layer_flexibility[i];
+    next.layers[i] = series_.after(i, found.strain[i], now[i], step);
+    if (!(end.y > 0)) next.layers[i].memory = series_.memory_off_contact(i, next.layers[i].memory);
   }
   updates_ += found.looks;
   nested_updates_ += found.nested_looks;
@@ -158,9 +142,8 @@ PadTrial LayeredContact::trial(double advance, double from, double step) {
   has_trial_ = wanted.shares_time_with(last_);
   last_ = wanted;
   trial_penetration_ = penetration_ + advance;
-  const double* depth = columns_.depth();
-  trial_live_ =
-      static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), trial_penetration_) - depth);
+  const auto end = std::ranges::lower_bound(places_, trial_penetration_, {}, &Place::depth);
+  trial_live_ = static_cast<std::size_t>(end - places_.begin());
   const std::size_t touched = std::max(touched_, trial_live_);
   for (std::size_t j = 0; j < touched; ++j) solve_column(j);
   trial_touched_ = touched;
@@ -174,8 +157,8 @@ void LayeredContact::weigh_columns() {
   const FoamCurve& slow = series_.slow_curve();
   for (std::size_t j = 0; j < trial_live_; ++j) {
     const FoamCurve::Point point = slow.at(pad_strain(shortening(j, trial_penetration_)));
-    columns_.shape[j] = point.stress;
-    columns_.measure[j] = point.work;
+    places_[j].shape = point.stress;
+    places_[j].measure = point.work;
   }
 }
 
@@ -186,36 +169,30 @@ double LayeredContact::integrate() const {
     const auto [inner, outer] = g(cell);
     sum += cell.width * positive_mean_of(inner, outer).value;
   });
-  return nose_.tip * std::max(columns_.next_moment.stress[0], 0.0) +
-         2 * std::numbers::pi * series_.thickness() * sum;
+  return nose_.tip * std::max(next_[0].stress, 0.0) + 2 * std::numbers::pi * series_.thickness() * sum;
 }
 
 /// Calls visit(Cell) from the axis to the edge of the contact.
 template <class Visit>
 void LayeredContact::for_each_cell(Visit&& visit) const {
   for (std::size_t j = 0; j + 1 < trial_live_; ++j)
-    visit(Cell{j,
-               j + 1,
-               {columns_.inner_weight()[j], columns_.outer_weight()[j]},
-               columns_.measure[j] - columns_.measure[j + 1]});
+    visit(Cell{j, j + 1, places_[j].weights, places_[j].measure - places_[j + 1].measure});
   // From the last column to the edge, stress over A is constant.
   const std::size_t last = trial_live_ - 1;
-  visit(Cell{last, last, nose_.weights(columns_.depth()[last], std::min(trial_penetration_, nose_.depth)),
-             columns_.measure[last] - edge_of_contact().work});
+  visit(Cell{last, last, nose_.weights(places_[last].depth, std::min(trial_penetration_, nose_.depth)),
+             places_[last].measure - edge_of_contact().work});
 }
 
 LayeredContact::Ends LayeredContact::g(const Cell& cell) const {
-  const LayerColumns::Moment& next = columns_.next_moment;
-  double inner = next.stress[cell.inner], outer = next.stress[cell.outer];
-  // The distance of a column from the nose continues smoothly beyond the pressing columns; its own
-  // flexibility does not.
+  double inner = next_[cell.inner].stress, outer = next_[cell.outer].stress;
+  // Beyond the pressing columns the distance from the nose is smooth; the flexibility of a column is not.
   const auto with_flexibility_of = [&](std::size_t j, std::size_t free) {
-    return next.flexibility[free] / std::max(next.flexibility[j], std::numeric_limits<double>::min());
+    return next_[free].flexibility / std::max(next_[j].flexibility, std::numeric_limits<double>::min());
   };
   if (inner > 0 && outer < 0) outer *= with_flexibility_of(cell.inner, cell.outer);
   if (outer > 0 && inner < 0) inner *= with_flexibility_of(cell.outer, cell.inner);
-  return {inner / columns_.shape[cell.inner] * cell.weights.inner,
-          outer / columns_.shape[cell.outer] * cell.weights.outer};
+  return {inner / places_[cell.inner].shape * cell.weights.inner,
+          outer / places_[cell.outer].shape * cell.weights.outer};
 }
 
 FoamCurve::Point LayeredContact::edge_of_contact() const {
@@ -231,16 +208,9 @@ Strain LayeredContact::pad_strain(const Shortening& shortening) const {
 double LayeredContact::force_rate_when_held(const PadTrial& trial) {
   recall(trial);
   if (trial_live_ == 0) return 0;
-  const LayerColumns::Moment& next = columns_.next_moment;
   const auto rate_of = [&](std::size_t j) {
-    if (!(next.stress[j] > 0)) return 0.0;
-    LayerStates states;
-    std::array<Strain, max_layers> strain;
-    for (std::size_t i = 0; i < series_.size(); ++i) {
-      states[i] = {next.strain[i][j], next.largest[i][j], next.rate[i][j], next.memory[i][j]};
-      strain[i] = strain_of(next.strain[i][j]);
-    }
-    return series_.stress_rate_when_held(strain, states);
+    const State& next = next_[j];
+    return next.stress > 0 ? series_.stress_rate_when_held(next.layers) : 0.0;
   };
   const double axis = rate_of(0);
   double sum = 0;
@@ -249,11 +219,11 @@ double LayeredContact::force_rate_when_held(const PadTrial& trial) {
     const double outer_rate = cell.outer == cell.inner ? inner_rate : rate_of(cell.outer);
     const auto [inner, outer] = g(cell);
     const PositiveMean mean = positive_mean_of(inner, outer);
-    sum += cell.width * (mean.by_inner * cell.weights.inner * inner_rate / columns_.shape[cell.inner] +
-                         mean.by_outer * cell.weights.outer * outer_rate / columns_.shape[cell.outer]);
+    sum += cell.width * (mean.by_inner * cell.weights.inner * inner_rate / places_[cell.inner].shape +
+                         mean.by_outer * cell.weights.outer * outer_rate / places_[cell.outer].shape);
     inner_rate = outer_rate;
   });
-  return (next.stress[0] > 0 ? nose_.tip * axis : 0) + 2 * std::numbers::pi * series_.thickness() * sum;
+  return (next_[0].stress > 0 ? nose_.tip * axis : 0) + 2 * std::numbers::pi * series_.thickness() * sum;
 }
 
 double LayeredContact::lasting_stiffness(const PadTrial& trial) {
@@ -262,65 +232,64 @@ double LayeredContact::lasting_stiffness(const PadTrial& trial) {
   double sum = 0;
   for (std::size_t j = 0; j < trial_live_; ++j) {
     const bool is_last = j + 1 == trial_live_;
-    const double end = is_last ? std::min(trial_penetration_, nose_.depth) : columns_.depth()[j + 1];
-    const double outer = is_last ? edge_of_contact().stress : columns_.shape[j + 1];
-    const Sections::Weights weights = nose_.weights(columns_.depth()[j], end);
-    sum += (weights.inner + weights.outer) / 2 * (columns_.shape[j] - outer);
+    const double end = is_last ? std::min(trial_penetration_, nose_.depth) : places_[j + 1].depth;
+    const double outer = is_last ? edge_of_contact().stress : places_[j + 1].shape;
+    const Sections::Weights weights = nose_.weights(places_[j].depth, end);
+    sum += (weights.inner + weights.outer) / 2 * (places_[j].shape - outer);
   }
   double stiffness = 2 * std::numbers::pi * sum;
   if (nose_.tip > 0) {
     const Strain axis = pad_strain(shortening(0, trial_penetration_));
     const double change = 1e-3 * std::min(axis.value, axis.complement);
     const Strain beyond{axis.value + change, axis.complement - change};
-    stiffness += nose_.tip * (series_.slow_curve().at(beyond).stress - columns_.shape[0]) /
+    stiffness += nose_.tip * (series_.slow_curve().at(beyond).stress - places_[0].shape) /
                  (change * series_.thickness());
   }
-  const LayerColumns::Moment& next = columns_.next_moment;
-  const double ratio = next.stress[0] / columns_.shape[0];
+  const double ratio = next_[0].stress / places_[0].shape;
   // Layers that close at a finite stress limit the stiffness; the slow curve continues beyond that stress.
-  const double most = nose_.area(trial_penetration_) / next.flexibility[0];
+  const double most = nose_.area(trial_penetration_) / next_[0].flexibility;
   return std::max(std::min(stiffness * ratio, most), last_.force / series_.thickness());
 }
 
 double LayeredContact::largest_stress(const PadTrial& trial) {
   recall(trial);
   if (trial_live_ == 0) return not_pressed;
-  const double* stress = columns_.next_moment.stress;
-  return *std::max_element(stress, stress + trial_live_);
+  double largest = next_[0].stress;
+  for (std::size_t j = 1; j < trial_live_; ++j) largest = std::max(largest, next_[j].stress);
+  return largest;
 }
 
 void LayeredContact::accept(const PadTrial& trial) {
   recall(trial);
-  const LayerColumns::Moment& next = columns_.next_moment;
   for (std::size_t j = 0; j < trial_touched_; ++j) {
-    const double stress = j < touched_ ? columns_.now.stress[j] : 0;
-    const double y = j < touched_ ? columns_.now.y[j] : 0;
-    columns_.chord[j] = next.y[j] != y ? std::max((next.stress[j] - stress) / (next.y[j] - y), 0.0) : 0;
+    const State& next = next_[j];
+    const double stress = j < touched_ ? now_[j].stress : 0;
+    const double y = j < touched_ ? now_[j].y : 0;
+    places_[j].chord = next.y != y ? std::max((next.stress - stress) / (next.y - y), 0.0) : 0;
   }
-  std::swap(columns_.now, columns_.next_moment);
+  std::swap(now_, next_);
   penetration_ = trial_penetration_;
-  largest_ = std::max(largest_, penetration_);
   touched_ = trial_touched_;
   last_step_ = trial.step;
   last_ = {};
 }
 
 LayeredContact::Column LayeredContact::column(std::size_t j) const {
-  return {columns_.depth()[j], columns_.now.y[j] / series_.thickness(), columns_.now.stress[j]};
+  return {places_[j].depth, now_[j].y / series_.thickness(), now_[j].stress};
 }
 
 double LayeredContact::axis_strain(std::size_t layer) const {
-  return touched_ > 0 ? columns_.now.strain[layer][0] : 0;
+  return touched_ > 0 ? now_[0].layers[layer].strain : 0;
 }
 
 double LayeredContact::contact_radius() const {
-  const double* stress = columns_.now.stress;
   std::size_t j = touched_;
-  while (j > 0 && (columns_.now.y[j - 1] <= 0 || stress[j - 1] <= 0)) --j;
+  while (j > 0 && (now_[j - 1].y <= 0 || now_[j - 1].stress <= 0)) --j;
   if (j == 0) return 0;
-  const double inner = columns_.depth()[j - 1];
-  if (j == touched_ || columns_.now.y[j] <= 0) return nose_.radius(std::min(penetration_, nose_.depth));
-  return nose_.radius(inner + (columns_.depth()[j] - inner) * stress[j - 1] / (stress[j - 1] - stress[j]));
+  if (j == touched_ || now_[j].y <= 0) return nose_.radius(std::min(penetration_, nose_.depth));
+  const double inner = places_[j - 1].depth;
+  const double stress = now_[j - 1].stress;
+  return nose_.radius(inner + (places_[j].depth - inner) * stress / (stress - now_[j].stress));
 }
 
 }  // namespace dashpad

@@ -2,20 +2,15 @@
 /// A nose on a pad of layers: columns of layers in series at fixed depths (theory.md, Eqs. 51 to 55).
 ///
 ///   F = a0 max(stress(0), 0) + int max(stress(s), 0) a'(s) ds, over s in [0, min(Y, d)]   (theory.md, Eq. 6)
-///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)            (theory.md, Eq.
-///   55)
+///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)           (theory.md, Eq. 55)
 ///
 /// A is the stress of the column pressed slowly, and w its area: stress over A is smooth at the contact edge
 /// and near full compression, and g is taken as linear in w between stations. Each layer of each column keeps
-/// its own strain, largest strain and slip, since the layers' shares of a column's shortening change with its
-/// rate.
+/// its own strain, largest strain and slip, since its share of the shortening changes with the rate.
 ///
 /// Lengths in m, stress in Pa, compression positive.
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "dashpad/model/nose/sections.hpp"
@@ -25,76 +20,17 @@
 
 namespace dashpad {
 
-/// The columns of a pad of layers: one array for each quantity, allocated once.
-class LayerColumns {
- public:
-  /// State of the columns at one moment.
-  struct Moment {
-    double* stress = nullptr;       ///< Pa; below 0 where the column is free of stress
-    double* y = nullptr;            ///< shortening, m
-    double* flexibility = nullptr;  ///< dy/d(stress) over the step, m/Pa
-    /// Arrays for each layer.
-    std::array<double*, max_layers> strain{}, largest{}, rate{}, memory{}, layer_flexibility{};
-  };
-
-  explicit LayerColumns(std::size_t layers) : layers_(layers) {
-    memory_ = std::make_unique_for_overwrite<double[]>((6 + 2 * (3 + 5 * layers)) * max_stations);
-    double* next = memory_.get();
-    const auto take = [&next] {
-      double* array = next;
-      next += max_stations;
-      return array;
-    };
-    for (double** array : {&depth_, &inner_, &outer_, &shape, &measure, &chord}) *array = take();
-    for (Moment* moment : {&now, &next_moment}) {
-      for (double** array : {&moment->stress, &moment->y, &moment->flexibility}) *array = take();
-      for (auto* each :
-           {&moment->strain, &moment->largest, &moment->rate, &moment->memory, &moment->layer_flexibility})
-        for (std::size_t i = 0; i < layers; ++i) (*each)[i] = take();
-    }
-  }
-
-  [[nodiscard]] std::size_t layers() const { return layers_; }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const double* depth() const { return depth_; }
-  /// Weights a'(s) / (2 pi) of the cell between a column and the next, m: at the column and at the next.
-  [[nodiscard]] const double* inner_weight() const { return inner_; }
-  [[nodiscard]] const double* outer_weight() const { return outer_; }
-
-  void clear() { size_ = 0; }
-  void append(double depth) { depth_[size_++] = depth; }
-  void set_weights(std::size_t cell, double inner, double outer) {
-    inner_[cell] = inner;
-    outer_[cell] = outer;
-  }
-
-  Moment now;
-  Moment next_moment;
-  // Values of the last trial.
-  double* shape = nullptr;    ///< A, Pa
-  double* measure = nullptr;  ///< w, Pa
-  double* chord = nullptr;    ///< d(stress)/dy over the last step, Pa/m; the guess for the next
-
- private:
-  std::size_t layers_;
-  std::unique_ptr<double[]> memory_;
-  double* depth_ = nullptr;
-  double* inner_ = nullptr;
-  double* outer_ = nullptr;
-  std::size_t size_ = 0;
-};
-
 class LayeredContact {
  public:
   using Parts = std::vector<LayerSeries::Part>;
 
-  LayeredContact(const Parts& parts, const Sections& nose);
+  LayeredContact(const Parts& parts, const Sections& nose) : parts_(parts), series_(parts), nose_(nose) {}
   void set(const Parts& parts, const Sections& nose);
 
   [[nodiscard]] bool recovers() const { return true; }
   [[nodiscard]] double first_force() const { return 0; }
   [[nodiscard]] double lock_penetration() const { return series_.thickness() * (1 - 1e-9); }
-  [[nodiscard]] std::size_t stations() const { return columns_.size(); }
+  [[nodiscard]] std::size_t stations() const { return places_.size(); }
   /// Number of layer stresses computed in all trials since the start.
   [[nodiscard]] std::size_t updates() const { return updates_; }
   /// Number of these for a root within a root.
@@ -125,6 +61,23 @@ class LayeredContact {
   [[nodiscard]] double axis_strain(std::size_t layer) const;
 
  private:
+  /// Where a column is, and what the integrals of the last trial take from it.
+  struct Place {
+    double depth = 0;                ///< depth at which the nose's surface meets it, m
+    Sections::Weights weights = {};  ///< weights of the cell between it and the next
+    double shape = 0;                ///< A, Pa
+    double measure = 0;              ///< w, Pa
+    double chord = 0;                ///< d(stress)/dy over the last step, Pa/m; the guess for the next
+  };
+  /// State of a column.
+  struct State {
+    double stress = 0;       ///< Pa; below 0 where the column is free of stress
+    double y = 0;            ///< shortening, m
+    double flexibility = 0;  ///< dy/d(stress) over the step, m/Pa
+    LayerStates layers;
+    PerLayer layer_flexibility{};
+  };
+
   [[nodiscard]] Shortening shortening(std::size_t j, double penetration) const;
   [[nodiscard]] LayerStates states_before(std::size_t j) const;
   [[nodiscard]] ColumnGuess guess(std::size_t j, const LayerStates& now, double y) const;
@@ -156,9 +109,10 @@ class LayeredContact {
   Parts parts_;
   LayerSeries series_;
   Sections nose_;
-  LayerColumns columns_;
+  std::vector<Place> places_;
+  std::vector<State> now_;
+  std::vector<State> next_;  ///< at the end of the last trial
   double penetration_ = 0;
-  double largest_ = 0;       ///< largest penetration so far, m
   double last_step_ = 0;     ///< length of the last step, s; 0: there was none
   std::size_t touched_ = 0;  ///< columns that the nose has reached so far
   PadTrial last_;            ///< step 0: no trial from the accepted state

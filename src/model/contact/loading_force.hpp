@@ -14,8 +14,7 @@
 
 namespace dashpad {
 
-/// K(Y). With a'(s) / (2 pi) = w - t s = (w - t Y) + t L e it consists of the integrals of A and e A over the
-/// strain e, both of the form of Eq. 19.
+/// K(Y): since a'(s) / (2 pi) = w - t s = (w - t Y) + t L e, integrals of A and e A in the form of Eq. 19.
 class ContactShape {
  public:
   ContactShape(PowerExponents exponents, double thickness, const Sections& nose) {

@@ -1,7 +1,6 @@
 #pragma once
-/// A nose on a pad of the 9-parameter law: a closed form while the pad is only loaded
-/// (model/contact/loading_force.hpp), a field of columns from the first unloading on
-/// (model/contact/column_field.hpp).
+/// A nose on a pad of the 9-parameter law: a closed form while the pad is only loaded (loading_force.hpp), a
+/// field of columns from the first unloading on (column_field.hpp).
 
 #include <cstddef>
 

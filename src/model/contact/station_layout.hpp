@@ -52,12 +52,11 @@ class KnotsAhead {
   const double* end_ = nullptr;
 };
 
-/// Calls append(depth) for each station, at most `most_stations` times: evenly over the expected contact,
+/// Calls append(depth) for each station, at most max_stations times: evenly over the expected contact,
 /// geometrically beyond. Where a' ends with a jump, at the rim of a nose, there is a station too.
 template <class Append>
 void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append) {
-  // Least width of the cell inside the rim over the rim's depth, so that its strains differ by more than
-  // rounding.
+  // Least width of the cell inside the rim over its depth: its strains must differ by more than rounding.
   constexpr double min_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
   const double end = std::min(plan.reach, nose.depth);

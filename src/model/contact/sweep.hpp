@@ -1,6 +1,5 @@
 #pragma once
-/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9) and
-/// stress over A (Eq. 20).
+/// One step of all columns under strain: strain, envelope, stress (theory.md, Eq. 9), stress over A (Eq. 20).
 ///
 /// Columns are computed in vectors for the instruction set of the processor, or one by one in doubles, from
 /// one text (model/contact/sweep_columns.hpp) for both number types.
@@ -40,8 +39,7 @@ struct CellWeights {
   const double* outer = nullptr;
 };
 
-/// Depths, weights and two states, allocated once. Behind the last column there is room for one vector of
-/// columns, which are computed and ignored.
+/// Depths, weights and two states, allocated once, with spare room for one vector behind the last column.
 class ColumnStorage {
  public:
   ColumnStorage() {
@@ -127,9 +125,8 @@ struct SweepOf {
   /// Fills `next` with the state after the step from `now`.
   void (*step)(const Law&, const PowerShape&, const typename Law::RatePart&, const typename Law::TimePart&,
                const SweepStep&, const Columns& now, const Columns& next) = nullptr;
-  /// Integral over w across the step's columns of the relaxation of held columns at a time: h (G - stress) /
-  /// A a'/(2 pi) where they press, else 0, with G at rate zero. Sets `edge` to the last column's value
-  /// without a'/(2 pi).
+  /// Integral over w of h (G - stress) / A a'/(2 pi) of the held columns, where they press, with G at rate
+  /// zero. Sets `edge` to the last column's value without a'/(2 pi).
   double (*sum_of_held)(const Law&, const PowerShape&, double time, const SweepStep&, const CellWeights&,
                         const Columns&, double& edge) = nullptr;
 };

@@ -28,8 +28,7 @@ inline PanelWeights parabola(double g, double h) {
   const double last = (2 * h - g) * (g + h) / (6 * h);
   return {first, g + h - first - last, last};
 }
-/// Weights of the line through the last two: near the contact's edge f may change within far less than a
-/// panel, so that its value there is not representative.
+/// Weights of the line through the last two, since near the contact's edge the value of f tells little.
 inline PanelWeights line(double g, double h) {
   const double last = (g + h) * (h - g) / (2 * h);
   return {0, g + h - last, last};

@@ -22,15 +22,20 @@ struct Stretch {
   double volume = 0;           ///< volume from the tip to `from`, m3
   double volume_integral = 0;  ///< its integral over the depth, m4
 
-  [[nodiscard]] double area_at(double u) const { return area + 2 * pi * u * (width - taper * u / 2); }
-  [[nodiscard]] double volume_at(double u) const {
+  [[nodiscard]] double area_at(double s) const {
+    const double u = s - from;
+    return area + 2 * pi * u * (width - taper * u / 2);
+  }
+  [[nodiscard]] double volume_at(double s) const {
+    const double u = s - from;
     return volume + area * u + 2 * pi * u * u * (width / 2 - taper * u / 6);
   }
-  [[nodiscard]] double volume_integral_at(double u) const {
+  [[nodiscard]] double volume_integral_at(double s) const {
+    const double u = s - from;
     return volume_integral + volume * u + area * u * u / 2 +
            2 * pi * u * u * u * (width / 6 - taper * u / 24);
   }
-  [[nodiscard]] double rate_at(double u) const { return std::max(width - taper * u, 0.0); }
+  [[nodiscard]] double rate_at(double s) const { return std::max(width - taper * (s - from), 0.0); }
 };
 
 class ProfileSections final : public SectionShape {
@@ -40,32 +45,20 @@ class ProfileSections final : public SectionShape {
     constexpr double much = 0.2;
     for (std::size_t i = 1; i < stretches_.size(); ++i) {
       const Stretch& before = stretches_[i - 1];
-      const double inner = before.rate_at(before.to - before.from);
+      const double inner = before.rate_at(before.to);
       const double outer = stretches_[i].width;
       if (std::abs(outer - inner) > much * std::max(inner, outer)) knots_.push_back(before.to);
     }
   }
 
-  [[nodiscard]] double area(double s) const override {
-    const Stretch& at = stretch_of(s);
-    return at.area_at(s - at.from);
-  }
-  [[nodiscard]] double volume(double s) const override {
-    const Stretch& at = stretch_of(s);
-    return at.volume_at(s - at.from);
-  }
+  [[nodiscard]] double area(double s) const override { return stretch_of(s).area_at(s); }
+  [[nodiscard]] double volume(double s) const override { return stretch_of(s).volume_at(s); }
   [[nodiscard]] double volume_integral(double s) const override {
-    const Stretch& at = stretch_of(s);
-    return at.volume_integral_at(s - at.from);
+    return stretch_of(s).volume_integral_at(s);
   }
-  [[nodiscard]] double rate(double s) const override {
-    const Stretch& at = stretch_of(s);
-    return at.rate_at(s - at.from);
-  }
+  [[nodiscard]] double rate(double s) const override { return stretch_of(s).rate_at(s); }
   [[nodiscard]] double depth_at(double area) const override {
-    const auto reaches = [area](const Stretch& stretch) {
-      return stretch.area_at(stretch.to - stretch.from) < area;
-    };
+    const auto reaches = [area](const Stretch& stretch) { return stretch.area_at(stretch.to) < area; };
     const auto at = std::min(std::ranges::partition_point(stretches_, reaches), stretches_.end() - 1);
     const double ring = (area - at->area) * std::numbers::inv_pi;
     if (ring <= 0) return at->from;
@@ -119,8 +112,8 @@ Sections Profile::sections() const {
     }
     if (!stretches.empty()) {
       const Stretch& before = stretches.back();
-      stretch.volume = before.volume_at(before.to - before.from);
-      stretch.volume_integral = before.volume_integral_at(before.to - before.from);
+      stretch.volume = before.volume_at(before.to);
+      stretch.volume_integral = before.volume_integral_at(before.to);
     }
     stretches.push_back(stretch);
   }

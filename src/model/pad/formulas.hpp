@@ -1,5 +1,4 @@
-/// The formulas of the laws with memory, over a number type N: double, dual numbers, lanes of a vector
-/// register.
+/// The formulas of the laws with memory, over a number type N: double, dual numbers, vector lanes.
 ///
 /// Included as text, since code with vectors must be compiled once for every instruction set, each time in a
 /// namespace of its own in which N has + - * /, exp, log, max, min, select and choose (model/pad/scalar.hpp,
@@ -8,7 +7,7 @@
 /// exp(-H) over a step (decay); and if they are not the usual ones (measure_of and relaxation_of below), the
 /// measure w (measure) and the factor of h at strain zero (relaxation). Stresses in Pa.
 ///
-/// Strains must be at least least_strain.
+/// Strains must be at least min_strain.
 
 #define DASHPAD_FORMULA [[nodiscard, gnu::always_inline]] inline
 

@@ -12,7 +12,8 @@ namespace {
 
 // The rules between parameters. They are written so that NaN, which breaks its bounds, breaks none of them.
 
-void check_rules(const Elastic&, std::vector<Violation>&) {}
+template <class Law>
+void check_rules(const Law&, std::vector<Violation>&) {}
 
 void check_rules(const LinearViscoelastic& law, std::vector<Violation>& broken) {
   if (law.initial_modulus < law.asymptotic_modulus)
@@ -25,8 +26,6 @@ void check_rules(const RigidFoam& law, std::vector<Violation>& broken) {
   if (law.second_stress < law.crush_stress)
     broken.push_back({"second_stress", law.second_stress, "must not be below crush_stress"});
 }
-
-void check_rules(const NineParameter&, std::vector<Violation>&) {}
 
 void check_rules(const TwentyOneParameter& law, std::vector<Violation>& broken) {
   // Otherwise the rate stress would be steeper at first contact than A, on which the contact integral rests.
@@ -74,9 +73,9 @@ BlowMemory blow_memory(const PadLaw& law) {
 
 std::vector<double> softening_rates(const PadLaw& law) {
   return std::visit(
-      []<class Law>(const Law& law) -> std::vector<double> {
+      []<class Law>(const Law& held) -> std::vector<double> {
         if constexpr (SharesSlip<Law>)
-          return softening_rates(law.curves);
+          return softening_rates(held.curves);
         else
           return {};
       },

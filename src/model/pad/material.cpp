@@ -118,28 +118,14 @@ bool is_of_parameters(std::string_view key) {
 }
 
 FittedRange tested_range(const FoamCurves& curves) {
-  const auto highest_rate = [&]<class Effect>(const Effect& effect) {
-    if constexpr (std::is_same_v<Effect, PowerRateEffect>)
-      return effect.highest_rate;
-    else if constexpr (std::is_same_v<Effect, FactorRateEffect>)
-      return effect.rate.back();
-    else if constexpr (std::is_same_v<Effect, CurvesRateEffect>)
-      return effect.curves.back().rate;
-    else
-      return curves.slowest_rate;
-  };
   return {.highest_strain = last_strain_of(curves.base),
           .lowest_rate = curves.slowest_rate,
-          .highest_rate = std::visit(highest_rate, curves.rate_effect)};
+          .highest_rate = tested_rates(curves).back()};
 }
 
 std::string name_of(Beyond beyond) {
-  switch (beyond) {
-    case Beyond::strain: return "EXTRAPOLATED STRAIN";
-    case Beyond::rate: return "EXTRAPOLATED RATE";
-    case Beyond::other: break;
-  }
-  return "EXTRAPOLATED";
+  constexpr const char* names[]{"EXTRAPOLATED STRAIN", "EXTRAPOLATED RATE", "EXTRAPOLATED"};
+  return names[static_cast<std::size_t>(beyond)];
 }
 
 std::optional<FittedRange> range_of(const Material& material) {

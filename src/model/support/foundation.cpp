@@ -163,8 +163,7 @@ BackState Foundation::after(const BackState& now, const StepForce& force, const 
   return end;
 }
 
-/// Backward difference, of second order after a smooth step: creep that a step does not resolve dies out in
-/// it.
+/// Backward difference, of second order after a smooth step: creep that steps do not resolve dies out.
 Foundation::Backward Foundation::backward(const BackState& now, double step) const {
   if (last_step_ == 0 || follows_closely_) return {1 / step, now.deflection / step};
   const double w = step / last_step_;
@@ -202,8 +201,7 @@ double Foundation::force_when_stuck(const BackState& now, double force, double i
   return (weight * backing_.mass + impactor_mass * now.transmitted) / (impactor_mass + backing_.mass);
 }
 
-/// Moves panel and body: by average acceleration for the support's force, by the moments of the pad's force
-/// (theory.md, section 5.2).
+/// Moves panel and body by the average of the support's force and the moments of the pad's (section 5.2).
 BackState Foundation::after_swing(const BackState& now, const StepForce& force, double mass) const {
   const double dt = force.step;
   const double inverse_mass = 1 / mass;

@@ -1,6 +1,5 @@
 #pragma once
-/// The support with all its parts, which moves the back of the pad in a step by the force of the pad
-/// (theory.md, section 5.2).
+/// The support with all its parts, which the force of the pad moves in a step (theory.md, section 5.2).
 ///
 /// There are three kinds, in which the force determines the deflection, its rate or its acceleration: at
 /// once, without mass and damper; a damper without mass; a panel with mass. Behind each there may be a free
@@ -85,8 +84,7 @@ class Foundation {
     return kind_ == Kind::damper ? holding() + damping_ * speed : holding();
   }
 
-  /// Transmitted part of the pad's `force` at first contact, N: a panel's mass takes up all but the stop's
-  /// share.
+  /// Transmitted part of the pad's `force` at first contact, N; a panel takes up all but the stop's share.
   [[nodiscard]] double transmitted_at_first(double force) const {
     return kind_ == Kind::panel ? std::min(force * share_of_panel(), holding()) : force;
   }

@@ -1,6 +1,5 @@
 #pragma once
-/// The flat end of a round body, square to the pad: its whole area meets the pad at once, and the strain is
-/// the same everywhere below it.
+/// The flat end of a round body, square to the pad: all of it meets the pad at once, with one strain.
 ///
 ///   a(s) = pi R^2 for s > 0                                                           (theory.md, Eq. 3)
 

@@ -1,6 +1,5 @@
 #pragma once
-/// A flat rectangular plate, or the flat side of a box, square to the pad: its whole area meets the pad at
-/// once, and the strain is the same everywhere below it.
+/// A rectangular plate or side of a box, square to the pad: all of it meets the pad at once, with one strain.
 ///
 ///   a(s) = l b for s > 0                                                              (theory.md, Eq. 3)
 

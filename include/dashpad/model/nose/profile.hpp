@@ -24,7 +24,7 @@ struct Profile {
 
   double scale = 1;  ///< factor of depths and radii, squared for areas; 0.001 to 1000
   Of of = Of::radius;
-  std::vector<Point> points = {};  ///< 2 to most_points
+  std::vector<Point> points = {};  ///< 2 to max_points
 
   static constexpr const char* name = "profile";
   static constexpr std::size_t max_points = 10'000;

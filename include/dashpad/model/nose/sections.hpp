@@ -44,8 +44,7 @@ class SectionShape {
   [[nodiscard]] virtual double volume_integral(double s) const = 0;
   /// a'(s) / (2 pi), m, for s > 0; at a jump the value before it.
   [[nodiscard]] virtual double rate(double s) const = 0;
-  /// The smallest depth at which the section has `area`, m; `area` lies between that of the tip and the
-  /// largest.
+  /// The smallest depth at which the section has `area`, m, which lies between those of the tip and the end.
   [[nodiscard]] virtual double depth_at(double area) const = 0;
 
   /// Whether a' grows without bound towards the tip.
@@ -72,42 +71,45 @@ struct Sections {
   /// a'(s) / (2 pi), m; 0 beyond the depth d, where it may jump.
   [[nodiscard]] double rate(double s) const {
     if (shape) [[unlikely]]
-      return rate_of_shape(s);
+      return s <= depth ? shape->rate(s) : 0;
     return s <= depth ? std::max(width - taper * s, 0.0) : 0;
   }
-  /// Weights of the columns between two depths up to d, at both ends of that range, m: a' / (2 pi) there or,
-  /// of a shape, its mean over the range.
+  /// Weights a' / (2 pi) at both ends of a range of depths up to d, m; of a shape the mean over the range.
   struct Weights {
     double inner = 0;  ///< at the end closer to the tip
     double outer = 0;
   };
   [[nodiscard]] Weights weights(double from, double to) const {
-    if (shape) [[unlikely]]
-      return weights_of_shape(from, to);
-    return {rate(from), rate(to)};
+    if (!shape) [[likely]]
+      return {rate(from), rate(to)};
+    const double rise = shape->area(to) - shape->area(from);
+    const double mean = to > from ? rise / (2 * std::numbers::pi * (to - from)) : shape->rate(to);
+    return {std::max(mean, 0.0), std::max(mean, 0.0)};
   }
 
   /// Projected area a(y) of the contact at the penetration y, m2; at y = 0 that of the tip.
   [[nodiscard]] double area(double y) const {
-    if (shape) [[unlikely]]
-      return area_of_shape(y);
     const double c = std::clamp(y, 0.0, depth);
+    if (shape) [[unlikely]]
+      return y >= 0 ? shape->area(c) : 0;
     return (y >= 0 ? tip : 0) + 2 * std::numbers::pi * c * (width - taper * c / 2);
   }
   /// Integral of a from 0 to y, m3.
   [[nodiscard]] double volume(double y) const {
-    if (shape) [[unlikely]]
-      return volume_of_shape(y);
     const double c = std::clamp(y, 0.0, depth);
     const double beyond = std::max(y - depth, 0.0);
+    if (shape) [[unlikely]]
+      return shape->volume(c) + shape->area(depth) * beyond;
     return tip * c + 2 * std::numbers::pi * c * c * (width / 2 - taper * c / 6) + area_beyond() * beyond;
   }
   /// n-fold integral of a from 0 to y, m^(2+n), n >= 1; of a shape n <= 2.
   [[nodiscard]] double integral(double y, int n) const {
-    if (shape) [[unlikely]]
-      return n == 1 ? volume_of_shape(y) : volume_integral_of_shape(y);
     if (!(y > 0)) return 0;
     const double beyond = std::max(y - depth, 0.0);
+    if (shape) [[unlikely]]
+      return n == 1 ? volume(y)
+                    : shape->volume_integral(std::min(y, depth)) +
+                          (shape->volume(depth) + shape->area(depth) * beyond / 2) * beyond;
     double sum = integral_within(std::min(y, depth), n);
     // Beyond d the integral is a polynomial: its Taylor series about d, with the area as highest derivative.
     double power = 1;
@@ -119,7 +121,7 @@ struct Sections {
   /// Radius of the circle that has the area of the section at a depth s >= 0, m.
   [[nodiscard]] double radius(double s) const {
     if (shape) [[unlikely]]
-      return std::sqrt(area_of_shape(s) * std::numbers::inv_pi);
+      return std::sqrt(area(s) * std::numbers::inv_pi);
     const double c = std::clamp(s, 0.0, depth);
     return std::sqrt(tip * std::numbers::inv_pi + c * (2 * width - taper * c));
   }
@@ -127,8 +129,10 @@ struct Sections {
   [[nodiscard]] double depth_at(double radius) const {
     const double ring = radius * radius - tip * std::numbers::inv_pi;
     if (ring <= 0) return 0;
-    if (shape) [[unlikely]]
-      return depth_of_shape_at(std::numbers::pi * radius * radius);
+    if (shape) [[unlikely]] {
+      const double area = std::numbers::pi * radius * radius;
+      return area < shape->area(depth) ? shape->depth_at(area) : depth;
+    }
     const double root = width + std::sqrt(std::max(width * width - taper * ring, 0.0));
     return root > 0 ? std::min(ring / root, depth) : depth;
   }
@@ -147,7 +151,7 @@ struct Sections {
   /// Area from the depth d on, m2.
   [[nodiscard]] double area_beyond() const {
     if (shape) [[unlikely]]
-      return area_of_shape(depth);
+      return shape->area(depth);
     return tip + 2 * std::numbers::pi * depth * (width - taper * depth / 2);
   }
 
@@ -158,13 +162,6 @@ struct Sections {
     const double rise = y / (n + 1), bend = rise * y / (n + 2);
     return power * (tip + 2 * std::numbers::pi * (width * rise - taper * bend));
   }
-  // The same for a shape, out of line so that other noses do not pay for it.
-  [[nodiscard]] double rate_of_shape(double s) const;
-  [[nodiscard]] Weights weights_of_shape(double from, double to) const;
-  [[nodiscard]] double area_of_shape(double y) const;
-  [[nodiscard]] double volume_of_shape(double y) const;
-  [[nodiscard]] double volume_integral_of_shape(double y) const;
-  [[nodiscard]] double depth_of_shape_at(double area) const;
 };
 
 }  // namespace dashpad

@@ -1,18 +1,15 @@
 #pragma once
-/// Foam that recovers: a base curve, its rise with the rate, and an unloading that weakens with the work
-/// done.
+/// Foam that recovers: a base curve, its rise with the rate, and unloading that depends on the work done.
 ///
 ///   stress = (1 - f) s(e) D(W(e) / W(e*)) + s(e) q(e, u)                   (theory.md, Eq. 32)
 ///   D(x)   = 1 - (1 - HU) (1 - x^SHAPE),  or by an unloading curve
 ///   q      = f u / (|u| + 2 u0) + m(e, u) - 1  for u >= 0,  - k (m(e, |u|) - 1) for u < 0   (Eq. 33)
 ///
 /// s is the base curve, the loading curve of the slowest test; W its area; e* the largest strain so far; m
-/// the rate effect. u is the slip rate, which follows the strain rate with a lag of a small strain
-/// (theory.md, Eq. 34), so that the stress does not jump. No closed path of strain gives energy back
-/// (theory.md, Eqs. 35 and 36).
+/// the rate effect. The slip rate u follows the strain rate with a lag of a small strain (theory.md, Eq. 34),
+/// so that the stress does not jump. No closed path of strain yields energy (theory.md, Eqs. 35 and 36).
 ///
-/// Stress and strain are engineering values, compression positive. Consistency of the numbers is checked by
-/// violations(PadLaw).
+/// Engineering values, compression positive. violations(PadLaw) checks the consistency of the numbers.
 
 #include <array>
 #include <optional>

@@ -86,8 +86,7 @@ struct Formulas<LinearViscoelastic> {
     return exp(-time.duration * share);
   }
   /// Stress at the end of a step (theory.md, Eq. 9). As the relaxation time grows, G exceeds all stresses by
-  /// far and is therefore not formed: of (E_0 - E_inf) tau de/dt (1 - exp(-x)) only the product with x = dt /
-  /// tau is.
+  /// far; of its viscous part only the product with 1 - exp(-x), x = dt / tau, is formed.
   template <class N>
   DASHPAD_FORMULA N step(N stress, const N* before, const N* after, N share) const {
     const N x = time.duration * share;

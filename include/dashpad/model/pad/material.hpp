@@ -22,8 +22,7 @@ struct ValueRange {
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 
-/// Deviation of measured impacts from the law beyond their noise: standard deviations as shares of the
-/// figure, in [0, 1].
+/// Deviation of measured impacts from the law beyond noise: standard deviations over the figure, in [0, 1].
 struct Misfit {
   double peak_acceleration = 0;  ///< also applies to forces and clips
   double hic = 0;                ///< applies to every window and to the severity index
@@ -62,8 +61,7 @@ struct Uncertainty {
   friend bool operator==(const Uncertainty&, const Uncertainty&) = default;
 };
 
-/// The strains and strain rates for which a law was fitted to tests. Outside this range a result is
-/// extrapolated.
+/// The strains and strain rates for which a law was fitted; outside them a result is extrapolated.
 struct FittedRange {
   double highest_strain = 1;  ///< (0, 1]
   double lowest_rate = 0;     ///< lowest peak strain rate of an impact for which the fit holds, 1/s
@@ -114,8 +112,7 @@ std::vector<Violation> violations(const Material& material);
 /// The same without the rules of the law, for one that is known to keep them.
 std::vector<Violation> violations_beside_law(const Material& material);
 
-/// Respect in which a result is extrapolated. Beyond the tested strain the stress is a guess, beyond the
-/// tested rates it follows a law.
+/// How a result is extrapolated: beyond the tested strain by a guess, beyond the tested rates by a law.
 enum class Beyond { strain, rate, other };
 /// Name of the flag: "EXTRAPOLATED STRAIN", "EXTRAPOLATED RATE", "EXTRAPOLATED".
 std::string name_of(Beyond beyond);

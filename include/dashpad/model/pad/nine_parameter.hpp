@@ -8,9 +8,8 @@
 ///
 /// E is in src/model/pad/formulas.hpp, D in dashpad/model/pad/strain.hpp.
 ///
-/// Stress and strain are engineering values, compression positive. |de/dt|^r and (tau* |de/dt|)^p take the
-/// rate in 1/s. The ninth parameter, the zero-time modulus E_0, does not enter the law and is left out, as
-/// in the 1984 program.
+/// Engineering values, compression positive. |de/dt|^r and (tau* |de/dt|)^p take the rate in 1/s. The ninth
+/// parameter, the zero-time modulus E_0, does not enter the law and is left out, as in the 1984 program.
 
 #include <array>
 #include <cmath>

@@ -20,11 +20,9 @@ constexpr Strain strain_of(double value) { return {value, 1 - value}; }
 //
 //   E(e, e*, D) = (e - e* D) / (e (1 - D)),   D = (tau* |de/dt|)^p           (theory.md, Eq. 16)
 //
-// e* is the largest strain of the column so far. E (src/model/pad/formulas.hpp) is 1 at e = e* and 0 at the
-// residual strain e* D.
+// e* is the largest strain so far. E (src/model/pad/formulas.hpp) is 1 at e = e* and 0 at e* D.
 
-/// Largest D. Eq. 16 holds only while tau* |de/dt| < 1; beyond, a column loses its stress at once, the limit
-/// D -> 1.
+/// Largest D. Eq. 16 holds while tau* |de/dt| < 1; beyond, a column loses its stress at once (D -> 1).
 inline constexpr double largest_residual_ratio = 1 - 1e-6;
 
 /// D at a strain rate given by the logarithm of its magnitude in 1/s; `scale_time`: tau*, s.

@@ -34,8 +34,7 @@ inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters
      LeftOut::as_default},
 }};
 
-/// Every rule that a condition breaks on this material; keys are those of cases without the table, such as
-/// `density`.
+/// Every rule that a condition breaks on this material; keys are those within the table: `density`.
 std::vector<Violation> violations(const PadCondition& condition, const Material& material);
 
 /// Factor of all stresses of the card (theory.md, Eq. 39). The condition must be sound.

@@ -1,10 +1,8 @@
 #pragma once
-/// A base curve prepared for evaluation: stress and work at any strain, with its continuation beyond the last
-/// tested one.
+/// A base curve prepared for evaluation: stress and work at any strain, continued beyond the tested ones.
 ///
 ///   s(e) = s_h + c ((1 - e)^-n - (1 - e_h)^-n),  c = s'_h (1 - e_h)^(n+1) / n,  e > e_h  (theory.md, Eq. 37)
-///   W(e) = integral of s from 0 to e                                                        (theory.md, Eq.
-///   32)
+///   W(e) = integral of s from 0 to e                                                     (theory.md, Eq. 32)
 ///
 /// Stress in Pa, work in J per m3 of foam, compression positive.
 
@@ -57,9 +55,8 @@ class FoamCurve {
     const double x = cells_.width * static_cast<double>(place.cell);
     return {value_of(cubic, place.t), work_[place.cell] + work_of(cubic, x, cells_.width, place.t)};
   }
-  [[nodiscard]] Point beyond(Strain e) const { return beyond(e, inverse_power(e.complement)); }
-  /// `power`: (1 - e)^-n.
-  [[nodiscard]] Point beyond(Strain e, double power) const {
+  [[nodiscard]] Point beyond(Strain e) const {
+    const double power = inverse_power(e.complement);
     return {last_.stress + last_.growth * (power - last_.power),
             scalar::work_beyond(last_, e.value, e.complement, power)};
   }

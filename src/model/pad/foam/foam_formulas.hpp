@@ -1,7 +1,6 @@
 /// Formulas of foams by curves for single places and batches of nodes, over a number type N.
 ///
-/// Included as text, like src/model/pad/formulas.hpp, within a namespace in which N has + - * /, exp, log,
-/// max and pow. Stress in Pa, work in J per m3 of foam.
+/// Included as text, like src/model/pad/formulas.hpp, where N has + - * /, exp, log, max and pow. SI units.
 
 #define DASHPAD_FOAM_FORMULA [[nodiscard, gnu::always_inline]] inline
 

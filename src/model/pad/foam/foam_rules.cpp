@@ -170,14 +170,10 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
                         fmt::format("falls by {:.0f} % behind a larger stress; at most 10 % can be followed",
                                     100 * fall)});
     const MonotoneCurve curve(table);
-    if (in_order && base && (i == 0 || !slower)) {
-      const auto slow = [&](double e) { return base->at(strain_of(e)).stress; };
-      check_crossing(curve, rate, slow, before, std::min(curve.last_strain(), base->last_strain()),
-                     key + ".stress", broken);
-    } else if (in_order && slower) {
-      const auto slow = [&](double e) { return slower->stress(e); };
-      check_crossing(curve, rate, slow, before, std::min(curve.last_strain(), slower->last_strain()),
-                     key + ".stress", broken);
+    if (in_order && (slower || base)) {
+      const auto slow = [&](double e) { return slower ? slower->stress(e) : base->at(strain_of(e)).stress; };
+      const double last = slower ? slower->last_strain() : base->last_strain();
+      check_crossing(curve, rate, slow, before, std::min(curve.last_strain(), last), key + ".stress", broken);
     }
     slower = curve;
     before = std::max(before, rate);
@@ -187,8 +183,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
 /// Checks all curves and returns the base curve, if it is sound.
 std::optional<FoamCurve> check_curves(const FoamCurves& curves, double continuation_exponent,
                                       Violations& broken) {
-  if (!(curves.slowest_rate > 0 && curves.slowest_rate <= highest_rate))
-    broken.push_back({"curve.rate", curves.slowest_rate, "must be more than 0 and at most 1e9 1/s"});
+  check_rate(curves.slowest_rate, 0, "curve.rate", broken);
   std::optional<FoamCurve> base;
   if (std::visit([&](const auto& form) { return check_base(form, broken); }, curves.base) &&
       continuation_exponents.contain(continuation_exponent))
@@ -245,6 +240,17 @@ void check_rules(const CrushableFoam& law, Violations& broken) {
          fmt::format("must be at least the steepest slope of the curve, {:.6g} Pa: a foam that unloads "
                      "more gently than it loads would give energy back",
                      steepest)});
+}
+
+std::vector<double> tested_rates(const FoamCurves& curves) {
+  std::vector<double> rates{curves.slowest_rate};
+  if (const auto* power = std::get_if<PowerRateEffect>(&curves.rate_effect))
+    rates.push_back(power->highest_rate);
+  if (const auto* factors = std::get_if<FactorRateEffect>(&curves.rate_effect))
+    rates.insert(rates.end(), factors->rate.begin(), factors->rate.end());
+  if (const auto* effect = std::get_if<CurvesRateEffect>(&curves.rate_effect))
+    for (const CurvesRateEffect::AtRate& at : effect->curves) rates.push_back(at.rate);
+  return rates;
 }
 
 std::vector<double> softening_rates(const FoamCurves& curves) {

@@ -18,6 +18,9 @@ inline constexpr double max_softening = 0.1;
 /// Share by which curves may cross, as an error of plotting or digitising; they are then taken to touch.
 inline constexpr double max_crossing = 0.02;
 
+/// Rates of the tests, 1/s, increasing; the first is that of the base curve.
+std::vector<double> tested_rates(const FoamCurves& curves);
+
 /// Rates with a curve that falls somewhere by more than a thousandth, 1/s.
 std::vector<double> softening_rates(const FoamCurves& curves);
 

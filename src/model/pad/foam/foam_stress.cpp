@@ -16,11 +16,11 @@ SlipScale scale_of(double lag_strain, const FoamCurves& curves) {
 
 }  // namespace
 
-FoamStress::FoamStress(const Foam& law)
-    : FoamStress(law, FoamCurve(law.curves.base, law.continuation_exponent), nullptr) {}
-
-FoamStress::FoamStress(const Foam& law, FoamMemo& memo)
-    : FoamStress(law, memo.curve(law.curves.base, law.continuation_exponent), &memo) {}
+FoamStress::FoamStress(const Foam& law, FoamMemo* memo)
+    : FoamStress(law,
+                 memo != nullptr ? memo->curve(law.curves.base, law.continuation_exponent)
+                                 : FoamCurve(law.curves.base, law.continuation_exponent),
+                 memo) {}
 
 FoamStress::FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo)
     : friction_(law.friction),

@@ -23,10 +23,8 @@ class MonotoneCurve;
 
 class FoamStress {
  public:
-  /// The laws must be sound (violations(PadLaw)).
-  explicit FoamStress(const Foam& law);
-  /// The same with cached tables.
-  FoamStress(const Foam& law, FoamMemo& memo);
+  /// The laws must be sound (violations(PadLaw)). `memo` caches tables.
+  explicit FoamStress(const Foam& law, FoamMemo* memo = nullptr);
   explicit FoamStress(const CrushableFoam& law);
 
   /// A strain, with its place in the tables and the base curve there.
@@ -41,18 +39,13 @@ class FoamStress {
     return {strain_of(root * root), cell, curve_.within(cell)};
   }
   [[nodiscard]] Place beyond(Strain strain) const { return {strain, last_cell, curve_.beyond(strain)}; }
-  /// `power`: (1 - e)^-n of Eq. 37.
-  [[nodiscard]] Place beyond(Strain strain, double power) const {
-    return {strain, last_cell, curve_.beyond(strain, power)};
-  }
   [[nodiscard]] Place at(Strain strain) const {
     if (strain.value >= curve_.last_strain()) return beyond(strain);
     return within(std::sqrt(std::max(strain.value, 0.0)));
   }
 
-  /// Leading strain less strain of a column with its largest strain `ahead` of its strain. The leading strain
-  /// is the largest one for crushed foam, which unloads along a line from there, and the column's own
-  /// otherwise.
+  /// Leading strain less strain of a column whose largest strain is `ahead` of its strain. For crushed foam,
+  /// which unloads along a line from it, the largest strain leads; else the own one.
   [[nodiscard]] double lead(double ahead) const { return stays_crushed() ? std::max(ahead, 0.0) : 0; }
 
   /// The stress of a column over that of the base curve at its leading strain.
@@ -128,8 +121,7 @@ class FoamStress {
   [[nodiscard]] const FoamCurve& curve() const { return curve_; }
   [[nodiscard]] const Overstress& overstress() const { return overstress_; }
   [[nodiscard]] const SlipScale& slip() const { return slip_; }
-  /// Slope of unloading of crushed foam from a largest strain, Pa: the modulus, or the slope of the crush
-  /// curve where that is steeper.
+  /// Slope of unloading of crushed foam, Pa: the modulus, or the slope of the crush curve if steeper.
   [[nodiscard]] double slope_back(Strain largest) const {
     return std::max(modulus_, curve_.slope_beyond(largest));
   }

@@ -4,30 +4,28 @@
 #include <type_traits>
 #include <utility>
 
+#include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
 namespace dashpad {
 
 Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double friction, double recoil,
                        double slip_rate)
-    : friction_(friction), recoil_(recoil), slip_rate_(slip_rate), rates_{curves.slowest_rate} {
+    : friction_(friction), recoil_(recoil), slip_rate_(slip_rate), rates_(tested_rates(curves)) {
   std::visit(
       [&]<class Effect>(const Effect& effect) {
         if constexpr (std::is_same_v<Effect, PowerRateEffect>) {
           kind_ = Kind::power;
           exponent_ = effect.exponent;
           exponent_slope_ = effect.exponent_slope;
-          rates_.push_back(effect.highest_rate);
         } else if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
           kind_ = Kind::tested;
-          rates_.insert(rates_.end(), effect.rate.begin(), effect.rate.end());
           log_factors_.push_back(0);
           for (const double factor : effect.factor) log_factors_.push_back(std::log(factor));
         } else if constexpr (std::is_same_v<Effect, CurvesRateEffect>) {
           kind_ = Kind::tested;
           linear_ = effect.linear;
           for (const auto& [rate, table] : effect.curves) {
-            rates_.push_back(rate);
             const MonotoneCurve curve(table);
             const double last = std::min(curve.last_strain(), base.last_strain());
             const auto ratio = [&](double root) {

@@ -66,7 +66,8 @@ class FoamLayer {
             .rate = rate(end, now, step),
             .memory = slip.side * slip.z};
   }
-  [[nodiscard]] LayerTangent tangent(Strain at, const LayerState& state) const {
+  [[nodiscard]] LayerTangent tangent(const LayerState& state) const {
+    const Strain at = strain_of(state.strain);
     const SlipScale& slip = stress_.slip();
     const double g = slip.strain_of(slip_of(state));
     const auto response = [&](double further) {
@@ -109,8 +110,7 @@ class FoamLayer {
 ///
 ///   stress = E_inf e + q,   dq/dt = (E_0 - E_inf) de/dt - q / tau
 ///
-/// which is Eqs. 8 and 11 of theory.md with q = stress - E_inf e, exact over a step of constant rate. An
-/// elastic layer has E_0 = E_inf.
+/// These are Eqs. 8 and 11 with q = stress - E_inf e, exact at a constant rate; elastic: E_0 = E_inf.
 ///
 /// Stress in Pa, compression positive.
 class LinearLayer {
@@ -132,7 +132,7 @@ class LinearLayer {
             .rate = (end.value - now.strain) / step.time,
             .memory = branch_after(end, now, step)};
   }
-  [[nodiscard]] LayerTangent tangent(Strain, const LayerState& state) const {
+  [[nodiscard]] LayerTangent tangent(const LayerState& state) const {
     return {-state.memory / time_, lasting_ + relaxing_, lasting_ + relaxing_};
   }
   [[nodiscard]] double slow_stress(Strain at) const { return lasting_ * at.value; }
@@ -178,12 +178,10 @@ struct StrainOfStress {
   double flexibility = 0;  ///< d(strain)/d(stress), 1/Pa
 };
 
-/// The variable x = -ln(1 - e) of root searches, in which the complement keeps its digits where a layer is
-/// nearly closed.
+/// The variable x = -ln(1 - e) of root searches, in which the complement of a closing layer keeps its digits.
 struct LogStrain {
   static constexpr double precision = 1e-13;
-  /// Share of a layer's thickness at which it counts as closed and carries any stress; less than the gap at
-  /// which a pad locks (theory.md, Eq. 29).
+  /// Share of the thickness at which a layer counts as closed, below that at which a pad locks (Eq. 29).
   static constexpr double min_complement = 1e-10;
 
   static double most() { return -std::log(min_complement); }

@@ -16,8 +16,7 @@ namespace {
 
 const std::string must = "a layer needs a law whose stress rises with the strain: ";
 
-/// A largest strain from which the stress rises on the way back by more than an error of digitising; nothing
-/// if there is none.
+/// A largest strain from which the stress rises noticeably on the way back; nothing if there is none.
 std::optional<double> strain_of_falling_return(const Foam& law) {
   if (!law.unloading_curve) return std::nullopt;
   constexpr int places = 40;
@@ -36,8 +35,7 @@ std::optional<double> strain_of_falling_return(const Foam& law) {
   return std::nullopt;
 }
 
-/// A rate at which the loading curve falls by more than an error of digitising, 1/s; nothing if all curves
-/// rise.
+/// A rate at which the loading curve falls noticeably, 1/s; nothing if all curves rise.
 std::optional<double> falling_rate(const FoamCurves& curves) {
   if (const std::vector<double> rates = softening_rates(curves); !rates.empty()) return rates.front();
   const auto* power = std::get_if<PowerRateEffect>(&curves.rate_effect);

@@ -1,6 +1,5 @@
 #pragma once
-/// The laws that a layer of a pad may have: their stress rises with the strain at every rate, so that it
-/// determines the strain of each layer (theory.md, Eq. 52).
+/// The laws that a layer may have: their stress rises with the strain and determines it (theory.md, Eq. 52).
 
 #include <cstddef>
 #include <optional>

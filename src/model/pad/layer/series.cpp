@@ -82,11 +82,10 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
   return found;
 }
 
-double LayerSeries::stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const {
+double LayerSeries::stress_rate_when_held(const LayerStates& state) const {
   std::array<LayerTangent, max_layers> tangent;
   for (std::size_t i = 0; i < size(); ++i)
-    tangent[i] =
-        std::visit([&](const auto& layer) { return layer.tangent(strain[i], state[i]); }, layers_[i]);
+    tangent[i] = std::visit([&](const auto& layer) { return layer.tangent(state[i]); }, layers_[i]);
   // The rate r of the stress solves sum L_i (r - relaxing_i) / slope_i = 0 with the slope of the side to
   // which each layer moves. It is piecewise linear, rising and convex in r, so Newton's method descends to
   // the root and ends once no layer changes its side.

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "model/pad/foam/foam_curve.hpp"
@@ -38,8 +37,7 @@ class LayerSeries {
   [[nodiscard]] double memory_at_rest(std::size_t layer) const;
   [[nodiscard]] double memory_off_contact(std::size_t layer, double memory) const;
 
-  /// Stress of the whole column pressed slowly, over y / L: the weight of contact integrals, on which no
-  /// result depends.
+  /// Slow stress of the whole column over y / L: the weight of contact integrals; no result depends on it.
   [[nodiscard]] const FoamCurve& slow_curve() const { return slow_; }
 
   struct Solution {
@@ -57,9 +55,8 @@ class LayerSeries {
   /// The state of a layer at the end of a solved step.
   [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,
                                  const LayerStep& step) const;
-  /// d(stress)/dt if the shortening is held from a state on, Pa/s: layers that relax more yield to the others
-  /// (theory.md, Eq. 54).
-  [[nodiscard]] double stress_rate_when_held(std::span<const Strain> strain, const LayerStates& state) const;
+  /// d(stress)/dt at a held shortening, Pa/s: layers that relax more yield to the others (theory.md, Eq. 54).
+  [[nodiscard]] double stress_rate_when_held(const LayerStates& state) const;
 
  private:
   [[nodiscard]] FoamCurve made_slow_curve() const;

@@ -7,19 +7,14 @@ namespace {
 
 double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::min_complement); }
 
-/// Sum of L_i e_i less y, added layer by layer; near full compression summed by the gaps, which keep their
-/// digits there.
-class Excess {
- public:
-  explicit Excess(const Shortening& end) : by_gap_(end.gap < end.y), sum_(by_gap_ ? end.gap : -end.y) {}
+/// Sum of L_i e_i less y, layer by layer; near full compression by the gaps, which keep their digits.
+struct Excess {
+  explicit Excess(const Shortening& end) : by_gap(end.gap < end.y), value(by_gap ? end.gap : -end.y) {}
   void add(double thickness, Strain strain) {
-    sum_ += by_gap_ ? -thickness * strain.complement : thickness * strain.value;
+    value += by_gap ? -thickness * strain.complement : thickness * strain.value;
   }
-  [[nodiscard]] double value() const { return sum_; }
-
- private:
-  bool by_gap_;
-  double sum_;
+  bool by_gap;
+  double value;
 };
 
 }  // namespace
@@ -41,7 +36,7 @@ double StepSolver::excess(double stress, const Shortening& end) {
     flexibility_ += thicknesses_[i] * last_[i].flexibility;
   }
   last_stress_ = stress;
-  return excess_ = excess.value();
+  return excess_ = excess.value;
 }
 
 void StepSolver::look(std::size_t i, double stress) {
@@ -89,7 +84,7 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
       weighted += thicknesses_[i] * last_[i].flexibility * now;
       flexibility_ += thicknesses_[i] * last_[i].flexibility;
     }
-    stress = (weighted - excess.value()) / flexibility_;
+    stress = (weighted - excess.value) / flexibility_;
     if (!(stress > min_stress)) return false;
     bool settled = true;
     for (std::size_t i = 0; i < layers_.size(); ++i) {

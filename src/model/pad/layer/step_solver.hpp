@@ -38,9 +38,8 @@ class StepSolver {
 
   void begin(const ColumnGuess& guess);
   /// Solves for all layers at once, by secants from the guess on; false if they do not settle soon, or not
-  /// above `least_stress`. Each evaluation gives stress and slope of every layer, from which the stress of
-  /// the column and the next strains follow. This takes half as many evaluations as a root within a root, the
-  /// fallback.
+  /// above `min_stress`. Each evaluation gives stress and slope of every layer, and so the next guess: half
+  /// as many evaluations as the fallback, a root within a root.
   bool settle(const Shortening& end, double min_stress, double& stress);
   /// y at a stress less that of `end`, m.
   double excess(double stress, const Shortening& end);

@@ -1,11 +1,9 @@
 #pragma once
-/// The rate effect m(e, r) of a foam: ratio of the stress in a test at the constant rate r to that of the
-/// base curve.
+/// The rate effect m(e, r) of a foam: stress in a test at the constant rate r over that of the base curve.
 ///
 ///   m(e, r) = s(e, r) / s(e),   m = 1 at and below the slowest tested rate
 ///
-/// Between two tested rates ln m is linear in ln r; above the highest m is constant. m must not fall as the
-/// rate rises. Rates in 1/s.
+/// Between tested rates ln m is linear in ln r, above the highest constant; it must not fall. Rates in 1/s.
 
 #include <array>
 #include <variant>
