@@ -137,15 +137,6 @@ std::optional<ValueRange> share_range(const FitReport& report, const std::string
                     std::max(rounded_to(found->high.value_or(1), card_digits), value)};
 }
 
-bool has_table(const PadLaw& law) {
-  return std::visit(
-      []<class Law>(const Law& held) {
-        if constexpr (SharesSlip<Law>) return std::holds_alternative<TableCurve>(held.curves.base);
-        return false;
-      },
-      law);
-}
-
 }  // namespace
 
 PadLaw law_with(const Fit& fit, std::span<const double> values) {
@@ -161,7 +152,8 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
   // They were those of other numbers.
   of.misfit.reset();
   of.posterior = posterior_of(fit, problem, solved);
-  if (seeks(fit, scale_of_pad) && has_table(card.law)) {
+  const FoamCurves* const curves = foam_curves(card.law);
+  if (seeks(fit, scale_of_pad) && curves && std::holds_alternative<TableCurve>(curves->base)) {
     const auto scale = std::ranges::find(report.unknowns, scale_of_pad, &FittedUnknown::key);
     if (scale->standard_error)
       of.scatter = std::min(

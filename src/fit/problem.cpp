@@ -103,6 +103,11 @@ std::vector<LawSetter> law_setters(const Fit& fit) {
   return setters;
 }
 
+Material material_of(ImpactCase base, const std::vector<LawSetter>& setters, std::span<const double> values) {
+  for (const LawSetter& setter : setters) setter.set(base, values[setter.place]);
+  return std::move(base.pad.material);
+}
+
 }  // namespace
 
 std::size_t Problem::points() const {
@@ -235,12 +240,7 @@ TestPath path_of(const MaterialMeasurement& test) {
 }
 
 std::optional<Block> rule_of_rising(const Fit& fit) {
-  const FoamCurves* const curves = std::visit(
-      []<class Law>(const Law& law) -> const FoamCurves* {
-        if constexpr (SharesSlip<Law>) return &law.curves;
-        return nullptr;
-      },
-      fit.base.pad.material.law);
+  const FoamCurves* const curves = foam_curves(fit.base.pad.material.law);
   if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
   Block block;
   block.is_rule = true;
@@ -248,37 +248,28 @@ std::optional<Block> rule_of_rising(const Fit& fit) {
   block.deviation.assign(places_of_rule, deviation_of_rule);
   block.predict = [base = fit.base, setters = law_setters(fit)](std::span<const double> values,
                                                                 std::span<double> predicted) {
-    ImpactCase impact = base;
-    for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
+    const Material material = material_of(base, setters, values);
     std::visit(
-        [&]<class Law>(const Law& law) {
-          if constexpr (SharesSlip<Law>)
-            std::visit(
-                [&]<class Form>(const Form& form) {
-                  if constexpr (!std::is_same_v<Form, TableCurve>) {
-                    const auto count = static_cast<double>(predicted.size());
-                    const double mean_rise = form.stress(form.highest_strain) / count;
-                    double before = 0;
-                    for (std::size_t i = 0; i < predicted.size(); ++i) {
-                      const double stress =
-                          form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
-                      predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
-                      before = stress;
-                    }
-                  }
-                },
-                law.curves.base);
+        [&]<class Form>(const Form& form) {
+          if constexpr (!std::is_same_v<Form, TableCurve>) {
+            const auto count = static_cast<double>(predicted.size());
+            const double mean_rise = form.stress(form.highest_strain) / count;
+            double before = 0;
+            for (std::size_t i = 0; i < predicted.size(); ++i) {
+              const double stress = form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
+              predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
+              before = stress;
+            }
+          }
         },
-        impact.pad.material.law);
+        foam_curves(material.law)->base);
     return true;
   };
   return block;
 }
 
 Material material_with(const Fit& fit, std::span<const double> values) {
-  ImpactCase impact = fit.base;
-  for (const LawSetter& setter : law_setters(fit)) setter.set(impact, values[setter.place]);
-  return impact.pad.material;
+  return material_of(fit.base, law_setters(fit), values);
 }
 
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
@@ -290,9 +281,8 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
   return [base = fit.base, setters = law_setters(fit), history = std::move(path.history),
           pieces = std::move(pieces),
           memos = std::make_shared<Memos>()](std::span<const double> values, std::span<double> predicted) {
-    ImpactCase impact = base;
-    for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
-    const PadLaw& law = impact.pad.material.law;
+    const Material material = material_of(base, setters, values);
+    const PadLaw& law = material.law;
     // A foam's numbers are within their bounds, and rule_of_rising() sees to its curve.
     if (!std::holds_alternative<Foam>(law) && !violations(law).empty()) return false;
     const std::vector<double> stress = laboratory::stress_at_ends(law, history, &memos->local());

@@ -32,19 +32,14 @@ std::string rule_for_curves(const std::string& table, const PadLaw& law,
                          [&](const std::string& name) { return name.starts_with(prefix); });
     return names.empty() ? ", which has no numbers that can vary" : "; there are " + input::listing(names);
   };
-  return std::visit(
-      [&]<class Law>(const Law& held) {
-        if constexpr (SharesSlip<Law>)
-          return (table == "pad.curve."
-                      ? fmt::format("the curve of the pad has the form {}", form_of(held.curves.base))
-                      : fmt::format("the rate effect of the pad has the form {}",
-                                    form_of(held.curves.rate_effect))) +
-                 there_are(table);
-        else
-          return fmt::format("the law of the pad, {}, is not made of curves", Law::name) +
-                 there_are("pad.parameters.");
-      },
-      law);
+  const FoamCurves* const curves = foam_curves(law);
+  if (curves == nullptr)
+    return fmt::format("the law of the pad, {}, is not made of curves", name_of(law)) +
+           there_are("pad.parameters.");
+  return (table == "pad.curve."
+              ? fmt::format("the curve of the pad has the form {}", form_of(curves->base))
+              : fmt::format("the rate effect of the pad has the form {}", form_of(curves->rate_effect))) +
+         there_are(table);
 }
 
 std::uint64_t blocks_of(const Study& study) { return study.indices ? 2 + sampled_factors(study).size() : 1; }

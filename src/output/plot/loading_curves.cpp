@@ -116,14 +116,10 @@ std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRan
 
 /// "at 0.01 per second"; empty where the law knows no rate.
 std::string rate_words_of(const Material& material, double rate) {
-  const bool has_rate = std::visit(
-      []<class Law>(const Law& law) {
-        if constexpr (SharesSlip<Law>)
-          return !std::holds_alternative<NoRateEffect>(law.curves.rate_effect);
-        else
-          return !Law::memoryless;
-      },
-      material.law);
+  const FoamCurves* const curves = foam_curves(material.law);
+  const bool has_rate =
+      curves ? !std::holds_alternative<NoRateEffect>(curves->rate_effect)
+             : std::visit([]<class Law>(const Law&) { return !Law::memoryless; }, material.law);
   return has_rate ? fmt::format(" at {} per second", brief(rate, 3)) : "";
 }
 
