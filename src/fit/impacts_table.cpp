@@ -22,10 +22,6 @@ namespace dashpad::fit {
 
 using input::Presence;
 using input::TableReader;
-
-using input::Presence;
-
-using input::TableReader;
 using input::TomlNode;
 
 double value_of(const TomlNode& node, const std::string& key, const std::string& unit,
@@ -47,9 +43,6 @@ double value_or_share(TableReader& table, const std::string& key, const std::str
   const bool is_share = node && node->kind == TomlNode::Kind::text && node->text.ends_with('%');
   return is_share ? table.quantity(key, "1") * std::abs(whole) : value_in(table, key, unit);
 }
-
-using input::TableReader;
-using input::TomlNode;
 
 namespace {
 

@@ -56,6 +56,7 @@ struct MaterialMeasurement {
   bool is_held_out = false;     ///< predicted, not fitted
 };
 
+/// A figure of an impact that can be measured, in the order of impact_figure_names().
 enum class ImpactFigure {
   peak_force,
   peak_acceleration,
