@@ -69,13 +69,11 @@ Table limits_table(const laboratory::MaterialTestReport& report, const Cells& ce
                           cells.in_energy("Energy"), "Efficiency", "Ideality"}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     for (std::size_t i = 0; i < run.at_limits.size(); ++i) {
-      Row row{rate_cell(run), cells.stress(report.test.stress_limits[i])};
-      if (const auto& at = run.at_limits[i])
-        row.insert(row.end(), {significant(at->strain), cells.stress(at->energy), significant(at->efficiency),
-                               significant(at->ideality)});
-      else
-        row.insert(row.end(), {"not reached", "-", "-", "-"});
-      table.rows.push_back(row);
+      const auto& at = run.at_limits[i];
+      const std::string limit = cells.stress(report.test.stress_limits[i]);
+      table.rows.push_back(at ? Row{rate_cell(run), limit, significant(at->strain), cells.stress(at->energy),
+                                    significant(at->efficiency), significant(at->ideality)}
+                              : Row{rate_cell(run), limit, "not reached", "-", "-", "-"});
     }
   return table;
 }
@@ -115,19 +113,17 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
                   cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::UpdateOf1984& update_of1984 = *run.update_of_1984;
-    const auto add = [&](const char* name, const std::optional<laboratory::StressAtTurn>& turn) {
-      Row row{rate_cell(run), cells.time(update_of1984.step), name};
-      if (turn)
-        row.insert(
-            row.end(),
-            {cells.stress(turn->last_loading), cells.stress(turn->next), cells.stress(turn->jump()),
-             turn->last_loading > 0 ? fmt::format("{:+.2f}", 100 * turn->jump() / turn->last_loading) : "-"});
-      else
-        row.insert(row.end(), {"-", "-", "-", "-"});
-      table.rows.push_back(row);
-    };
-    add("1984", update_of1984.update_at_turn);
-    add("exact", update_of1984.exact_at_turn);
+    for (const auto& [name, turn] :
+         {std::pair{"1984", update_of1984.update_at_turn}, {"exact", update_of1984.exact_at_turn}}) {
+      Row row{rate_cell(run), cells.time(update_of1984.step), name, "-", "-", "-", "-"};
+      if (turn) {
+        row[3] = cells.stress(turn->last_loading);
+        row[4] = cells.stress(turn->next);
+        row[5] = cells.stress(turn->jump());
+        if (turn->last_loading > 0) row[6] = fmt::format("{:+.2f}", 100 * turn->jump() / turn->last_loading);
+      }
+      table.rows.push_back(std::move(row));
+    }
   }
   return table;
 }

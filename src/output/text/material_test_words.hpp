@@ -39,10 +39,9 @@ bool runs_out(const laboratory::MaterialTestRun& run);
 struct MaterialTestValues {
   const UnitSystem& units;
 
-  [[nodiscard]] std::string stress(double value) const;   ///< "427 kPa"
-  [[nodiscard]] std::string energy(double value) const;   ///< a volume: "1760 kJ/m³"
-  [[nodiscard]] static std::string strain(double value);  ///< "0.558"
-  [[nodiscard]] static std::string share(double value);   ///< "82.9 %"
+  [[nodiscard]] std::string stress(double value) const;  ///< "427 kPa"
+  [[nodiscard]] std::string energy(double value) const;  ///< per volume: "1760 kJ/m³"
+  [[nodiscard]] static std::string share(double value);  ///< "82.9 %"
 };
 
 /// "Best used at 427 kPa: it has then taken 157 kJ/m³ (at 100 per second)". For limits what is taken below
