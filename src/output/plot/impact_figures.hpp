@@ -31,11 +31,15 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
 /// "peaks at 76.3 g and holds 71.2 g for 3 ms".
 std::string peak_words(const injury::InjuryFigures& figures);
 
-/// The window of a head injury criterion: a bracket just above the axis of time, from the begin of the window
-/// to its end; a wash over half of the plot would hide what it is about. `peak`, with its sign, is that of
-/// the curve; `row` counts brackets from the axis on.
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
-                   int row = 0);
+/// The window of a head injury criterion as a bracket just above the time axis: shading would hide the curve.
+/// `value` is the criterion as it is shown; `peak`, with its sign, that of the curve, g; `row` counts
+/// brackets from the axis upwards.
+Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& value, double peak,
+                   std::size_t palette_index, const UnitSystem& units, int row = 0);
+
+/// Adds a line across at the level of the 3 ms clip, g, with its value as it is shown. Level 0 adds nothing:
+/// the pulse is shorter than the clip.
+void add_clip(Panel& panel, double level, const std::string& value);
 
 /// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
 /// support had before the last hundredth of its penetration: at the end it has no finite limit, and would

@@ -61,15 +61,23 @@ std::string peak_words(const injury::InjuryFigures& figures) {
   return words;
 }
 
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
-                   int row) {
+Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& value, double peak,
+                   std::size_t palette_index, const UnitSystem& units, int row) {
   const double foot = (0.02 + 0.11 * row) * peak, arm = foot + 0.05 * peak;
-  return {.label = std::move(label),
+  const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
+  return {.label = fmt::format("{} {}", result_quantity(key).title, value),
           .style = SeriesStyle::solid_line,
           .x = {begin, begin, end, end},
           .y = {arm, foot, foot, arm},
           .palette_index = palette_index,
           .label_place = LabelPlace::middle};
+}
+
+void add_clip(Panel& panel, double level, const std::string& value) {
+  if (level != 0)
+    panel.series.push_back({.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, value),
+                            .style = SeriesStyle::horizontal_line,
+                            .y = {level}});
 }
 
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
@@ -104,16 +112,10 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
   for (const double value : solution.history.acceleration) deceleration.push_back(-value / standard_gravity);
   show_bottoming(panel, solution, deceleration, units);
   if (injury) {
-    panel.series.push_back(
-        hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
-                    value_in(units, injury->hic15.begin, "s"), value_in(units, injury->hic15.end, "s"),
-                    injury->peak.magnitude / standard_gravity, 1));
-    // A pulse may be shorter than the clip.
-    if (const double level = injury->clip_3ms.level / standard_gravity; level > 0)
-      panel.series.push_back(
-          {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, significant(level, 4)),
-           .style = SeriesStyle::horizontal_line,
-           .y = {level}});
+    const double clip = injury->clip_3ms.level / standard_gravity;
+    panel.series.push_back(hic_bracket("hic15", injury->hic15, significant(injury->hic15.value, 4),
+                                       injury->peak.magnitude / standard_gravity, 1, units));
+    add_clip(panel, clip, significant(clip, 4));
   }
   panel.series.push_back({.label = name,
                           .style = SeriesStyle::solid_line,
