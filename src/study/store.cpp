@@ -190,9 +190,7 @@ void Store::write_batch(std::uint64_t batch, std::span<const StoredRow> rows) {
     bind(*file_->insert_row, row);
     file_->insert_row->run();
   }
-  file_->insert_batch->bind(0, static_cast<std::int64_t>(batch))
-      .bind(1, static_cast<std::int64_t>(rows.size()))
-      .run();
+  file_->insert_batch->run_with(static_cast<std::int64_t>(batch), static_cast<std::int64_t>(rows.size()));
   transaction.commit();
   file_->rows_done += rows.size();
 }

@@ -66,6 +66,13 @@ class Statement {
   bool next();
   /// Runs a statement that has no rows, ready for other parameters.
   void run();
+  /// The same with these values for the parameters, from the first on.
+  template <class... Values>
+  void run_with(const Values&... values) {
+    int parameter = 0;
+    (bind(parameter++, values), ...);
+    run();
+  }
   void reset() { sqlite3_reset(handle_.get()); }
 
   /// Values of the row; std::runtime_error where the type is another.
