@@ -26,8 +26,7 @@ std::string rms_words(const MetTest& test) {
 /// "3 figures; pulse drop.csv, rms 2.1 % of its peak".
 std::string impact_words(const ImpactMeasurement& impact, const FitReport& report) {
   std::string words;
-  if (!impact.figures.empty())
-    words = fmt::format("{} figure{}", impact.figures.size(), impact.figures.size() == 1 ? "" : "s");
+  if (!impact.figures.empty()) words = plural(impact.figures.size(), "figure");
   if (!impact.pulse) return words;
   words += fmt::format("{}pulse {}", words.empty() ? "" : "; ", impact.pulse->file);
   for (const MetPulse& met : report.pulses)

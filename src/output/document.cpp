@@ -69,9 +69,7 @@ bool is_column_of_numbers(const Table& table, std::size_t column) {
   return has_number;
 }
 
-std::string shown_value(const ValueRow& row) {
-  return row.unit.empty() ? row.value : row.value + " " + row.unit;
-}
+std::string shown_value(const ValueRow& row) { return with_unit(row.value, row.unit); }
 
 std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
 

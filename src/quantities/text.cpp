@@ -76,10 +76,13 @@ ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
   return shown;
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : number + " " + unit;
+}
+
 std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits) {
   const ScaledUnit shown = shown_as(si_unit, units);
-  const std::string number = brief(shown.scale * value, digits);
-  return shown.unit.empty() ? number : number + " " + shown.unit;
+  return with_unit(brief(shown.scale * value, digits), shown.unit);
 }
 
 std::string percentage(double fraction) {
@@ -107,6 +110,10 @@ std::size_t width_of(std::string_view text) {
 void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
   for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
     text.replace(place, old.size(), fresh);
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string with_article(const std::string& words) {

@@ -23,6 +23,9 @@ std::string plain_number(double value);
 /// The unit in which people see an SI unit: g for accelerations, "" for pure numbers, "in·lbf" for in.lbf.
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units);
 
+/// A number and its unit, which may be empty: "25.4 mm".
+std::string with_unit(const std::string& number, const std::string& unit);
+
 /// An SI value as people see it, with its unit, brief: "25.4 mm", "80 g". Pure numbers have no unit.
 std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits = 5);
 
@@ -37,6 +40,9 @@ double rounded_to(double value, int digits);
 
 /// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
 std::size_t width_of(std::string_view text);
+
+/// "1 figure", "2 figures".
+std::string plural(std::size_t count, const std::string& noun);
 
 /// "a sphere", "an ellipsoid".
 std::string with_article(const std::string& words);

@@ -194,9 +194,6 @@ using Matrix = std::vector<std::vector<double>>;
 /// where C is not positive definite.
 std::optional<Matrix> root_of_correlations(const Study& study);
 
-/// The indices of the sampled factors.
-std::vector<std::size_t> sampled_factors(const Study& study);
-
 /// Rules of the case that levels or the ends of distributions break, under keys such as
 /// "factors.impactor.speed": of all combinations of levels, up to 100,000, or of each level with the first of
 /// the others; and of the ends of each distribution, the others at their medians. For a study whose factors

@@ -79,6 +79,9 @@ struct Study {
 /// More are refused: a billion rows take a day and some 100 GB.
 inline constexpr std::uint64_t max_rows = 1'000'000'000;
 
+/// The indices of the sampled factors.
+std::vector<std::size_t> sampled_factors(const Study& study);
+
 /// Rows of the study, also where they are too many to count in an integer.
 double row_count(const Study& study);
 

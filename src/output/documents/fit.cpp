@@ -116,10 +116,8 @@ Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
   Plot plot = report.tests.empty() ? fit_pulse_figure(report.pulses.front(), units).plot
                                    : fit_test_figure(report.tests.front(), units).plot;
   plot.panels.resize(1);
-  plot.panels.front().title = std::move(plot.title);
-  plot.title.clear();
-  plot.source.clear();
-  return plot;
+  plot.panels.front().title = plot.title;
+  return untitled(std::move(plot));
 }
 
 Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) {

@@ -37,8 +37,7 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
   // Of forces that are not to be relied on all digits but the first say nothing.
   const auto shown = [&](double value, const char* unit) {
     const auto [scale, name] = shown_as(unit, units);
-    return brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3) +
-           (name.empty() ? "" : " " + name);
+    return with_unit(brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3), name);
   };
   std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);

@@ -205,9 +205,7 @@ Document material_document(const Material& material, const UnitSystem& units, Pi
 
 Document materials_document(const std::vector<Material>& materials, const UnitSystem& units,
                             Pictures pictures) {
-  Document document{.title = "Materials",
-                    .lead = Lead{.answer = fmt::format("{} material card{}", materials.size(),
-                                                       materials.size() == 1 ? "" : "s")}};
+  Document document{.title = "Materials", .lead = Lead{.answer = plural(materials.size(), "material card")}};
   if (pictures == Pictures::drawn && !materials.empty())
     document.lead->curve = untitled(materials_plot(materials, units));
   document.sections = {{.heading = "The cards", .seen = Seen::always, .tables = {table_of(materials)}}};

@@ -69,8 +69,8 @@ Table table_of(const Reports& reports, const UnitSystem& units) {
 std::string range_of(const Reports& reports, const char* key, const UnitSystem& units) {
   const auto [least, most] = std::ranges::minmax(values_over(reports, key));
   const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
-  return fmt::format("{} to {}{}{}", brief(unit.scale * least, 3), brief(unit.scale * most, 3),
-                     unit.unit.empty() ? "" : " ", unit.unit);
+  return with_unit(fmt::format("{} to {}", brief(unit.scale * least, 3), brief(unit.scale * most, 3)),
+                   unit.unit);
 }
 
 std::string answer_of(const Reports& reports, const UnitSystem& units) {

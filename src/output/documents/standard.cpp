@@ -78,10 +78,6 @@ std::size_t count_unverified(const injury::Standard& standard) {
   return count;
 }
 
-std::string values_counted(std::size_t count) {
-  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::array<NamedValue, 3> values_of(const injury::Standard& standard) {
@@ -106,13 +102,13 @@ std::string full_name(const injury::Standard& standard) {
 std::string standard_line(const injury::Standard& standard) {
   const std::size_t unverified = count_unverified(standard);
   return fmt::format("  {:<28}{}{}\n", one_line(standard.name), one_line(standard.title),
-                     unverified > 0 ? fmt::format(" ({} unverified)", values_counted(unverified)) : "");
+                     unverified > 0 ? fmt::format(" ({} unverified)", plural(unverified, "value")) : "");
 }
 
 Document standard_document(const injury::Standard& standard, const UnitSystem& units) {
   Document document{.title = one_line(standard.title), .lead = Lead{.answer = one_line(standard.title)}};
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
-    document.warnings = {"UNVERIFIED: " + values_counted(unverified) +
+    document.warnings = {"UNVERIFIED: " + plural(unverified, "value") +
                          " not read in the standard or a source that repeats it, marked so below."};
   Table reading{.columns = {"", ""}, .rows = {{"Name", full_name(standard)}}};
   const auto add = [&reading](const char* what, const std::string& text) {

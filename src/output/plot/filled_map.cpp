@@ -160,11 +160,11 @@ std::vector<double> round_levels(double least, double greatest) {
 
 Series class_of_levels(const std::vector<double>& levels, std::size_t i, const std::string& unit) {
   const std::size_t classes = levels.size() - 1;
-  return {.label = fmt::format("{} to {}{}{}", four_digits(levels[i]), four_digits(levels[i + 1]),
-                               unit.empty() ? "" : " ", unit),
-          .style = SeriesStyle::area,
-          .palette_index = 0,
-          .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
+  return {
+      .label = with_unit(fmt::format("{} to {}", four_digits(levels[i]), four_digits(levels[i + 1])), unit),
+      .style = SeriesStyle::area,
+      .palette_index = 0,
+      .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
 }
 
 std::vector<Series> lone_dots(const std::vector<double>& across, const std::vector<double>& up,

@@ -86,7 +86,8 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
 Series contour(const std::vector<double>& across, const std::vector<double>& up,
                const std::vector<std::vector<double>>& values, double level);
 
-/// The small print.
-std::string study_source(const study::StudyAnswers& answers);
+/// A figure with the version, the number of rows and the title of the study in small print.
+CaptionedPlot study_figure(const study::StudyAnswers& answers, std::string title, std::vector<Panel> panels,
+                           std::string note = {});
 
 }  // namespace dashpad::output

@@ -11,10 +11,6 @@ namespace dashpad::output {
 
 namespace {
 
-std::string count_of(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 /// "a, b and c".
 std::string listed(const std::vector<std::string>& parts) {
   std::string text;
@@ -84,11 +80,11 @@ Misses misses(const fit::FitReport& report, bool held_out) {
 
 std::string fit_headline(const fit::FitReport& report) {
   const Determined of = determined(report);
-  std::string text = of.by_data == of.all ? of.all == 1
-                                                ? "The data determine the unknown"
-                                                : fmt::format("The data determine all {} unknowns", of.all)
-                                          : fmt::format("The data determine {} of {}{}", of.by_data,
-                                                        count_of(of.all, "unknown"), beside_data(of));
+  std::string text = of.by_data == of.all
+                         ? of.all == 1 ? "The data determine the unknown"
+                                       : fmt::format("The data determine all {} unknowns", of.all)
+                         : fmt::format("The data determine {} of {}{}", of.by_data, plural(of.all, "unknown"),
+                                       beside_data(of));
   const std::string missed = words_of(misses(report, false));
   return text + (missed.empty() ? "." : "; the model misses " + missed + ".");
 }
@@ -99,26 +95,24 @@ std::string prediction_words(const fit::FitReport& report) {
 }
 
 std::string fit_answer(const fit::FitReport& report) {
-  const auto fitted = static_cast<std::size_t>(
-      std::ranges::count_if(report.tests, [](const fit::MetTest& test) { return !test.is_held_out; }));
-  const auto figures = static_cast<std::size_t>(std::ranges::count_if(
-      report.figures, [](const fit::MetFigure& met_figure) { return !met_figure.is_held_out; }));
-  std::size_t pulses = 0, points_of_pulses = 0;
-  for (const fit::MetPulse& pulse : report.pulses)
-    if (!pulse.is_held_out) {
-      ++pulses;
-      points_of_pulses += pulse.time.size();
-    }
+  const auto fitted_in = [](const auto& all) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(all, [](const auto& one) { return !one.is_held_out; }));
+  };
+  const std::size_t tests = fitted_in(report.tests), figures = fitted_in(report.figures),
+                    pulses = fitted_in(report.pulses);
+  std::size_t points_of_pulses = 0;
+  for (const fit::MetPulse& pulse : fit::fitted(report.pulses)) points_of_pulses += pulse.time.size();
   const Determined of = determined(report);
   std::vector<std::string> data;
-  if (fitted > 0)
-    data.push_back(count_of(report.points - figures - points_of_pulses, "point") + " of " +
-                   count_of(fitted, "test"));
-  if (figures > 0) data.push_back(count_of(figures, "figure") + " of impacts");
+  if (tests > 0)
+    data.push_back(plural(report.points - figures - points_of_pulses, "point") + " of " +
+                   plural(tests, "test"));
+  if (figures > 0) data.push_back(plural(figures, "figure") + " of impacts");
   if (pulses > 0)
-    data.push_back(count_of(points_of_pulses, "point") + " of " + count_of(pulses, "pulse") + " of impacts");
-  if (report.priors > 0) data.push_back(count_of(report.priors, "prior"));
-  std::string text = count_of(of.all, "unknown") + " from " + listed(data);
+    data.push_back(plural(points_of_pulses, "point") + " of " + plural(pulses, "pulse") + " of impacts");
+  if (report.priors > 0) data.push_back(plural(report.priors, "prior"));
+  std::string text = plural(of.all, "unknown") + " from " + listed(data);
   text += of.by_data == of.all ? ": the data determine all of them. "
                                : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)

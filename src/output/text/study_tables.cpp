@@ -38,7 +38,7 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
     const study::Distribution& distribution = of_group.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
-    Row row{label(name, si_unit_of(name), units)};
+    Row row{label(name, units)};
     if (of_group.group.drawn)
       row.insert(row.end(), {with_interval(distribution.mean, shown.scale), digits(distribution.deviation)});
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
@@ -64,8 +64,7 @@ void add_exceedances(Table& table, const study::StudyAnswers& answers,
     const study::StudyLimit& limit = answers.limits[i];
     const study::Exceedance& exceedance = of_group.exceedances[i];
     const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
-    Row row{title_of(limit.response),
-            four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
+    Row row{title_of(limit.response), with_unit(four_digits(shown.scale * limit.value), shown.unit),
             share_above(exceedance), std::to_string(exceedance.exceeding)};
     if (answers.records.struck_through > 0)
       row.push_back(
@@ -176,15 +175,16 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   std::vector<std::string> texts;
   const study::Records& records = answers.records;
   const std::size_t rows = records.rows.size();
+  const auto add = [&](std::uint64_t count, const char* name, const char* words) {
+    if (count > 0) texts.push_back(fmt::format("{} {} of {} rows {}", name, count, rows, words));
+  };
   if (rows < answers.rows)
     texts.push_back(fmt::format(
         "NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same command goes on.",
         rows, answers.rows));
-  if (records.doubtful > 0)
-    texts.push_back(
-        fmt::format("DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that "
-                    "was asked for. No limit is decided by them.",
-                    records.doubtful, rows));
+  add(records.doubtful, "DOUBTFUL:",
+      "miss the tolerance, make no valid case or lack a figure that was asked for. No limit is decided by "
+      "them.");
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
@@ -193,26 +193,16 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
         records.struck_through, rows,
         four_digits(100 * static_cast<double>(records.struck_through) / static_cast<double>(rows))));
   if (records.bottomed > records.struck_through)
-    texts.push_back(
-        fmt::format("BOTTOMED: in {} of {} rows the pad was fully compressed and only the support gave way; "
-                    "they count by their figures.",
-                    records.bottomed - records.struck_through, rows));
-  if (records.time_limit > 0)
-    texts.push_back(fmt::format(
-        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was reached. "
-        "Their largest values are lower bounds: a limit that they do not exceed is undecided.",
-        records.time_limit, rows));
-  if (records.beyond_strain > 0)
-    texts.push_back(fmt::format(
-        "EXTRAPOLATED STRAIN: {} of {} rows go beyond the tested strain, where the foam is a guess.",
-        records.beyond_strain, rows));
-  if (records.beyond_rate > 0)
-    texts.push_back(
-        fmt::format("EXTRAPOLATED RATE: {} of {} rows go beyond the tested rates, where the foam is a law.",
-                    records.beyond_rate, rows));
-  if (records.extrapolated > 0 && records.beyond_strain + records.beyond_rate == 0)
-    texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
-                                records.extrapolated, rows));
+    add(records.bottomed - records.struck_through, "BOTTOMED: in",
+        "the pad was fully compressed and only the support gave way; they count by their figures.");
+  add(records.time_limit, "TIME LIMIT: in",
+      "the impactor was still on the pad when the time limit was reached. Their largest values are lower "
+      "bounds: a limit that they do not exceed is undecided.");
+  add(records.beyond_strain,
+      "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam is a guess.");
+  add(records.beyond_rate, "EXTRAPOLATED RATE:", "go beyond the tested rates, where the foam is a law.");
+  if (records.beyond_strain + records.beyond_rate == 0)
+    add(records.extrapolated, "EXTRAPOLATED:", "go beyond what the material was measured for.");
   if (answers.groups.size() > max_groups_shown)
     texts.push_back(fmt::format("CUT: the first {} of {} combinations of levels are shown; --json has all.",
                                 max_groups_shown, answers.groups.size()));

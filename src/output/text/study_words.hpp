@@ -36,11 +36,10 @@ std::string three_digits(const std::string& response, double value, const UnitSy
 /// "2080 to 9170 N".
 std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units);
 /// "Peak force (kN)".
-std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
+std::string label(const std::string& response, const UnitSystem& units);
 
-/// Numbers in Study::factors of those with levels, and of those with distributions.
+/// The indices in Study::factors of the factors with levels.
 std::vector<std::size_t> level_factors(const study::Study& study);
-std::vector<std::size_t> sampled_factors(const study::Study& study);
 
 /// "5 m/s", or the name of a material.
 std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
