@@ -90,10 +90,10 @@ FittedRange range_of_tests(const Fit& fit) {
   return range;
 }
 
-/// What was tested, never what the model reached: tests say up to which strain, and impacts, whose forces
-/// were measured, at which rates. Without tests the strain is what the card says that the fit started from;
-/// then that of a curve that the file gave. One rate counts for half a decade on either side. Absent where
-/// nobody says a strain.
+/// The tested range, never what the model reached. Tests give the strains; impacts, whose forces were
+/// measured, give rates. Without tests the strain is that of the card from which the fit started, else that
+/// of a curve in the fit file. A single rate covers half a decade on either side. Absent if no strain is
+/// known.
 std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double> values,
                                          const Material& material) {
   FittedRange range = range_of_tests(fit);
@@ -135,8 +135,8 @@ void round_stresses(Of& owner) {
         parameter.set(owner, rounded_to(parameter.of(owner), card_digits));
 }
 
-/// With the card_digits that are written; as it is where it then would break a rule, as a table whose
-/// neighbours are nearly equal.
+/// The law with its stresses rounded to card_digits; unchanged if the rounded law would break a rule, as a
+/// table with nearly equal neighbours might.
 PadLaw rounded(const PadLaw& exact) {
   PadLaw result = exact;
   std::visit(

@@ -1,5 +1,5 @@
 #pragma once
-/// What a fit found, for people and programs: a material card with what it leaves open, and a case.
+/// The results of a fit: a material card with its reservations and uncertainty, and a case.
 
 #include <atomic>
 #include <optional>
@@ -63,12 +63,13 @@ bool assumes_recoil(const Fit& fit);
 /// of the base curve; and where there are as many data as unknowns then.
 void seek_recoil(Fit& fit);
 
-/// What is said of the minimum, its uncertainty and the data, but for the time.
+/// Fills the report with the minimum, its uncertainty and the measurements, but not with times.
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report);
 
-// How a material meets the measurements, those that it was fitted to and others (theory.md, section 6).
+// How the material meets the measurements, fitted and held out (theory.md, section 6).
 
-/// Of the points of a test that count; `values` of the unknowns, `offset` in Pa.
+/// The comparison with a test at the points that count. `values` are those of the unknowns, `offset` is in
+/// Pa.
 MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<const double> values,
                  double offset);
 
@@ -87,15 +88,15 @@ struct RateRange {
 };
 RateRange rates_of(const MaterialMeasurement& test);
 
-/// Of an impact with these values of the unknowns, to the tolerance of its case.
+/// The comparison of figures with an impact at these values of the unknowns, to the tolerance of its case.
 std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& impact,
                                        std::span<const double> values);
 
-// By what the law misses impacts that it was not fitted to: what a card says of that (theory.md, section 6).
+// The misfit of impacts to which the law was not fitted, as a card states it (theory.md, section 6).
 
-/// What a misfit is told of.
+/// The kinds of figures with a misfit of their own.
 enum class FigureKind { acceleration, hic, rebound, penetration };
-/// Nothing for figures on which no verdict rests.
+/// The kind of a figure; none if no verdict rests on it.
 std::optional<FigureKind> kind_of(ImpactFigure figure);
 
 /// A figure of an impact that was predicted.

@@ -17,8 +17,7 @@ namespace {
 const std::string pad_prefix = "pad.";
 const std::string scale_of_pad = "pad.scale";
 
-/// Both ends of a principal axis: coordinates one standard deviation down and up it, as far as the bounds
-/// let.
+/// The ends of a principal axis: coordinates one standard deviation down and up, within the bounds.
 struct Axis {
   std::vector<double> minus, plus;
   double effect = 0;  ///< on what was fitted, squared
@@ -128,7 +127,7 @@ PosteriorAxes posterior_of(const Fit& fit, const Problem& problem, const Solved&
   return posterior;
 }
 
-/// Of a parameter of a foam that lies between 0 and 1.
+/// The range of a foam parameter that lies between 0 and 1.
 std::optional<ValueRange> share_range(const FitReport& report, const std::string& key, double value) {
   const auto found =
       std::ranges::find(report.unknowns, pad_prefix + "parameters." + key, &FittedUnknown::key);
@@ -149,7 +148,7 @@ PadLaw law_with(const Fit& fit, std::span<const double> values) {
 dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, const Solved& solved,
                                     const FitReport& report, const Material& card) {
   dashpad::Uncertainty of = fit.base.pad.material.uncertainty;
-  // They were those of other numbers.
+  // The old misfit belongs to other numbers.
   of.misfit.reset();
   of.posterior = posterior_of(fit, problem, solved);
   const FoamCurves* const curves = foam_curves(card.law);
@@ -171,7 +170,7 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
                                                   return !test.is_held_out && test.rms_unloading.has_value();
                                                 }) ||
                             has_fitted(fit.impacts);
-  // What is known to both sides is in the axes already.
+  // If the interval has both ends, the axes contain its uncertainty already.
   const auto sought =
       std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);
   const bool is_in_axes =

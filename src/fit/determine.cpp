@@ -72,7 +72,7 @@ void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& mi
   }
 }
 
-/// Of the misfit, at the ends of an interval.
+/// The rise of the misfit at the ends of an interval.
 double threshold_of(const FitReport& report) {
   if (report.noise_is_stated || report.degrees_of_freedom < 1) return threshold_of_95;
   const double t = uncertainty::student_95(report.degrees_of_freedom);

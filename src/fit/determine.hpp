@@ -56,12 +56,13 @@ struct Minimum {
 inline constexpr double coarse = 1e-6, fine = 1e-10;
 inline constexpr int max_iterations = 300;
 
-/// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
+/// Searches from a start by the method of Levenberg and Marquardt, within [0, 1]. Coordinates that are `held`
+/// stay; if it is empty, none is.
 Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
                  const std::vector<bool>& held = {}, int iterations = max_iterations);
 
 struct ProfileEnd {
-  /// Absent where the misfit does not rise so far within the bounds, or within what makes a material.
+  /// Absent if the misfit does not rise so far within the bounds, or within the range of valid materials.
   std::optional<double> x;
   bool is_rough = false;  ///< the refits ran out before it was as exact as asked for
   /// A better minimum, if one was met on the way.
@@ -76,11 +77,12 @@ struct ProfileRequest {
   std::vector<double> direction = {};  ///< of all coordinates, for a first guess of the others; 1 for its own
 };
 
-/// From a minimum, to half a per cent of the distance; with impacts, to two per cent. Some ten refits, each
-/// with the others from where the curvature at the minimum expects them.
+/// Searches from a minimum for the end of an interval, to half a per cent of the distance, or to two per cent
+/// with impacts. It takes about ten refits, each beginning where the curvature at the minimum predicts the
+/// other coordinates.
 ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const ProfileRequest& request);
 
-// How sure a minimum is, from the derivatives of the residuals there.
+// The uncertainty of a minimum from the derivatives of the residuals there.
 //
 // With J the derivatives and r the residuals over their deviations, the errors of the coordinates have the
 // covariance
@@ -90,7 +92,8 @@ ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const Pr
 // w_k = n / n_eff is 1 for independent errors, and (1 + rho) / (1 - rho) for errors along a curve whose
 // neighbours are correlated by rho: the fit weighs them as if they were independent.
 //
-// What follows from it for predictions, and draws from the Laplace approximation of a posterior.
+// From the covariance follow the uncertainty of predictions and draws from the Laplace approximation of the
+// posterior.
 
 /// Eigenvalues of a symmetric matrix, rising, and their directions of length 1.
 struct PrincipalAxes {
@@ -105,8 +108,8 @@ struct PrincipalAxes {
 /// `matrix` holds `size` rows of `size` numbers.
 [[nodiscard]] PrincipalAxes principal_axes(std::span<const double> matrix, std::size_t size);
 
-/// Of a covariance of coordinates from 0 to 1, the standard deviation along an axis. A direction of which the
-/// data say nothing counts as even between the bounds.
+/// The standard deviation along an axis of a covariance of coordinates in [0, 1]. Along a direction that the
+/// data do not determine the distribution is uniform between the bounds.
 [[nodiscard]] double deviation_along(const PrincipalAxes& axes, std::size_t k);
 
 /// Lag-1 correlation of residuals along a curve, and how many independent ones they are worth.
@@ -117,7 +120,8 @@ struct Autocorrelation {
 Autocorrelation autocorrelation_of(std::span<const double> residuals);
 
 struct Uncertainty {
-  /// Of each coordinate; absent at a bound, and where a move across the bounds is within the noise.
+  /// The standard error of each coordinate; absent at a bound, and where the noise exceeds a move across the
+  /// bounds.
   std::vector<std::optional<double>> error;
   std::vector<double> widening;    ///< of its variance, by correlated residuals
   std::vector<double> covariance;  ///< row by row; rows of coordinates at a bound are 0
@@ -129,7 +133,8 @@ struct Uncertainty {
   std::vector<Autocorrelation> blocks;  ///< of the curve of each
 };
 
-/// At a minimum. `scale` multiplies variances. False where the derivatives cannot be evaluated.
+/// Finds the uncertainty at a minimum. `scale` multiplies variances. False if the derivatives cannot be
+/// evaluated.
 bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std::span<const double> x,
                       double scale, Uncertainty& into);
 
@@ -151,9 +156,10 @@ std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
                                                 std::span<const double> gradient, std::size_t count,
                                                 std::uint64_t seed);
 
-// From the starts to the best minimum, and what goes along while that runs.
+// The search from the starts to the best minimum, and the session in which it runs.
 
-/// For several threads.
+/// The session of a fit: the request to stop, the progress, and the finished pieces of work. Safe for several
+/// threads.
 class Session {
  public:
   /// Reads what is kept. Throws as check_state() does.
@@ -197,8 +203,8 @@ struct Solved {
   std::vector<ProfileEnd> below, above;  ///< of each coordinate
 };
 
-/// From a minimum to the best one that profiles from there meet, with its profiles; report.converged says
-/// whether it is one. Noise that nobody stated is put into the problem.
+/// Proceeds from a minimum to the best one that its profiles meet, with the profiles there; report.converged
+/// tells whether it is a minimum. Noise that is not stated is estimated and put into the problem.
 Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimum, Session& session,
                  FitReport& report);
 

@@ -38,7 +38,7 @@ Missed missed(std::span<const PredictedFigure> all, FigureKind kind) {
 double deviation_of(const Missed& missed, double surest, bool is_predicted) {
   const double all = worth_of_surest + missed.count;
   const double mean = (worth_of_surest * surest * surest + missed.squares) / all;
-  // What was fitted says that the law is no better than that, not that it is as good.
+  // Fitted impacts show that the law is no better than this, not that it is as good.
   const double square = is_predicted ? mean : std::max(mean, surest * surest);
   const double t = uncertainty::student_95(is_predicted ? all : worth_of_surest);
   return std::min(std::sqrt(square) * t / uncertainty::two_sided_95, 1.0);

@@ -222,7 +222,7 @@ input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::f
   top.refuse_others();
   if (has_base) fit.recoil_is_stated = states_recoil(root, of_base);
   if (faults.size() == 0) seek_recoil(fit);
-  // What follows from several entries is judged where each is sound.
+  // Rules between entries are checked only if each entry is sound.
   if (faults.size() == 0) add_broken_rules(violations(fit), root, lines, faults);
   return faults.reading(std::move(result));
 }

@@ -12,7 +12,7 @@
 
 namespace dashpad::fit {
 
-/// Where what a broken rule is about stands, by its key.
+/// The lines of the keys that broken rules may name.
 using Lines = std::map<std::string, int>;
 
 /// [unknowns]. Without a sound base, names of the law are taken on trust.
@@ -20,7 +20,7 @@ void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& line
 /// The pulse of an impact: {file = ..., deviation = ...}. Nothing after a fault.
 std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
                                                std::vector<input::InputFile>& files);
-/// One of [[tests]] and [[impacts]]; the files that they name are added to `files`.
+/// Read one of [[tests]] or [[impacts]] and add the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
 ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& folders,

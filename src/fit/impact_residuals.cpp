@@ -26,7 +26,7 @@ namespace {
 /// outside.
 class SmoothCurve {
  public:
-  /// Two points or more, at increasing times.
+  /// Needs two points or more, at increasing times.
   SmoothCurve(std::vector<double> time, std::vector<double> value)
       : time_(std::move(time)), value_(std::move(value)), slope_(time_.size()) {
     const std::size_t last = time_.size() - 1;
@@ -45,7 +45,7 @@ class SmoothCurve {
     return within(static_cast<std::size_t>(next - time_.begin()) - 1, time);
   }
 
-  /// When the curve first reaches a level; the first time where it is there already or never comes there.
+  /// The time when the curve first reaches a level; the first time if it begins there or never reaches it.
   [[nodiscard]] double first_at(double level) const {
     const auto first = std::ranges::find_if(value_, [&](double value) { return value >= level; });
     if (first == value_.begin() || first == value_.end()) return time_.front();
@@ -73,7 +73,8 @@ constexpr int points_per_step = 4;  ///< of the curve through the steps of the s
 
 using Setter = std::function<void(ImpactCase&, double)>;
 
-/// How each unknown gets into an impact. Throws std::invalid_argument where that has no such quantity.
+/// Functions that set the unknowns of an impact. Throws std::invalid_argument if the impact has no such
+/// quantity.
 std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
   std::vector<Setter> setters;
   const CaseQuantities quantities = quantities_of(impact);
@@ -124,7 +125,8 @@ struct ComputedPulse {
   SmoothCurve curve;
   double onset = 0;
 
-  /// At a time since the measured onset; nothing before first contact and after the end of contact.
+  /// The deceleration at a time since the measured onset; 0 before first contact and after the end of
+  /// contact.
   [[nodiscard]] double at(double time, double shift) const { return curve.at(onset + time - shift); }
 };
 
@@ -254,7 +256,7 @@ class ImpactPrediction {
 const std::vector<ImpactFigureName>& impact_figure_names() {
   static const std::vector<ImpactFigureName> names = [] {
     std::vector<ImpactFigureName> all;
-    // In the order of ImpactFigure.
+    // The order is that of ImpactFigure.
     for (const auto& [key, quantity] : {std::pair{"peak_force", "peak_force"},
                                         {"peak_acceleration", "peak_acceleration"},
                                         {"time_of_peak", "time_to_peak_force"},

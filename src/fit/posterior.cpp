@@ -1,4 +1,4 @@
-// What follows from the covariance of a minimum: predictions and draws.
+// Predictions and draws from the covariance of a minimum.
 
 #include <algorithm>
 #include <cmath>

@@ -87,7 +87,7 @@ constexpr std::size_t places_of_rule = 100;
 constexpr double min_rise = 0.01;
 constexpr double deviation_of_rule = 1e-4;
 
-/// How an unknown of the law gets into a case, by its place among the unknowns.
+/// The index of an unknown of the law, and a function that sets it in a case.
 struct LawSetter {
   std::size_t place;
   std::function<void(ImpactCase&, double)> set;

@@ -54,15 +54,15 @@ using Predict = std::function<bool(std::span<const double> values, std::span<dou
 /// put into the values; it costs no impact.
 using Settle = std::function<bool(std::span<double> values, std::span<double> predicted)>;
 
-/// One source of data.
+/// A source of data with its residuals.
 struct Block {
   std::size_t first = 0;  ///< of its residuals
   std::vector<double> measured;
   std::vector<double> deviation;
   std::optional<std::size_t> offset;  ///< the coordinate that is added to what is predicted
   Predict predict;
-  /// From this residual on they follow each other along a curve: a test, or the pulse of an impact behind its
-  /// figures. Absent: none does.
+  /// The first residual from which on the data follow a curve: that of a test, or of a pulse behind the
+  /// figures of its impact. Absent if none does.
   std::optional<std::size_t> curve;
   std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
   Settle settle;                     ///< where there is a shift
@@ -90,23 +90,24 @@ struct Problem {
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
 };
 
-/// How many coordinates it has: unknowns, offsets and shifts.
+/// The number of coordinates: unknowns, offsets and shifts.
 std::size_t coordinate_count(const Fit& fit);
 
 /// `runs`: of the solver, for each impact.
 Problem problem_of(const Fit& fit, int runs);
 
-/// What predicts the points of a test that count, from the values of the unknowns.
+/// A function that predicts the points of a test that count from the values of the unknowns.
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
-/// What predicts the figures of an impact, then its pulse: by `runs` runs, or to the tolerance of the case
-/// with 0. The pulse has the onset of the measured one, or comes later by the coordinate `shift`.
+/// A function that predicts the figures of an impact, then its pulse, with `runs` runs of the solver, or to
+/// the tolerance of the case if `runs` is 0. The pulse begins at the measured onset, or later by the
+/// coordinate `shift`.
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
                       std::optional<std::size_t> shift = {});
 /// The same with the best shift between these bounds, s.
 Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::size_t shift,
                    double lowest, double highest);
 
-/// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
+/// A block that keeps the base curve of a foam rising; none for a law whose curves are not formulas.
 std::optional<Block> rule_of_rising(const Fit& fit);
 
 /// Whether the model admits nothing beyond that bound of an unknown.
@@ -125,7 +126,7 @@ std::optional<Pulse> smooth_pulse(const Solution& solution);
 
 struct TestPath {
   laboratory::StrainHistory history;
-  /// For each point of the test how many pieces lead to it; 0: it is the start, at stress 0.
+  /// The number of pieces that lead to each point of the test; 0 for the start, at stress 0.
   std::vector<std::size_t> pieces_to;
 };
 

@@ -6,7 +6,7 @@
 namespace dashpad::fit {
 namespace {
 
-/// Of the root of the rise over the threshold; with impacts each refit costs hundreds of them.
+/// The accuracy of the root of the rise over the threshold. With impacts each refit costs hundreds of them.
 constexpr double close_enough = 5e-3, close_enough_with_impacts = 2e-2;
 constexpr int max_refits = 40, max_refits_with_impacts = 12;
 constexpr int iterations_with_impacts = 12;  ///< of a refit
@@ -78,12 +78,12 @@ class Profiler {
     return low.distance + width * std::clamp(straight, 0.05, 0.95);
   }
 
-  /// With impacts a refit that ran out of iterations counts: its misfit is a little high.
+  /// With impacts a refit that ran out of iterations counts; its misfit is slightly too high.
   [[nodiscard]] bool is_good(const Minimum& refit) const {
     return problem_.takes_impacts ? refit.is_sound : refit.converged;
   }
 
-  /// Nothing where no material was found.
+  /// The root of the rise at a distance; none if no material was found there.
   std::optional<double> rise_at(double distance) {
     const double place = std::clamp(minimum_.x[request_.coordinate] + request_.side * distance, 0.0, 1.0);
     std::vector<double> guess = minimum_.x;

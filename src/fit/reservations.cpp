@@ -1,4 +1,4 @@
-// What a user of a fitted foam has to keep in mind, and the recoil that nobody stated.
+// Reservations about a fitted foam, and the recoil that nobody stated.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 constexpr const char* key_of_recoil = "pad.parameters.recoil";
 /// A test at more than this many times the rate of the base curve has stress that the rate added.
 constexpr double clearly_faster = 2;
-/// Of the largest strain: what a test has to come back for a way back.
+/// The share of the largest strain by which a test must come back to count as unloaded.
 constexpr double min_way_back = 0.1;
 
 const TomlNode* in(const TomlNode* table, const char* key) { return table ? table->child(key) : nullptr; }
@@ -74,7 +74,7 @@ void add_doubts(const FitReport& report, Sentences& all) {
   if (report.starts_at_best == 0)
     all.emplace_back(
         "No start of the search came to this fit, which was met on the way: there may be a better one.");
-  // Of good data chi-squared scatters by the root of twice its degrees of freedom.
+  // For sound data, chi-squared scatters by the root of twice its degrees of freedom.
   const double most = 1 + 3 * std::sqrt(2 / std::max(report.degrees_of_freedom, 1.0));
   if (report.noise_is_stated && report.misfit_per_degree() > most)
     all.push_back(fmt::format(
@@ -121,7 +121,7 @@ void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) 
   }
 }
 
-/// What the impacts were met with, beside the card.
+/// Values beside those of the card with which the impacts were met.
 void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
   bool is_scaled = false;
   for (const FittedUnknown& fitted_unknown : report.unknowns) {
@@ -140,7 +140,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
                                 *test.offset / 1000));
 }
 
-/// Where the card says that it was tested, if no compression test says so.
+/// The source of the tested range if no compression test gives it.
 void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
   const bool has_tests = has_fitted(fit.tests);
   const Material& base = fit.base.pad.material;

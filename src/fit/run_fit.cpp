@@ -44,7 +44,7 @@ FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& s
   return found;
 }
 
-/// How each test, figure and pulse is met.
+/// Compares the model with each test, figure and pulse.
 void describe_measurements(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
   const std::vector<double> values = problem.values(solved.minimum.x);
@@ -116,7 +116,7 @@ void throw_if_broken(const Fit& fit) {
   throw std::invalid_argument(message);
 }
 
-/// What a card says of impacts that the law was not fitted to.
+/// Puts the misfit of impacts to which the law was not fitted into the card.
 void find_misfit(const Fit& fit, const Problem& problem, const Solved& solved, Session& session,
                  std::atomic<std::size_t>& evaluations, FitReport& report) {
   const std::vector<PredictedFigure> predicted =
@@ -178,7 +178,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     report.solver_runs = runs;
     Problem problem = problem_of(fit, runs);
     const LeastSquares residuals = least_squares_of(problem, session, evaluations);
-    // More runs move the minimum a little: there is no need to search again.
+    // More runs move the minimum only a little, so that no new search is needed.
     if (runs <= first_runs) minimum = search(fit, problem, residuals, session, report);
     if (minimum.converged) minimum = minimise(residuals, minimum.x);
     session.throw_if_stopped();

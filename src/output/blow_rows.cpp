@@ -82,7 +82,7 @@ std::vector<std::string> reservations(const std::vector<BlowResult>& blows) {
       list += (list.empty() ? "" : ", ") + std::to_string(blow.summary.blow);
     }
   }
-  // Those of the last stand with its figures.
+  // The flags of the last blow are listed with its figures.
   for (const Flag& flag : flags(blows.back().summary)) blows_with.erase(flag.name);
   std::vector<std::string> lines;
   for (const auto& [name, list] : blows_with)

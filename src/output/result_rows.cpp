@@ -32,7 +32,7 @@ std::string part_of_pad(double penetration, double thickness, int digits) {
                                  : fmt::format("{} % of the pad", significant(100 * (1 - left), digits));
 }
 
-/// What a reader would otherwise take for a finding.
+/// A note that an elastic rebound is an assumption, not a finding.
 std::string loss_words(const Pad& pad) {
   const auto is_free = [](const Material& material) {
     const auto* const foam = std::get_if<Foam>(&material.law);
@@ -94,7 +94,7 @@ ValueRow row_of(const ResultQuantity& result_quantity, double value, const UnitS
           .unit = shown.unit};
 }
 
-/// What the text shows, those that a designer asks for first on top.
+/// The rows of a summary in the order of the text, beginning with those that designers ask for first.
 const std::vector<const SummaryQuantity*>& rows_of_summary() {
   static const std::vector<const SummaryQuantity*> all = [] {
     std::vector<const SummaryQuantity*> rows;
@@ -135,7 +135,7 @@ std::string tolerance_text(const Summary& summary) {
                                : "without meeting the tolerance of " + tolerance;
 }
 
-/// Of a run that went through.
+/// The end of a completed run.
 std::string end_of_contact(const Summary& summary) {
   if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
     return "The impactor left the pad and goes on, more slowly than the body behind it.";
@@ -210,7 +210,7 @@ std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const Uni
   for (const injury::InjuryValue& injury_value : values) {
     const ResultQuantity& quantity = *injury_value.quantity;
     if (detail == Detail::main && !quantity.role.is_main) continue;
-    // Of a pulse that is shorter than the clip.
+    // A pulse shorter than 3 ms has no clip.
     if (detail == Detail::main && injury_value.value == 0 && std::string_view{quantity.key}.ends_with("_3ms"))
       continue;
     if (detail == Detail::main && before != nullptr && is_same(injury_value, *before)) {

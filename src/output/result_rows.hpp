@@ -18,11 +18,11 @@
 
 namespace dashpad::output {
 
-/// How it ended, in one sentence.
+/// The outcome of the impact in one sentence.
 std::string outcome(const Summary& summary);
 
-/// What to beware of, each beginning with a word in capitals: the flags of
-/// dashpad/impact/flags.hpp, with moments in the units of the reader.
+/// The flags of a summary (dashpad/impact/flags.hpp), each beginning with a word in capitals, with moments in
+/// the reader's units.
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units);
 
 /// Every figure of the impact; none if nothing was run.
@@ -48,7 +48,7 @@ std::string numbers_text(const Summary& summary);
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
 std::string stretch(double begin, double end, const UnitSystem& units, int digits);
 
-/// How the peaks grow from the first blow to the last; why they do not where the pad recovers.
+/// The growth of the peaks from the first to the last blow, or why they do not grow.
 std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>& blows);
 
 /// A row a blow.
@@ -61,14 +61,14 @@ std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 /// "980 to 1010", "34.1 to 38.2 g"; "231 g or more" where there is no bound. Three digits, and as many as it
 /// takes to tell the ends apart.
 std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
-/// Of a figure as a whole.
+/// The interval of a figure from all sources together.
 std::string interval_words(const FigureInterval& figure_interval, const UnitSystem& units);
 
 /// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
 std::vector<std::string> source_words(const FigureInterval& figure_interval, const Intervals& intervals,
                                       const UnitSystem& units);
 
-/// Beside each row its interval, where it has one.
+/// Adds intervals to the rows whose figures have them.
 void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units);
 
 /// A figure a row, those that are asked for first: with all that is not known together, then with each source

@@ -134,7 +134,7 @@ std::string unknown_unit(const std::string& unit, const Dimension& wanted) {
                      other_capitals(unit, wanted));
 }
 
-/// What 1 of the unit is in SI.
+/// The value of 1 unit in SI.
 SiValue factor_of(const std::string& unit, const Dimension& wanted) {
   const std::string si_unit(wanted.si_unit);
   const auto [match, factor] = unit_factor(unit, si_unit);

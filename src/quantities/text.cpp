@@ -15,7 +15,8 @@ namespace dashpad {
 
 namespace {
 
-/// As many whole digits or more, but not so many that an exponent is easier to read.
+/// Whether a number has that many digits before its point, but not so many that an exponent is easier to
+/// read.
 bool is_long(double value, int digits) {
   return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
 }
@@ -31,8 +32,8 @@ std::size_t unseen(std::string_view text) {
   return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
 }
 
-/// Without what a terminal obeys instead of showing it, but for `kept`. Bytes that are no UTF-8 become `odd`,
-/// or stay where that is empty.
+/// The text without characters that a terminal obeys instead of showing them, except those in `kept`. Bytes
+/// that are not UTF-8 become `odd`, or stay if that is empty.
 std::string shown_text(std::string_view text, std::string_view kept, std::string_view odd) {
   std::string shown;
   while (!text.empty()) {
@@ -98,7 +99,7 @@ std::string shown_unit(const std::string& unit) {
 }
 
 double rounded_to(double value, int digits) {
-  // Not std::stod, which takes a number below 2.2e-308 for an error.
+  // std::stod would report a number below 2.2e-308 as an error.
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 

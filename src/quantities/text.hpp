@@ -57,7 +57,7 @@ std::string one_line(std::string_view text);
 /// UTF-8 become U+FFFD.
 std::string without_controls(std::string_view text);
 
-/// What a message quotes of a name: at most `most` bytes and "...", never half a character.
+/// A name as a message quotes it: at most `most` bytes, then "...", never half a character.
 std::string quoted_part(std::string_view text, std::size_t most = 60);
 /// A message in which no word is longer than a message can be of use: of such a word the beginning.
 std::string without_endless_words(std::string_view line);

@@ -36,8 +36,8 @@ constexpr bool can_take_exponent(char before) {
   return is_letter(before) || is_digit(before) || before == '^' || before == ')';
 }
 
-/// What text holds that is none of names, exponents and the signs / * . ^ ( ) between them: a number beside
-/// exponents and the 1 of "1/s", or another sign. Nothing if it may be a unit.
+/// Finds anything but names, exponents and the signs / * . ^ ( ) between them: a number other than an
+/// exponent or the 1 of "1/s", or another sign. None if the text may be a unit.
 std::optional<UnitMatch> stranger_in(std::string_view text) {
   if (text.starts_with("1/") || text.starts_with("1 /")) text.remove_prefix(1);
   char before = ' ';

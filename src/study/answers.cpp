@@ -27,7 +27,7 @@ std::vector<double> sorted_values(std::span<const double> values) {
   return present;
 }
 
-/// Two passes: the first one's mean keeps the squares small. `values` are finite.
+/// Computes the moments in two passes; the mean of the first keeps the squares small. `values` are finite.
 void set_moments(Distribution& distribution, const std::vector<double>& values, bool drawn) {
   const auto count = static_cast<double>(values.size());
   double sum = 0;
@@ -94,7 +94,7 @@ struct Sums {
     }
   }
 
-  /// All first-order indices, then all total ones. Zero where nothing varies.
+  /// All first-order indices, then all total ones; 0 if nothing varies.
   [[nodiscard]] std::vector<double> indices(std::size_t draws) const {
     const auto count = static_cast<double>(draws);
     const double mean = values / (2 * count);

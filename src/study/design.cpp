@@ -23,7 +23,7 @@ const char* form_of(const Variant& variant) {
   return std::visit([](const auto& form) { return form.name; }, variant);
 }
 
-/// What the pad has in place of a number of its curve or of its rate effect.
+/// What the pad has instead of an unknown number of its curve or rate effect.
 std::string rule_for_curves(const std::string& table, const PadLaw& law,
                             const std::vector<std::string>& known) {
   const auto there_are = [&](std::string_view prefix) {
@@ -68,7 +68,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
 }
 
 bool is_of_law(const std::string& key) {
-  // Of a layer, "pad.layers[2].parameters.friction", as of a pad.
+  // The key of a layer, "pad.layers[2].parameters.friction", counts like that of a pad.
   const std::size_t bracket = key.starts_with("pad.layers[") ? key.find("].") : std::string::npos;
   const std::string of_pad = bracket == std::string::npos ? key : "pad." + key.substr(bracket + 2);
   return is_in(of_pad, "pad.parameters.") || is_in(of_pad, "pad.curve.") || is_in(of_pad, "pad.rate.");
@@ -76,7 +76,7 @@ bool is_of_law(const std::string& key) {
 
 Application::Application(const Study& study) {
   const CaseQuantities quantities = quantities_of(study.base);
-  // What is nominal for one material may not be for another.
+  // The nominal value differs between materials.
   const bool is_nominal = study.base.pad.neighbours == nominal_neighbours(study.base.pad) &&
                           std::ranges::count(study.factors, "pad.neighbours", &Factor::key) == 0;
   for (const Factor& factor : study.factors) {

@@ -103,7 +103,7 @@ std::optional<CushionCurves> cushion_curves(const Study& study, const Records& r
   const auto penetration = place_of(study.responses, "peak_penetration");
   if (!is_of_cushion_curves(study) || !deceleration || !penetration) return std::nullopt;
 
-  // By speed and thickness, then by mass.
+  // Rows by speed and thickness, then by mass.
   std::map<double, std::map<double, std::map<double, std::size_t>>> places;
   ImpactCase impact = study.base;
   std::vector<double> factors(study.factors.size());

@@ -104,7 +104,7 @@ class PulseFigures {
   };
 
   [[nodiscard]] bool are_humps() const { return fine_.hump && (coarse_.hump || !has_coarse_); }
-  /// What the steps leave, and the error of the force to the power that it has in the figure.
+  /// The error from the steps, plus that of the force times its power in the figure.
   template <class Figure>
   EstimatedValue with_error(Figure figure, double power) {
     const double value = figure(fine_);
@@ -129,7 +129,7 @@ class PulseFigures {
 
 namespace {
 
-/// How a response is got: one of the two functions.
+/// A response and the function that computes it, one of two.
 struct Recipe {
   ResultQuantity kind;
   EstimatedValue (*of_summary)(const Summary&) = nullptr;
@@ -152,7 +152,7 @@ constexpr PulseRecipe of_pulses[] = {
     {"velocity_change", [](PulseFigures& pulse_figures) { return pulse_figures.velocity_change(); }},
 };
 
-/// In the order of the table of results.
+/// The order is that of the table of results.
 std::vector<Recipe> make_recipes() {
   std::vector<Recipe> all;
   for (const SummaryQuantity& entry : summary_quantities())
@@ -204,7 +204,7 @@ bool has_response(const ResultQuantity& kind, Status status) {
 
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
-  // Not every support has its figures: they are responses where they are asked for.
+  // Only some supports have such figures, so that they are responses on request only.
   for (const ResultQuantity& kind : response_kinds())
     if (kind.part != Part::pulse && kind.role.needs != Needs::support) names.emplace_back(kind.key);
   return names;

@@ -19,7 +19,7 @@ std::uint64_t mixed(std::uint64_t x) {
 
 using Engine = boost::random::sobol_engine<std::uint32_t, 32>;
 
-/// All dimensions of point `number`, from 1; Boost leaves out point 0, which is 0.
+/// Point `number` in all dimensions. Boost leaves out point 0, which is 0.
 std::vector<std::uint32_t> point(std::size_t dimensions, std::uint64_t number) {
   std::vector<std::uint32_t> values(dimensions, 0);
   if (number == 0) return values;

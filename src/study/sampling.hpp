@@ -1,8 +1,7 @@
 #pragma once
-/// From random numbers to the values of sampled factors: fractions in (0, 1) for each draw and dimension,
-/// Latin hypercubes, Sobol points; distributions and correlations; and whether the values of all factors make
-/// cases that can be solved. Random numbers are Philox 4x32-10 (Salmon, Moraes, Dror, Shaw: SC11), of
-/// Random123.
+/// Samples of the varied factors: random fractions, Latin hypercubes and Sobol points, distributions and
+/// correlations, and checks of the resulting cases. Random numbers are Philox 4x32-10 of Random123 (Salmon,
+/// Moraes, Dror, Shaw: SC11).
 
 #include <algorithm>
 #include <array>
@@ -23,7 +22,7 @@
 
 namespace dashpad::study {
 
-/// What a number is for; numbers for different purposes are independent.
+/// The purpose of a random number; numbers for different purposes are independent.
 enum class Purpose : std::uint32_t { draw, permutation, jitter, scrambling };
 
 /// 128 random bits. `place` is the draw, `dimension` the factor.
@@ -37,7 +36,7 @@ inline std::array<std::uint32_t, 4> random_words(std::uint64_t seed, std::uint64
   return {words[0], words[1], words[2], words[3]};
 }
 
-/// In (0, 1), on the middles of 2^53 equal intervals.
+/// A random number in (0, 1), at the middle of one of 2^53 equal intervals.
 inline double random_fraction(std::uint64_t seed, std::uint64_t place, std::uint32_t dimension,
                               Purpose purpose) {
   const auto words = random_words(seed, place, dimension, purpose);
@@ -73,9 +72,9 @@ class Sobol {
   static constexpr std::size_t max_dimensions = 1000;
 
   Sobol(std::size_t dimensions, std::uint64_t seed);
-  /// In (0, 1), on the middles of 2^32 equal intervals; `number` below 2^32.
+  /// A number in (0, 1), at the middle of one of 2^32 equal intervals; `number` is below 2^32.
   [[nodiscard]] double at(std::uint64_t number, std::size_t dimension) const;
-  /// Before scrambling, in units of 2^-32. Number 0 is 0 in all dimensions.
+  /// The point before scrambling, in units of 2^-32. Point 0 is 0 in all dimensions.
   [[nodiscard]] std::uint32_t plain(std::uint64_t number, std::size_t dimension) const;
 
  private:
@@ -145,7 +144,7 @@ class EmpiricalDistribution {
   std::vector<double> values_;
 };
 
-/// In double precision throughout; infinity instead of an exception for a probability of 0 or 1.
+/// Double precision throughout, and infinity instead of an exception for a probability of 0 or 1.
 using Policy =
     boost::math::policies::policy<boost::math::policies::promote_double<false>,
                                   boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
@@ -158,7 +157,7 @@ using StandardNormal = boost::math::normal_distribution<double, Policy>;
 /// taken from above where the median is below `lowest`, for accuracy in the tail.
 class Quantiles {
  public:
-  /// Of a sampled factor without violations.
+  /// Needs a sampled factor without violations.
   explicit Quantiles(const Factor& factor);
   [[nodiscard]] double at(double fraction) const;
   /// The probability between the cut-offs before they were made.
@@ -177,7 +176,7 @@ class Quantiles {
   double begin_ = 0, width_ = 1;  ///< probability up to the lower cut-off (above the upper one) and between
 };
 
-/// What is wrong with the numbers of a distribution, or "".
+/// The rule that the numbers of a distribution break, or "".
 std::string rule_broken_by(const Factor& factor);
 
 /// The range in which a distribution is checked before work starts: its ends or cut-offs, and 6 deviations of

@@ -39,8 +39,8 @@ const std::string& lasting_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
-/// On a nearly full disk the log is written back while there is room to do it: what it holds is then twice on
-/// the disk until it is emptied.
+/// Writes the log back while a nearly full disk still has room: until the log is emptied, its content takes
+/// twice the space.
 void keep_room(Database& database, const StoreHeading& heading) {
   std::error_code none;
   const std::filesystem::path log = database.log();
@@ -72,7 +72,7 @@ Status status_of(const std::string& name, const Database& database) {
   database.damaged("a status that there is not");
 }
 
-/// All kinds at once.
+/// The sum of all kinds.
 constexpr std::uint64_t max_extrapolated =
     extrapolated_untold + extrapolated_strain + extrapolated_rate + extrapolated_otherwise;
 

@@ -39,9 +39,10 @@ class Database {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* get() const { return handle_.get(); }
 
-  /// Throws std::runtime_error for what SQLite reports, DamagedStore for damage: `code` in the user's words.
+  /// Throws std::runtime_error with SQLite's error `code` in the user's words, DamagedStore if it means
+  /// damage.
   [[noreturn]] void fail(int code) const;
-  /// Throws DamagedStore: the file holds what no Dashpad writes.
+  /// Throws DamagedStore for content that Dashpad does not write.
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:
@@ -111,7 +112,7 @@ class Transaction {
 // The file of a store (docs/studies.md): its tables, made, and read back with every value checked; one
 // writer at a time, however many read it; and what a Store keeps while it is open.
 
-/// What the tables beside `samples` and `batches` say.
+/// The content of the tables beside `samples` and `batches`.
 struct StoreHeading {
   std::string program;
   std::string text;      ///< the study file
@@ -129,10 +130,10 @@ std::string this_program();
 /// Whether there is nothing in the file yet: it is new, or its making was cut short.
 bool is_empty(const Database& database);
 
-/// All tables, within the caller's transaction.
+/// Creates all tables within the caller's transaction.
 void create_tables(Database& database, const Study& study, const StoreHeading& heading);
 
-/// Throws std::runtime_error: no store, a store of another layout, damaged.
+/// Throws std::runtime_error for a file that is no store, has another layout or is damaged.
 StoreHeading read_heading(const Database& database);
 
 /// Columns of `samples` from the first factor on, each with a comma and `before` it and `after` it.
@@ -141,7 +142,7 @@ std::string value_columns(const StoreHeading& heading, const std::string& before
 
 inline constexpr std::uint64_t page_bytes = 16384;
 
-/// At most so many bytes does a batch take in the log: whole pages, those of the index among them.
+/// The largest number of bytes that a batch takes in the log, in whole pages with those of the index.
 std::uint64_t log_bytes_of_batch(const StoreHeading& heading);
 
 /// About how many bytes the tables take in the file before the first row.

@@ -97,7 +97,7 @@ void check_columns(const Database& database, const StoreHeading& heading) {
     database.damaged("a factor or response is missing");
 }
 
-/// What the rows were computed with: a column whose unit was changed by hand would be read wrongly.
+/// Checks the units against those of the computation: a unit changed by hand would be read wrongly.
 void check_units(const Database& database, const StoreHeading& heading) {
   const auto changed = [&](const std::string& name) {
     database.damaged(fmt::format("{} has another unit than it was computed in", quoted_part(name)));

@@ -48,7 +48,7 @@ void check_room(const fs::path& file, std::uint64_t needed) {
                        1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
 }
 
-/// What can be known before anything is made.
+/// Checks everything that can be known before a file is made.
 void check_place(const fs::path& file, const StoreHeading& heading) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -153,7 +153,7 @@ Database open_to_write(const fs::path& file, const Study& study, StoreHeading& h
   }
 }
 
-/// Of a store that could not be made.
+/// Removes the files of a store that could not be made.
 void remove_new_file(const fs::path& file) {
   std::error_code ignored;
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + suffix, ignored);
@@ -164,7 +164,8 @@ void remove_new_file(const fs::path& file) {
 WriterLock::WriterLock(const std::filesystem::path& file)
     : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (descriptor_ < 0) refuse(file, errno);
-  // Of the open file, not of the process (F_SETLK): SQLite opens and closes the same file on its own.
+  // The lock belongs to the open file, not to the process (F_SETLK), since SQLite opens and closes the same
+  // file itself.
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
@@ -227,7 +228,7 @@ Store Store::open_to_read(const fs::path& file) {
   if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
   Database database{file, Access::read};
   require_whole(database);
-  // One view of the file as long as the store is open, whatever a running study adds to it.
+  // The transaction keeps one view of the file while the store is open, whatever a running study adds.
   database.execute("BEGIN");
   if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");
   StoreHeading heading = read_heading(database);

@@ -11,7 +11,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Nothing else than what is written for an unsigned integer: no fraction, no sign, no more than 64 bits.
+/// Reads an unsigned integer of at most 64 bits, without fraction or sign.
 std::uint64_t count_of(const Json& json) {
   if (!json.is_number_unsigned()) throw std::runtime_error("no count");
   return json.get<std::uint64_t>();

@@ -16,13 +16,13 @@ namespace {
 
 constexpr double default_tolerance = 1e-3;
 
-/// Where each factor stands in the file.
+/// The lines of the factors in the file.
 struct FactorLines {
   std::map<std::string, int> lines;
   std::vector<std::string> at_fault;  ///< "factors.KEY", and others that need no second fault
 };
 
-/// What cannot be judged while a factor is not known.
+/// Keys that cannot be checked while a factor is unknown.
 const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
 
 constexpr std::size_t max_materials = 1000;
@@ -46,7 +46,7 @@ void collect(const input::TomlNode& table, const std::string& prefix, const std:
   }
 }
 
-/// Absent after a fault.
+/// The material of a name; absent after a fault.
 std::optional<Material> read_named(const input::TomlNode& entry, const std::string& key,
                                    const input::Folders& folders, input::FaultList& faults) {
   const std::string& name = entry.text;
@@ -94,7 +94,7 @@ Factor read_factor(const FactorKey& key, input::TableReader& table, const input:
   return factor;
 }
 
-/// What can vary.
+/// The factors that can vary.
 struct Known {
   const std::vector<FactorKey>& keys;
   bool has_base;
@@ -189,7 +189,7 @@ std::vector<std::string> read_responses(input::TableReader& table) {
   return names;
 }
 
-/// Absent after a fault.
+/// The base case; absent after a fault.
 std::optional<input::CaseFile> read_base(input::TableReader& table, const input::Folders& folders) {
   const std::string name = table.text("case");
   if (name.empty()) return std::nullopt;

@@ -1,7 +1,6 @@
 #pragma once
-/// What a fit is asked for: which numbers of a material are unknown, and the measurements that they have to
-/// meet. SI throughout; stress and strain are engineering values, compression positive. docs/fits.md has the
-/// keys of its file.
+/// A fit: the unknown numbers of a material and the measurements that they have to meet. SI throughout;
+/// stress and strain are engineering values, compression positive. docs/fits.md describes its file.
 
 #include <cmath>
 #include <cstdint>
@@ -37,7 +36,7 @@ struct Unknown {
   bool is_added = false;  ///< by the program, since nobody stated the number
 };
 
-/// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
+/// The place of a value between its bounds, 0 to 1, by the logarithm if it is sought so.
 inline double place_between(double lowest, double highest, bool is_logarithmic, double value) {
   return is_logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
                         : (value - lowest) / (highest - lowest);
@@ -100,9 +99,9 @@ struct MeasuredDeceleration {
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
 inline constexpr std::size_t max_pulse_points = 200;
 
-/// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered; `quiet`: where
-/// nothing happens in it, if that is known. Throws std::invalid_argument, in words that go after the name of
-/// the file, for a pulse without onset or with too few samples after it.
+/// The pulse between onset and end, thinned evenly to max_pulse_points. `measured` has been filtered; `quiet`
+/// is the stretch before the impact, if it is known. Throws std::invalid_argument, with a message that
+/// follows the name of the file, for a pulse without onset or with too few samples after it.
 MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet = {});
 
 /// An impact and what was measured of it. The material of its pad is that of the fit.
@@ -121,7 +120,7 @@ struct Fit {
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
   Options options;        ///< of that case
-  /// Of a foam with a rate effect: whether somebody gave the recoil of the base, or it is the default.
+  /// Whether the recoil of a foam with a rate effect was given, rather than left to its default.
   bool recoil_is_stated = true;
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a fit found, with its uncertainty. SI throughout.
+/// The results of a fit with their uncertainty. SI throughout.
 
 #include <atomic>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace dashpad::fit {
 
-/// What was found of one unknown.
+/// The result for one unknown.
 struct FittedUnknown {
   std::string key;
   std::string unit;
@@ -31,7 +31,8 @@ struct FittedUnknown {
   bool is_logarithmic = false;            ///< sought by its logarithm
   std::optional<double> prior_deviation;  ///< of its prior, where it has one
   bool is_added = false;                  ///< sought though the fit file does not name it
-  /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
+  /// Whether it belongs to a measurement, not to the material: the shift of a force zero or of the clock of a
+  /// pulse.
   bool is_nuisance = false;
 
   /// Whether its interval ends within the bounds on both sides; or on one, in the half of the bounds that
@@ -42,7 +43,7 @@ struct FittedUnknown {
     if (high) return lowest_is_natural && place(*high) <= 0.5;
     return low && highest_is_natural && place(*low) >= 0.5;
   }
-  /// At a bound beyond which the model goes on.
+  /// Whether it lies at a bound beyond which the model continues.
   [[nodiscard]] bool wants_beyond() const {
     return (is_at_lowest && !lowest_is_natural) || (is_at_highest && !highest_is_natural);
   }
@@ -55,20 +56,20 @@ struct FittedUnknown {
   [[nodiscard]] std::string open() const { return low ? (high ? "no" : "above") : (high ? "below" : "both"); }
 };
 
-/// Two unknowns whose errors are correlated by more than 0.95.
+/// A pair of unknowns whose errors are correlated by more than 0.95.
 struct StrongCorrelation {
   std::string first, second;
   double value = 0;
 };
 
-/// One way up and one way down of a test.
+/// A loading and the following unloading of a test.
 struct Loop {
   double largest_strain = 0;
   double measured_return = 0;  ///< energy given back over energy taken in
   double computed_return = 0;
 };
 
-/// How the model meets a test.
+/// The comparison of the model with a test.
 struct MetTest {
   std::string file;
   bool is_held_out = false;
@@ -88,7 +89,7 @@ struct MetTest {
   std::vector<int> course;                         ///< of each of them: 1 on the way up, -1 on the way down
 };
 
-/// How the model meets a figure of an impact.
+/// The comparison of the model with a figure of an impact.
 struct MetFigure {
   std::string file;
   ImpactFigure figure = ImpactFigure::peak_force;
@@ -99,7 +100,7 @@ struct MetFigure {
   std::optional<double> prediction_deviation;
 };
 
-/// How the model meets a whole pulse of an impact.
+/// The comparison of the model with a pulse of an impact.
 struct MetPulse {
   std::string file;  ///< the case
   std::string pulse_file;
@@ -132,7 +133,7 @@ struct ImpactComparison {
   /// Standard deviation of what was measured, as stated; absent of a pulse, of which nobody states it.
   std::optional<double> deviation;
 
-  /// Of the measured value.
+  /// The difference as a share of the measured value.
   [[nodiscard]] std::optional<double> share() const {
     return computed ? std::optional{(*computed - measured) / measured} : std::nullopt;
   }
@@ -166,8 +167,8 @@ struct FitReport {
   double degrees_of_freedom = 0;
   double misfit = 0;             ///< sum of squared residuals over deviations, priors included
   bool noise_is_stated = false;  ///< by all tests and impacts
-  /// Of the misfit per degree of freedom, by which squared errors are multiplied: 1 or more where all noise
-  /// is stated, else 1, since the noise is estimated from the misfit.
+  /// The factor on squared errors: the misfit per degree of freedom, at least 1, if all noise is stated; else
+  /// 1, since the noise is estimated from the misfit.
   double variance_scale = 1;
   double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a curve
   int starts = 0;
@@ -190,7 +191,7 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Told after each piece of work: what is going on, and how much of it is done. From any thread.
   std::function<void(const char* what, std::size_t done, std::size_t all)> progress = {};
-  /// Where finished pieces are kept, and found again by the same fit; empty: nowhere.
+  /// The file that keeps finished pieces for a later run of the same fit; empty to keep none.
   std::filesystem::path state = {};
   /// Tells this fit from others in that file.
   std::string fingerprint = {};
@@ -206,8 +207,8 @@ class Stopped : public std::runtime_error {
   std::size_t kept_;
 };
 
-/// Throws std::runtime_error, with the file and what is wrong, where RunOptions::state names a file that is
-/// no state, that of another fit, or damaged. run_fit() calls it.
+/// Throws std::runtime_error, with the file and the fault, if RunOptions::state names a file that is no
+/// state, belongs to another fit or is damaged. run_fit() calls it.
 void check_state(const Fit& fit, const RunOptions& options);
 
 /// Fits. Throws std::invalid_argument with all violations() of the fit, and Stopped.

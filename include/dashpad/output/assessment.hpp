@@ -12,7 +12,7 @@
 
 namespace dashpad::output {
 
-/// What every assessment says about itself: a computation, no certification.
+/// The note beside every assessment that it is a computation, not a certification.
 const std::string& assessment_caveat();
 
 /// A standard in one line: name, title, and how many of its values are unverified.
@@ -21,8 +21,8 @@ std::string standard_line(const injury::Standard& standard);
 /// A standard in full: impactor, criteria and variants, each value with source and state of verification.
 Document standard_document(const injury::Standard& standard, const UnitSystem& units);
 
-/// All that belongs to an assessment. `given` is the case as the file has it, `assessed` with the impactor of
-/// the standard.
+/// The data of an assessment. `given` is the case of the file, `assessed` the same with the impactor of the
+/// standard.
 struct AssessmentReport {
   const injury::Standard& standard;
   const ImpactCase& given;

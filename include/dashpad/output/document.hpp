@@ -1,6 +1,6 @@
 #pragma once
-/// What is said of a subject (an impact, a pulse, a study), once: values and words are in the reader's units
-/// already. Writers lay it out for the terminal, as a page to look at in a browser and as Markdown.
+/// Documents: the result of a subject such as an impact, a pulse or a study, with values and texts in the
+/// reader's units. Writers lay them out for the terminal, as web pages and as Markdown.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace dashpad::output {
 
-/// How much of a result people see.
+/// The amount of detail.
 enum class Detail {
   main,  ///< what matters first, to four digits; errors in one line, and where they are much larger than that
   all,   ///< every figure to five digits, each with its error
@@ -32,7 +32,7 @@ struct RangeBar {
   bool open_below = false, open_above = false;  ///< it has no end there
 };
 
-/// What an answer or a figure means to whoever decides by it: never shown by its colour alone.
+/// The meaning of an answer or a figure for a decision. It is never shown by colour alone.
 enum class Tone { plain, good, doubtful, bad };
 
 /// A figure as people read it, with what goes with it; what is empty is not shown.
@@ -51,7 +51,7 @@ struct ValueRow {
   Tone tone = Tone::plain;
 };
 
-/// What a person came to decide, on top of all else.
+/// The answer on top of a document.
 struct Lead {
   std::string answer = {};  ///< one sentence: the heading of the page
   Tone tone = Tone::plain;
@@ -62,7 +62,7 @@ struct Lead {
   std::vector<ValueRow> figures = {};
 };
 
-/// Where a section is seen.
+/// Where a section is shown.
 enum class Seen {
   always,
   in_brief,  ///< on a terminal where not everything is asked for
@@ -92,7 +92,7 @@ struct Document {
   std::string title = {};
   std::optional<Lead> lead = {};          ///< in place of the title as the heading
   std::vector<std::string> summary = {};  ///< paragraphs below the title
-  /// What to beware of, the strongest first; their first words, in capitals, are set apart.
+  /// Warnings, the most serious first; the words in capitals at their front are set apart.
   std::vector<std::string> warnings = {};
   std::vector<Section> sections = {};
   bool is_one_impact = false;  ///< all plots over time show the same moment to whoever points at one
@@ -101,17 +101,16 @@ struct Document {
 /// Whether a document is made with its drawing and its plots, which take longer than all the rest.
 enum class Pictures { left_out, drawn };
 
-/// One HTML file, which asks nothing of any network: all there is to see is there without a script; the
-/// page's own makes the plots answer to a pointer. They are the values that picture() draws as stills. Throws
-/// std::invalid_argument for rows or columns that do not fit together, and for bars that are not between 0
-/// and 1.
+/// The document as one HTML file without external references. It is complete without its script, which makes
+/// the plots interactive; they show the same values as picture(). Throws std::invalid_argument for rows or
+/// columns that do not fit together, and for bars not between 0 and 1.
 std::string to_html(const Document& document);
 
 /// Plain text of at most 100 columns, as far as the words allow: answer, subject, warnings, figures, then the
 /// sections that are seen with that detail. Plots and bars are left out.
 std::string to_terminal(const Document& document, Detail detail);
 
-/// All that a page says, without plots and drawings.
+/// The document as Markdown, without plots and drawings.
 std::string to_markdown(const Document& document);
 
 }  // namespace dashpad::output

@@ -1,6 +1,6 @@
 #pragma once
-/// One impact, or the last of a series of blows: for people as a document, a page, a still and a drawing, for
-/// other programs as JSON and CSV.
+/// The output of one impact, or of the last of a series of blows: a document, a page, a still and a drawing
+/// for people, JSON and CSV for programs.
 
 #include <optional>
 #include <span>
@@ -20,7 +20,7 @@
 
 namespace dashpad::output {
 
-/// What came of each blow of a series.
+/// The results of one blow of a series.
 struct BlowResult {
   Summary summary;
   std::optional<injury::InjuryFigures> injury;  ///< absent where the pulse is not whole

@@ -1,5 +1,5 @@
 #pragma once
-/// What a finished study says: location, spread, probabilities with intervals, and which factor matters.
+/// The evaluation of a study: location, spread, probabilities with intervals, and which factors matter.
 ///
 /// All intervals are for 95 %. They hold for independent draws; with Sobol or Latin hypercube sampling, which
 /// spread the draws more evenly, they are too wide rather than too narrow.
@@ -21,7 +21,7 @@ struct Estimate {
   double low = 0, high = 0;  ///< 95 % interval; NaN where there is none
 };
 
-/// Of one response over the rows that have it. All values are NaN where no row has one.
+/// The distribution of a response over the rows that have it. All values are NaN if no row has one.
 ///
 /// Rows that bottomed out on a rigid support (see Records::struck_through) stand above all values of a
 /// response that grows with the force: quantiles and the greatest value are infinite where they fall on such
@@ -43,12 +43,12 @@ struct Distribution {
   std::vector<Quantile> quantiles;
 };
 
-/// That of one of the probabilities above. None where no row has a value.
+/// The quantile at one of the probabilities above. None if no row has a value.
 std::optional<Estimate> quantile(const Distribution& distribution, double probability);
 
-/// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
-/// the pad bottomed out on a rigid support; from the value to infinity where that is a lower bound; without
-/// bounds where nothing is known.
+/// Bounds of a response of one row, SI: equal where it is known, infinite if the pad bottomed out on a rigid
+/// support; from the value to infinity where that is a lower bound; minus and plus infinity where nothing is
+/// known.
 struct Reading {
   double low = 0, high = 0;
 };
@@ -139,7 +139,7 @@ std::optional<Sensitivity> sensitivity(const Study& study, const Design& design,
 /// status promises (has_response()). `responses` are the names of its values.
 bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses);
 
-/// What has to be said of the rows of a store.
+/// Counts of rows with reservations.
 struct RowCounts {
   std::uint64_t doubtful = 0;
   std::uint64_t struck_through = 0;  ///< as Records::struck_through
@@ -156,7 +156,7 @@ struct CushionCurve {
   std::vector<double> peak_deceleration;  ///< m/s2; NaN where the impact has none
 };
 
-/// Where on the curve the peak is least. None without a finite one.
+/// The index of the least peak of a curve. None if no peak is finite.
 std::optional<std::size_t> min_peak(const CushionCurve& curve);
 
 struct CushionCurves {
@@ -169,8 +169,8 @@ struct CushionCurves {
   bool whole_cushion = false;  ///< the nose is flat and covers all of the pad, as in ASTM D1596
 };
 
-/// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness
-/// besides, and keeps peak_acceleration and peak_penetration.
+/// The cushion curves; absent unless the study is a grid of impactor.mass (or impactor.weight) and at most
+/// speed and thickness besides, and keeps peak_acceleration and peak_penetration.
 std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records);
 
 /// The probability of more than this is asked for.
@@ -192,7 +192,7 @@ struct StudyAnswers {
   std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
   std::vector<StudyLimit> limits;
 
-  /// Of one combination of levels.
+  /// The answers for one combination of levels.
   struct OfGroup {
     Group group;
     std::vector<Distribution> distributions;                ///< of each response asked for

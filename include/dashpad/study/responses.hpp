@@ -1,5 +1,5 @@
 #pragma once
-/// What a study keeps of each impact: figures of the summary and of the pulse, by name.
+/// The responses that a study keeps of each impact: figures of the summary and of the pulse, by name.
 
 #include <memory>
 #include <span>
@@ -23,10 +23,10 @@ bool is_possible(const ResultQuantity& kind, double value);
 /// that stays on the pad. An injury figure counts as promised, although a pulse that is not whole has none.
 bool has_response(const ResultQuantity& kind, Status status);
 
-/// Those that cost nothing beyond the solution: all that are not of the pulse.
+/// The responses that cost nothing beyond the solution: all but those of the pulse.
 std::vector<std::string> default_responses();
 
-/// By what a row went beyond what its material was measured for: a sum of these.
+/// The ways in which a row went beyond the tests of its material, to be added up.
 enum Extrapolated : unsigned {
   extrapolated_untold = 1,  ///< rows of 0.1.0, which do not say by what
   extrapolated_strain = 2,

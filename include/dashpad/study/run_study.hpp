@@ -13,7 +13,7 @@
 
 namespace dashpad::study {
 
-/// One worker's memory: a solver and a case, used again for every row. One each for several threads. Study
+/// The memory of a worker: a solver and a case, used again for every row. Each thread needs its own. Study
 /// and design must outlive it.
 class Worker {
  public:
@@ -23,8 +23,8 @@ class Worker {
   std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
   /// The same into rows that were used before, whose memory is used again.
   void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
-  /// One row with its history. Throws std::invalid_argument where its factors make no valid case, and
-  /// std::out_of_range for a row that the design has not.
+  /// Solves one row with its history. Throws std::invalid_argument if its factors make no valid case, and
+  /// std::out_of_range for a row that the design does not have.
   Solution replay(std::uint64_t row);
   /// The case of a row. Throws as replay().
   const ImpactCase& case_of(std::uint64_t row);

@@ -28,7 +28,7 @@ struct StoredRow {
   Outcome outcome;
 };
 
-/// In the order of Status: their words stand in the file.
+/// The order is that of Status; the file contains their words.
 inline constexpr std::array all_statuses{Status::not_run,    Status::released,          Status::bottomed_out,
                                          Status::time_limit, Status::tolerance_not_met, Status::at_rest};
 
@@ -45,7 +45,8 @@ class DamagedStore : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All that reads throws DamagedStore where the file is damaged. Not for several threads at once.
+/// An open store. Every member that reads throws DamagedStore if the file is damaged. Not safe for several
+/// threads at once.
 class Store {
  public:
   /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's
@@ -60,7 +61,7 @@ class Store {
   [[nodiscard]] const std::string& file() const;
   /// The study's text, for reading it again.
   [[nodiscard]] std::string study_text() const;
-  /// All that its rows depend on, as JSON (dashpad/study/stored_study.hpp reads it).
+  /// Everything on which its rows depend, as JSON; stored_study() reads it.
   [[nodiscard]] const std::string& resolved_text() const;
   /// Whether its rows are those of this study: false where a card or data file has changed since.
   [[nodiscard]] bool is_of(const Study& study) const;
@@ -68,22 +69,23 @@ class Store {
   [[nodiscard]] const std::string& program() const;
   [[nodiscard]] const std::vector<StoredColumn>& factors() const;
   [[nodiscard]] const std::vector<StoredColumn>& responses() const;
-  /// Of the whole study, done or not.
+  /// The number of rows of the whole study, done or not.
   [[nodiscard]] std::uint64_t rows() const;
   [[nodiscard]] std::uint64_t rows_done() const;
   [[nodiscard]] std::uint64_t batch_size() const;
   /// Batches not yet done, increasing.
   [[nodiscard]] std::vector<std::uint64_t> missing_batches() const;
 
-  /// All rows of a batch in one transaction. Throws std::invalid_argument for rows that are not the batch's,
-  /// std::runtime_error where the disk refuses or the batch is there already; then nothing of it is written.
+  /// Writes all rows of a batch in one transaction. Throws std::invalid_argument for rows that do not belong
+  /// to the batch, std::runtime_error if the disk refuses or the batch is there already; then nothing of it
+  /// is written.
   void write_batch(std::uint64_t batch, std::span<const StoredRow> rows);
 
-  /// Throws std::runtime_error where the file was deleted, renamed or replaced since it was opened: what is
-  /// written then is lost. write_batch() asks, too.
+  /// Throws std::runtime_error if the file was deleted, renamed or replaced since it was opened, so that
+  /// further rows would be lost. write_batch() calls it.
   void check_in_place() const;
 
-  /// Absent where it is not done.
+  /// A row; absent if it is not done.
   [[nodiscard]] std::optional<StoredRow> row(std::uint64_t number) const;
   /// Calls `visit` for all rows done, by row number. Memory does not grow with their number.
   void visit_rows(const std::function<void(const StoredRow&)>& visit) const;

@@ -50,7 +50,7 @@ struct Factor {
   [[nodiscard]] bool is_sampled() const { return !std::holds_alternative<Levels>(spread); }
 };
 
-/// Of the normal scores of two sampled factors (Gaussian copula), in (-1, 1).
+/// A correlation between the normal scores of two sampled factors (Gaussian copula), in (-1, 1).
 struct Correlation {
   std::size_t first = 0, second = 0;
   double value = 0;
@@ -76,7 +76,7 @@ struct Study {
   std::vector<std::string> responses;  ///< names of dashpad/study/responses.hpp
 };
 
-/// More are refused: a billion rows take a day and some 100 GB.
+/// The largest number of rows: a billion takes a day and some 100 GB.
 inline constexpr std::uint64_t max_rows = 1'000'000'000;
 
 /// The indices of the sampled factors.
@@ -105,11 +105,11 @@ struct FactorKey {
   std::string unit;  ///< SI; "1" for a pure number, "" for a material
 };
 
-/// All that a case with this law and this support offers: its quantities (dashpad/case/case_quantity.hpp)
+/// All factors that a case with this law and support offers: its quantities (dashpad/case/case_quantity.hpp)
 /// and its material.
 std::vector<FactorKey> factor_keys(const ImpactCase& base);
 
-/// What is said about a factor whose key is none of factor_keys(): what was meant, or what there is instead.
+/// The message for a factor that is none of factor_keys(): what was meant, or what there is instead.
 std::string rule_for_unknown(const std::string& key, const ImpactCase& base);
 
 /// Whether a key is that of a number of the pad's law or of the curves it is made of. Which of them there are
@@ -142,8 +142,8 @@ class Design {
   /// SI values of all factors in row `row` (0 to rows() - 1), in the order of Study::factors. Several threads
   /// may call it at once. Throws std::out_of_range for another row, and for `values` of another length.
   void factors_of(std::uint64_t row, std::span<double> values) const;
-  /// What a row is in Saltelli's design: 0 the first matrix, 1 the second, 2 + i the first with sampled
-  /// factor i of the second. 0 without `indices`.
+  /// The block of a row in Saltelli's design: 0 for the first matrix, 1 for the second, 2 + i for the first
+  /// with sampled factor i of the second. 0 without `indices`.
   [[nodiscard]] int block_of(std::uint64_t row) const;
   /// The draw that a row belongs to.
   [[nodiscard]] std::uint64_t draw_of(std::uint64_t row) const;

@@ -101,7 +101,7 @@ std::string material_test_csv(const laboratory::MaterialTestReport& report, cons
       strain_rate.values.push_back(column_test.rate[i]);
       stress.values.push_back(stress_unit * column_test.stress[i]);
       if (!run.update_of_1984) continue;
-      // It has fewer places; each of them is one of the exact stress.
+      // The update has fewer times than the exact stress, and each of them is one of its times.
       const laboratory::UpdateOf1984& update = *run.update_of_1984;
       const bool is_place =
           next < update.time.size() && column_test.time[i] >= update.time[next] - 1e-6 * update.step;

@@ -33,13 +33,14 @@ std::array<double, 3> numbers_of(const Impactor& impactor) {
   return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
 
-/// What the user did not want.
+/// The value of the standard that the user replaced: ", the standard 6.7 m/s"; "" where the user replaced
+/// none.
 std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
   if (!entry.value->instead) return "";
   return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
 }
 
-/// What the standard's impactor takes the place of, and what stays, a line each.
+/// The values of the case that the standard replaces, a line each, and those that are kept.
 struct Replaced {
   std::vector<std::string> lines;
   std::string kept;
@@ -116,8 +117,8 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
   return of == assessment.results.end() ? next : *of;
 }
 
-/// What makes a pass doubtful that its interval does not show, in words to be put behind it as they are: a
-/// pad that is struck through. Empty where nothing does.
+/// The reason to doubt a pass in spite of its interval, to be appended to the answer: the pad is struck
+/// through. Empty where there is none.
 std::string doubt_about_pass(const AssessmentReport& report) {
   const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
@@ -160,7 +161,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
                      limit);
 }
 
-/// How far a criterion is from its limit. Of a lower bound the distance can only shrink, or grow beyond it.
+/// The distance of a criterion from its limit, with its share of the limit.
 std::string distance(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
   return fmt::format("{} ({:.1f} %)", margin_words(result, units, digits),
                      100 * std::abs(*result.relative_margin));
@@ -205,7 +206,7 @@ std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSyste
   return rows;
 }
 
-/// What makes the interval of each criterion, the largest source alone.
+/// The interval of each criterion with its largest source.
 std::vector<std::string> interval_lines(const AssessmentReport& report, const UnitSystem& units) {
   std::vector<std::string> lines;
   const std::optional<Intervals>& intervals = report.solution.summary.intervals;

@@ -1,4 +1,4 @@
-// What is said of a fit: how well it meets the data, what was found and how sure it is.
+// The document of a fit: how well it meets the data, what it found and how certain that is.
 
 #include <algorithm>
 #include <optional>
@@ -49,7 +49,7 @@ RangeBar bar_of(const fit::FittedUnknown& fitted_unknown, const UnitSystem& unit
           .open_above = !fitted_unknown.high && !fitted_unknown.is_identified()};
 }
 
-/// What could turn the answer round.
+/// Findings that could change the answer.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
@@ -86,7 +86,7 @@ void add_misses(std::vector<ValueRow>& figures, const fit::FitReport& report, bo
   add("Pulses", of.pulses, " %", "of their peak, root mean square");
 }
 
-/// How well the data are met, then the unknowns of the material; those that the data leave open first.
+/// The misfits, then the unknowns of the material, beginning with those that the data leave open.
 std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<ValueRow> figures;
   add_misses(figures, report, false);
@@ -146,7 +146,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
   return misfit;
 }
 
-/// By their keys, for those who go on with the file.
+/// The unknowns by their keys, for users who edit the fit file next.
 Section keys_section(const fit::FitReport& report, const UnitSystem& units) {
   return {.heading = "What was found", .seen = Seen::in_brief, .tables = {table_of_unknowns(report, units)}};
 }

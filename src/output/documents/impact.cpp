@@ -34,7 +34,7 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   if (!summary.peak_acceleration) return outcome(summary);
   const bool is_struck = strikes_through(report);
-  // Of forces that are not to be relied on all digits but the first say nothing.
+  // Where the pad is struck through, the forces are not reliable beyond two digits.
   const auto shown = [&](double value, const char* unit) {
     const auto [scale, name] = shown_as(unit, units);
     return with_unit(brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3), name);
@@ -79,7 +79,7 @@ std::string take_errors(std::vector<ValueRow>& rows, const Summary& summary) {
       percentage(std::abs(summary.energy.residual / summary.energy.impact)));
 }
 
-/// Of an impact that is cut the largest values may be larger.
+/// Marks the values of an interrupted run as lower bounds: the largest values may still grow.
 void mark_bounds(std::vector<ValueRow>& rows) {
   for (ValueRow& row : rows)
     if (row.label.starts_with("Peak") && row.value != "none")
@@ -88,7 +88,7 @@ void mark_bounds(std::vector<ValueRow>& rows) {
       row.remark = "so far" + (row.remark.empty() ? "" : ", " + row.remark);
 }
 
-/// With their intervals.
+/// The rows with the intervals of their figures.
 std::vector<ValueRow> sure(std::vector<ValueRow> rows, const ImpactReport& report, const UnitSystem& units) {
   add_intervals(rows, report.solution.summary, units);
   return rows;
@@ -101,7 +101,7 @@ std::vector<ValueRow> figures_of(const ImpactReport& report, std::vector<ValueRo
   if (bottomed_on_rigid_support(summary)) {
     std::vector<ValueRow> of_bottoming = bottoming_figures(report.impact, summary, units);
     rows.insert(rows.begin(), of_bottoming.begin(), of_bottoming.end());
-    // What has no finite value comes last.
+    // Figures without a finite value come last.
     std::ranges::stable_partition(rows, [](const ValueRow& row) { return row.value != "none"; });
   } else if (is_cut(summary)) {
     mark_bounds(rows);
@@ -139,7 +139,7 @@ void add_pictures(Document& document, const ImpactReport& report, const UnitSyst
   }
 }
 
-/// All but the plots, which a page in several units draws once.
+/// The document without plots, which a page in several units draws only once.
 Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   const Summary& summary = report.solution.summary;
   const ImpactCase& impact = report.impact;

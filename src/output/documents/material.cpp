@@ -1,4 +1,4 @@
-// What is said of material cards: of one, its parameters and what they come to; of all, a row each.
+// Documents of material cards: of one card its parameters and stresses, of several a row each.
 
 #include "dashpad/output/materials.hpp"
 
@@ -139,7 +139,7 @@ Table card_table(const Material& material) {
   return table;
 }
 
-/// What a first loading comes to at a few strains, at each tested rate.
+/// The stress of a first loading at a few strains, for each tested rate.
 Section stresses(const Material& material, const FoamCurves& curves, const UnitSystem& units) {
   constexpr std::array strains{0.1, 0.25, 0.5};
   constexpr int steps = 10;  // of 0.05: all of them are met
@@ -161,7 +161,8 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
   return section;
 }
 
-/// Those of the law, of its base curve and of its rate effect; then the stresses that they come to.
+/// The parameters of the law, of its base curve and of its rate effect, then the stresses that follow from
+/// them.
 std::vector<Section> law_sections(const Material& material, const UnitSystem& units) {
   std::vector<Section> sections{{.heading = "Parameters", .seen = Seen::always}};
   const auto add = [&](const char* caption, const auto& variant) {

@@ -1,4 +1,4 @@
-// What is said of a material test: where the foam is used best first, then why.
+// The document of a material test: where the foam is used best, then the details.
 
 #include "dashpad/output/materials.hpp"
 

@@ -1,4 +1,4 @@
-// What is said of a measured pulse: its figures first, then where it comes from and what was done to it.
+// The document of a measured pulse: its figures, then its origin and how it was processed.
 
 #include "output/documents/pulse.hpp"
 
@@ -127,7 +127,7 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
                       : ", nor is the calibration, which --calibration states.")};
 }
 
-/// What the limits make of it: "Within the limits: HIC(d) has 136 to spare".
+/// The result of a comparison with limits: "Within the limits: HIC(d) has 136 to spare".
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
@@ -142,7 +142,7 @@ std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& u
   return fmt::format("Undecided: {} is {} from its limit", name, margin);
 }
 
-/// Where and when it was measured, as far as anybody said.
+/// Where and when the pulse was measured, as far as it is known.
 std::vector<std::string> subject_of(const injury::PulseReport& report, const UnitSystem& units) {
   std::vector<std::string> lines{fmt::format("{} ({})", one_line(report.file), report.measured.format)};
   std::string about = report.impact ? capitalised(impact_words(*report.impact, units)) : "";

@@ -102,7 +102,7 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
              : fmt::format("{}; of an impact at {} that leaves no restitution between 0 and 1.", over, speed);
 }
 
-/// How far the computed figures are from the measured ones.
+/// The differences between computed and measured figures.
 std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const UnitSystem& units) {
   if (!report.comparison.computed) return {};
   std::vector<ValueRow> rows;

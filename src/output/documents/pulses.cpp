@@ -1,4 +1,4 @@
-// What is said of several measured pulses together: a row each, one over the other, then each by itself.
+// The document of several measured pulses: a table, all of them in one plot, then each by itself.
 
 #include <algorithm>
 #include <array>

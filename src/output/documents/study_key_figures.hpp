@@ -9,8 +9,8 @@
 
 namespace dashpad::output {
 
-/// Of what study_answer() speaks: a probability, the factors that matter, least peaks of cushion curves, or a
-/// range. At most most_key_figures; none without rows.
+/// The figures behind study_answer(): probabilities, the factors that matter, least peaks of cushion curves,
+/// or ranges. At most max_key_figures; none without rows.
 std::vector<ValueRow> study_key_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,4 +1,4 @@
-// What is said of several assessments together: the verdicts side by side, then each as a whole.
+// The document of several assessments: a table of verdicts, then each assessment in full.
 
 #include <algorithm>
 #include <set>
@@ -80,7 +80,7 @@ int rank(const Combination& combination) {
   return 2;
 }
 
-/// What fails by most first, what passes with most to spare last.
+/// The combinations from the one farthest beyond its limit to the one with most to spare.
 std::vector<const Combination*> worst_first(const std::vector<Combination>& all) {
   std::vector<const Combination*> sorted;
   for (const Combination& combination : all) sorted.push_back(&combination);

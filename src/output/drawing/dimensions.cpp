@@ -68,12 +68,12 @@ std::string dimension_column(const Scene& scene, double column, bool labels_left
   return text;
 }
 
-/// Between a picture and the column of dimensions beside it, px.
+/// The distance from a picture to the column of dimensions beside it, px.
 constexpr double clearance = 9;
-/// How far the line that leads to a dimension goes beyond it.
+/// The length of an extension line beyond its dimension line, px.
 constexpr double overshoot = 5;
 
-/// With three digits, or fewer where there is no room for more.
+/// A length with three digits, or fewer where three have no room.
 std::string shown_length(const Scene& scene, double length, const std::string& before = {}) {
   constexpr double room = beside_picture - clearance - 8;
   std::string text;
@@ -84,7 +84,7 @@ std::string shown_length(const Scene& scene, double length, const std::string& b
   return text;
 }
 
-/// What is left of the pad. Digits of next to nothing say nothing.
+/// What is left of the pad. Below the gap of a pad that is struck through only the bound is shown.
 std::string shown_rest(const Scene& scene) {
   const double left = scene.moments.left(), least = struck_through_gap * scene.moments.thickness;
   if (left == 0 || left >= least) return shown_length(scene, left);

@@ -33,7 +33,7 @@ std::string whole_drawing(const Scene& scene) {
   text += "<defs>\n" + hatchings(scene.moments) + picture_clip(scene, scene.left) +
           picture_clip(scene, scene.right) + "</defs>\n";
   text += rectangle_element("dd-paper", 0, 0, drawing_width, height);
-  // In two groups, so that a page with little room can show them one below the other.
+  // The two groups let a narrow page show the halves one below the other.
   const auto group = [&](const char* name, double from, double to, const std::string& inside) {
     return fmt::format("<g id=\"{}-{}\" class=\"dd-drawing\" data-view=\"{} 0 {} {}\">\n{}</g>\n", own_name,
                        name, px(from), px(to - from), px(height), inside);

@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// How far the path goes on outside the picture, px; what is cut off there has no edge.
+/// How far the path continues outside the picture, px, so that no edge shows where it is cut off.
 constexpr double beyond = 12;
 constexpr int corners = 40;
 
@@ -53,7 +53,7 @@ std::vector<double> outline_depths(const Sections& outline, const NoseFrame& fra
   const double widest = std::min(outline.radius(deepest), (frame.half_width + beyond) / frame.scale);
   const double last = std::min(deepest, outline.depth_at(widest));
   const double tip = outline.radius(0);
-  // By equal steps of the depth where the side is steep, of the radius where it is flat.
+  // Equal steps of the depth resolve steep sides, equal steps of the radius flat ones.
   std::vector<double> depths{0};
   for (int i = 1; i <= corners; ++i) {
     const double share = static_cast<double>(i) / corners;
@@ -82,7 +82,8 @@ std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_v
     right.push_back({half_width, frame.tip - depth * frame.scale});
   }
   const double top = frame.tip - frame.height - beyond;
-  // Where half a ball is seen its other half is its mirror image. Of a larger one that half is out of sight.
+  // If half of a ball is visible, the other half is its mirror image. The other half of a larger ball is out
+  // of sight.
   const double seen = right.front().y - right.back().y;
   if (is_ball(nose) && !frame.is_buried && seen >= outline.depth * frame.scale * (1 - 1e-9)) {
     const double middle = frame.tip - outline.depth * frame.scale;

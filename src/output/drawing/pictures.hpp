@@ -17,9 +17,9 @@ std::string picture_clip(const Scene& scene, const Picture& picture);
 std::string hatchings(const DrawnMoments& moments);
 std::string picture_of(const Scene& scene, const Picture& picture);
 
-// Its parts.
+// The parts of a picture.
 
-/// Where the right half of a nose is drawn.
+/// The geometry in which a nose is drawn.
 struct NoseFrame {
   double axis = 0;         ///< x, px
   double tip = 0;          ///< y, px
@@ -44,7 +44,7 @@ std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_v
 /// to fall as the shortening of the whole column, which keeps their sum.
 std::string pad_picture(const Scene& scene, const Picture& picture);
 
-/// What the pad stands on, by symbols: panel, gap, springs, damper, ground or a free body.
+/// The support below the pad as symbols: panel, gap, springs, damper, ground or a free body.
 std::string support_picture(const Scene& scene, const Picture& picture);
 
 /// The colours of strains are of equal steps from 0 to 1.

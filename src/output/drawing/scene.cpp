@@ -106,7 +106,7 @@ SupportHeights support_heights(const ImpactCase& impact, const DrawnMoments& mom
   if (impact.support.is_rigid() && backing.damping == 0) return heights;
   if (backing.gap > 0) {
     heights.gap = std::clamp(backing.gap * scale, 5.0, 40.0);
-    // Where the travel is not to scale the gap is not either, so that it closes if it did.
+    // A gap is shortened like the travel, so that it is closed in the drawing if it was closed in the impact.
     if (moments.deflection > 0 && deflection < moments.deflection * scale * (1 - 1e-9))
       heights.gap = std::clamp(backing.gap / moments.deflection * deflection, 5.0, 40.0);
   }

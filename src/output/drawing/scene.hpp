@@ -1,5 +1,5 @@
 #pragma once
-/// All that the parts of one drawing share: what it shows, in numbers, and where that lies.
+/// The numbers and the layout that the parts of one drawing share.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ inline constexpr double heading_size = 15;
 
 /// Width of the viewBox, px.
 inline constexpr double drawing_width = 736;
-/// Of dimensions beside a picture.
+/// The room for dimensions beside a picture, px.
 inline constexpr double beside_picture = 120;
 /// Upper edge of both pictures, below their headings and what is written beside the arrow.
 inline constexpr double picture_top = 70;
@@ -63,13 +63,13 @@ struct DrawnMoments {
   bool is_so_far = false;            ///< the run ends there, before the impact has turned
   bool bottomed = false;             ///< nothing is left of it, and its support is rigid
 
-  /// Of the pad on the axis, m.
+  /// The thickness that is left of the pad on the axis, m.
   [[nodiscard]] double left() const { return thickness - penetration; }
-  /// How far the back of the pad has gone, m.
+  /// The displacement of the back of the pad, m.
   [[nodiscard]] double sink() const { return deflection + body_motion; }
 };
 
-/// What stands below the pad, from its back down; heights of symbols but for gap and travel.
+/// Heights of the symbols below the pad, from its back down, px. Only gap and travel are to scale.
 struct SupportHeights {
   double plate = 0;   ///< of a panel
   double gap = 0;     ///< to scale, unless it is too small to be seen or too large for the picture
@@ -77,7 +77,7 @@ struct SupportHeights {
   double base = 0;    ///< of the ground or of a free body
 };
 
-/// Where things of the drawing lie, in px of its viewBox; y points down.
+/// The layout of the drawing, in px of its viewBox; y points down.
 struct Layout {
   double scale = 0;           ///< px/m, the same across and along the motion
   double half_width = 0;      ///< of either picture
@@ -95,13 +95,14 @@ struct Layout {
   SupportHeights support;
   double bottom = 0;  ///< of both pictures
 
-  /// How far below the new pad's face a depth in the pad is drawn, of `thickness`; both depths in m.
+  /// The depth below the face of the new pad, px, at which a depth in a pad of that thickness is drawn;
+  /// arguments in m.
   [[nodiscard]] double below_face(double depth, double thickness) const;
   /// Half the width of the pad in m to px; more than the picture where it goes on.
   [[nodiscard]] double pad_half_width(const DrawnMoments& moments) const;
 };
 
-/// One of the two pictures.
+/// The picture of first contact or that of greatest penetration.
 struct Picture {
   std::string name;        ///< "left": first contact; "right": greatest penetration
   double axis = 0;         ///< x, px
@@ -109,7 +110,7 @@ struct Picture {
   double deflection = 0;   ///< px
   double body_motion = 0;  ///< px
 
-  /// How far the back of the pad has gone, px.
+  /// The displacement of the back of the pad, px.
   [[nodiscard]] double sink() const { return deflection + body_motion; }
 };
 

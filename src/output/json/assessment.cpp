@@ -75,7 +75,7 @@ Json figures_json(const injury::KeyFigures& key_figures) {
   return all;
 }
 
-/// What another choice of nose or speed would have said.
+/// The verdicts that other choices of nose or speed lead to.
 Json other_choices(const std::vector<injury::OtherChoice>& others) {
   const auto choice = [](bool is_other, bool is_kept) {
     return is_other ? Json(is_kept ? "case" : "standard") : Json(nullptr);

@@ -8,7 +8,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// Null for what the kind of test has no use for.
+/// The request. Entries that the kind of test does not use are null.
 Json request_json(const laboratory::MaterialTest& material_test) {
   const bool cyclic = material_test.kind == laboratory::TestKind::cyclic,
              creep = material_test.kind == laboratory::TestKind::creep,

@@ -1,5 +1,5 @@
 #pragma once
-/// What several JSONs have in common, in the units of plain_si().
+/// JSON that several results share, in the units of plain_si().
 
 #include <vector>
 

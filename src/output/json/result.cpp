@@ -1,4 +1,4 @@
-// One impact for other programs, alone and as that of two bodies.
+// JSON of one impact, and of an impact between two bodies.
 
 #include <cmath>
 
@@ -52,7 +52,7 @@ Json solver(const Summary& summary) {
           {"wall_time_s", number(summary.wall_time)}};
 }
 
-/// All numbers of an owner, null where it has none, under their keys and units.
+/// All numbers of an owner by key and unit; absent ones are null.
 template <class Owner>
 Json numbers_of(const Owner& owner) {
   Json json = Json::object();
@@ -138,7 +138,7 @@ Json echo(const ImpactCase& impact) {
           {"blows", made_of(impact.blows, numbers_of<Blows>)}};
 }
 
-/// What grows from blow to blow; the last has all its figures at the top.
+/// The figures of a blow that change from blow to blow; the last blow has all its figures at the top level.
 Json blow_json(const BlowResult& blow_result) {
   const Summary& summary = blow_result.summary;
   return {{"blow", summary.blow},
@@ -152,7 +152,7 @@ Json blow_json(const BlowResult& blow_result) {
           {"energy_absorbed_fraction", number(summary.energy_absorbed_fraction)}};
 }
 
-/// What is not known, then the figures with it.
+/// The sources of uncertainty, then the interval of each figure.
 Json intervals_json(const Intervals& intervals) {
   Json figures = Json::object();
   for (const FigureInterval& figure : intervals.figures)
@@ -172,7 +172,7 @@ Json fitted_json(const FittedRange& range) {
           {"highest_rate_per_s", number(range.highest_rate)}};
 }
 
-/// One of two bodies, before and after.
+/// One of the two bodies before and after the impact.
 Json body_json(const Body& body, double after, double error) {
   return {{"mass_kg", number(body.mass)},
           {"velocity_m_per_s", number(body.velocity)},

@@ -158,7 +158,8 @@ std::string table_html(const Table& table) {
       html += i == 0 ? "<th scope=\"row\">" + text_html(row[i]) + "</th>"
                      : fmt::format("<td data-column=\"{}\"{}>{}</td>",
                                    i < table.columns.size() ? text_html(table.columns[i]) : "",
-                                   // Without a head the rows are words on one thing, a number among them.
+                                   // In a table without a head, cells are texts about one subject, even if
+                                   // they are numbers.
                                    has_head && is_number_or_none(row[i]) ? " class=\"number\"" : "",
                                    text_html(row[i]));
     html += "</tr>\n";

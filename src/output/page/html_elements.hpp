@@ -11,18 +11,18 @@
 namespace dashpad::output {
 
 std::string text_html(const std::string& text);
-/// In lines that do not end between a number and its unit.
+/// The text as HTML in which no line ends between a number and its unit.
 std::string prose_html(const std::string& text);
 std::string paragraphs_html(const std::vector<std::string>& texts);
 /// Lines stay lines.
 std::string lines_html(const std::string& text);
 
 const char* class_of_tone(Tone tone);
-/// Beside the colour, which not all see; empty for a plain tone.
+/// A sign for readers who do not see the colour; empty for a plain tone.
 const char* sign_of_tone(Tone tone);
 
 std::string key_figure_html(const ValueRow& figure);
-/// Its first words, in capitals, are set apart.
+/// A warning; the words in capitals at its front are set apart.
 std::string warning_html(const std::string& line);
 std::string range_html(const RangeBar& range_bar);
 std::string table_html(const Table& table);

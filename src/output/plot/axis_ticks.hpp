@@ -20,7 +20,7 @@ struct PlotRow {
 /// A part of a series without a gap.
 using PlotRun = std::vector<PlotRow>;
 
-/// From the lowest to the highest of the numbers that it includes; none at first.
+/// The range of the numbers that were included; empty at first.
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -34,8 +34,7 @@ bool is_drawable(double value, const Axis& axis);
 /// Whether it lies within the ends that are given.
 bool is_within_limits(double value, const Axis& axis);
 
-/// Throws std::invalid_argument if columns of a series differ in length, or if an axis cannot have its
-/// limits.
+/// Throws std::invalid_argument if columns of a series differ in length or an axis cannot have its limits.
 void check(const Panel& panel);
 
 /// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
@@ -66,15 +65,14 @@ struct AxisRange {
   [[nodiscard]] double share(double value) const;
 };
 
-/// From the limits of the axis or, where it has none, from the next mark beyond what it has to include, or
-/// half way to it.
-/// `most`: about how many labels there is room for.
+/// The range of an axis. An end without a limit lies at the next mark beyond what is to be included, or half
+/// way to it. `most` is the approximate number of labels that have room.
 AxisRange range_of(const Axis& axis, const Span& included, std::size_t most);
 
 /// The nearest of 1, 2 and 5 times powers of ten below a positive number, or above it.
 double round_number(double value, bool above);
 
-/// From low to high, within the range.
+/// The ticks within the range, rising.
 std::vector<Tick> ticks_of(const AxisRange& range, std::size_t most);
 
 }  // namespace dashpad::output

@@ -1,5 +1,5 @@
 #pragma once
-/// What there is to draw of a plot, and how it looks.
+/// The data of a plot that are drawn, and their looks.
 
 #include <cstddef>
 #include <string>
@@ -18,7 +18,7 @@ inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_
 bool is_marker(SeriesStyle style);
 /// Whether it goes from point to point.
 bool is_line(SeriesStyle style);
-/// Behind everything else.
+/// Whether the style is drawn behind all others.
 bool is_ground(SeriesStyle style);
 
 /// "#rrggbb" of a shade, between the colours of viridis (Smith, van der Walt 2015): as light as it is high,
@@ -45,7 +45,7 @@ struct Looks {
 
 Looks looks_of(const Series& series, std::size_t palette_index);
 
-/// What the legend would say of a series.
+/// An entry of the legend.
 struct LegendEntry {
   std::string label;
   Looks looks;
@@ -74,7 +74,7 @@ struct PanelDrawing {
   bool has_data = false;              ///< more than vertical and horizontal lines
 };
 
-/// One for each panel. Throws std::invalid_argument if no panel has data.
+/// The drawings of all panels. Throws std::invalid_argument if no panel has data.
 std::vector<PanelDrawing> drawings_of(const Plot& plot);
 
 }  // namespace dashpad::output

@@ -21,7 +21,7 @@ CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
   return {.plot = {.title = std::move(title), .panels = {std::move(panel)}}, .note = std::move(note)};
 }
 
-/// There solid, and back dashed.
+/// Force over a distance, solid on the way in and dashed on the way back.
 Panel loop(const char* key, const std::vector<double>& way, const Solution& solution,
            const UnitSystem& units) {
   const std::vector<double> x = values_in(units, way, "m"), y = values_in(units, solution.history.force, "N");
@@ -39,7 +39,7 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   return panel;
 }
 
-/// What is plotted over time, in the colour of its turn and with its dashes.
+/// A quantity that is plotted over time.
 struct OverTime {
   const char* key;
   const std::vector<double>& values;  ///< SI, an entry for each of the history
@@ -98,8 +98,8 @@ double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
   return highest;
 }
 
-/// By how much the integrals of these stresses are off the force at most, of those that the law fixes; 0
-/// without any.
+/// The largest relative difference between the integral of these stresses and the force, among the stresses
+/// that the law determines; 0 without any.
 double deviation_of_stress(const std::vector<ContactSnapshot>& snapshots) {
   double deviation = 0;
   for (const ContactSnapshot& contact_snapshot : snapshots)
@@ -231,7 +231,7 @@ ImpactEnergies impact_energies(const ImpactCase& impact, const History& history)
   const std::vector<double> back = work_of(history.force_of_pad(), [&](std::size_t i) {
     return history.support_deflection[i] + (history.body_motion.empty() ? 0 : history.body_motion[i]);
   });
-  // With the sheet on it, which takes its share from the impactor.
+  // A sheet on the pad takes its share of the energy from the impactor.
   const bool has_sheet = !history.pad_force.empty();
   ImpactEnergies energies;
   energies.pad = work_of(
@@ -240,7 +240,7 @@ ImpactEnergies impact_energies(const ImpactCase& impact, const History& history)
   for (std::size_t i = 0; i < history.size(); ++i) {
     if (has_sheet) energies.pad[i] -= back[i];
     energies.kinetic.push_back(impact.impactor.mass * history.velocity[i] * history.velocity[i] / 2);
-    // What a support has taken is a function of the force as long as it is only elastic.
+    // As long as a support is only elastic, its energy is a function of the force.
     const double elastic = impact.support.is_rigid() ? 0.0 : impact.support.energy(history.force_of_pad()[i]);
     energies.support.push_back(history.body_motion.empty() ? elastic : back[i]);
     energies.total.push_back(energies.kinetic[i] + energies.support[i] + energies.pad[i] -

@@ -1,5 +1,5 @@
 #pragma once
-/// All that is plotted of one impact: a figure each for pages, and what stills and other pages have of them.
+/// The figures of one impact for pages, and those that stills and other pages share.
 
 #include <cstddef>
 #include <optional>
@@ -49,8 +49,8 @@ void end_before_bottoming(Axis& axis, const Solution& solution, const std::vecto
 void show_bottoming(Panel& panel, const Solution& solution, const std::vector<double>& column,
                     const UnitSystem& units);
 
-/// Where the energy of an impact is, J, an entry for each of the history. Works are trapezoid sums of force
-/// over way, the work of the weight is part of the total.
+/// The energies of an impact over time, J, an entry for each of the history. Works are trapezoidal sums of
+/// force over distance; the total includes the work of the weight.
 struct ImpactEnergies {
   std::vector<double> kinetic, support, pad, total;
   double largest_deviation = 0;  ///< of the total from what it was at first, as a share of that

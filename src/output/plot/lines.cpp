@@ -11,7 +11,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// One side of the rectangle: how far inside of it a place is.
+/// A side of the rectangle, from which the depth of a place inside is measured.
 struct Side {
   double Place::*coordinate;
   double at;

@@ -24,17 +24,17 @@ namespace dashpad::output {
 
 namespace {
 
-/// Of one foam.
+/// The range of a plot of one foam.
 constexpr double last_drawn_strain = 0.98;
 constexpr int places_of_curve = 196;  // of 0.005
-/// Of foams side by side.
+/// The range of a plot that compares foams.
 constexpr double last_compared_strain = 0.8;
 constexpr int places_of_compared = 400;  // of 0.002
 /// A pad that is pressed flat would make all else a line along the axis: there the plot ends at that many
 /// times what half the strain takes.
 constexpr double steepest = 10;
 
-/// At a strain between those of the curve.
+/// The stress at a strain between those of the curve.
 double stress_at_strain(const laboratory::LoadingCurve& curve, double strain) {
   const auto above = std::ranges::lower_bound(curve.strain, strain);
   if (above == curve.strain.end()) return curve.stress.back();
@@ -56,7 +56,7 @@ Series part_of_curve(const laboratory::LoadingCurve& curve, double from, double 
   return part;
 }
 
-/// Of foams side by side: solid as far as one was tested, dashed beyond.
+/// Adds the curve of a foam to a comparison: solid as far as it was tested, dashed beyond.
 void add_curve(Panel& panel, const Material& material, std::size_t palette_index, const UnitSystem& units) {
   const laboratory::LoadingCurve curve = laboratory::loading_curve(
       material, laboratory::tested_rates(material).front(), last_compared_strain, places_of_compared);
@@ -70,7 +70,7 @@ void add_curve(Panel& panel, const Material& material, std::size_t palette_index
   panel.series.back().end_label = one_line(material.name);
 }
 
-/// From what the softest foam carries at a small strain to the most that any carries, in round numbers.
+/// Sets limits from the stress of the softest foam at a small strain to the largest stress, in round numbers.
 void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
   constexpr double small_strain = 0.05;
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -86,7 +86,7 @@ void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
   axis.high = round_number(high * 1.01, true);
 }
 
-/// One foam of a pad, and how far it was compressed.
+/// A foam of a pad and how far it was compressed.
 struct UsedFoam {
   const Material& material;
   const PadCondition& condition;
@@ -129,7 +129,7 @@ double highest_shown(const laboratory::LoadingCurve& curve, double used) {
   return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
 }
 
-/// As highest_shown(), of a series.
+/// The value of highest_shown() for a series.
 double fast_stress_shown(const Series& fast) {
   const double half = fast.y[fast.y.size() / 2];
   return std::min(fast.y.back(), steepest * half);

@@ -59,7 +59,7 @@ Series curve_of_run(const MaterialTestReport& report, std::size_t run, Values x,
   return {.label = rate_words(report.runs[run]), .x = std::move(x), .y = std::move(y), .palette_index = run};
 }
 
-/// One curve a run.
+/// A panel with one curve for each run.
 Panel panel_of_runs(const MaterialTestReport& report, const char* title, const OfRun& x, const OfRun& y) {
   Panel panel{.title = title, .x = x.axis, .y = y.axis};
   for (std::size_t i = 0; i < report.runs.size(); ++i)

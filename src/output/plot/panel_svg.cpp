@@ -11,15 +11,15 @@ namespace dashpad::output {
 
 namespace {
 
-// All px.
+// All lengths are in px.
 constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_title_line = 18;
 constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
 constexpr std::size_t max_y_labels = 7;
 
-/// How many labels there is room for, whatever they say.
+/// The largest number of labels on the x axis.
 std::size_t max_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
 
-/// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
+/// The height of the axes, px. Narrow plots are less high, but not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
 
 /// The title of an axis, with the name of the axis for scripts that change units.

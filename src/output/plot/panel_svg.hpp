@@ -10,7 +10,7 @@
 
 namespace dashpad::output {
 
-/// From the axes to the names of lines at their right, px.
+/// The distance from the axes to the labels at their right, px.
 inline constexpr double beside_axes = 18;
 
 /// A name at the right of a panel, beside the end of its line.
@@ -32,7 +32,7 @@ void place(std::vector<EndLabel>& labels, const PanelScale& scale);
 /// (least squares); on the way down the order of the ends stays. `height`: of the axes.
 void make_room(std::vector<EndLabel>& labels, double height);
 
-/// What lines and texts take, in px.
+/// The width of the labels and their leaders, px.
 double width_beside_axes(const std::vector<EndLabel>& labels);
 
 std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale& scale);
@@ -51,18 +51,18 @@ struct MarkLabel {
   TextPlace place;
 };
 
-/// Those that have a place within the axes where they lie neither on each other nor on a line or a point.
-/// `ends`: placed, since their leaders are lines too. Names of lines that end far from the right of the axes
-/// are taken from there if they have room beside that end.
+/// The names that have a place within the axes where they cover neither each other nor a line or point.
+/// `ends` must be placed, since their leaders are lines too. Names of lines that end far from the right of
+/// the axes are moved from there to beside the end of the line if they have room.
 std::vector<MarkLabel> mark_labels_of(const PanelDrawing& panel, std::vector<EndLabel>& ends,
                                       const PanelScale& scale);
 
 std::string mark_labels_svg(const std::vector<MarkLabel>& labels);
 
-/// Around a plot, px.
+/// The margin around a plot, px.
 inline constexpr double plot_edge = 16;
 
-/// What a panel needs to be placed. Lengths are in px.
+/// The data from which a panel is laid out. Lengths are in px.
 struct PanelFrame {
   const Panel* panel;
   const PanelDrawing* drawing;
@@ -80,12 +80,12 @@ struct PanelFrame {
   /// Sets where the axes begin and how wide they are, and places the names.
   void place_across(double left, double width);
 
-  /// What is not named in the panel: it has to be in the legend.
+  /// The entries that are not named in the panel, for the legend.
   [[nodiscard]] std::vector<LegendEntry> not_named() const;
 
   /// Room that the numbers on the y axis take.
   [[nodiscard]] double left_margin() const;
-  /// From its upper edge to the axes, and from there to its lower edge.
+  /// The heights from the upper edge to the axes, and from the axes to the lower edge.
   [[nodiscard]] double above_axes() const;
   [[nodiscard]] double below_axes() const;
 };

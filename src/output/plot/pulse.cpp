@@ -38,7 +38,7 @@ double side_of_peak(const injury::PulseReport& report) {
   return 1;
 }
 
-/// Of a record that is much longer than its impact the impact, with the windows and something on either side.
+/// Limits the time axis of a much longer record to the impact, with its windows and a margin.
 void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& units) {
   constexpr double beside = 0.3, much_longer = 1.5;
   if (report.pulse.time.empty()) return;

@@ -16,7 +16,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// What the pad made of the energy, or what is plotted where that is not known.
+/// The share of the energy that the pad keeps, or the name of the plot where that is not known.
 std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
   constexpr double rounding = 1e-9;
   const double kept = summary.energy_absorbed_fraction;

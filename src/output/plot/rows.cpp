@@ -34,7 +34,7 @@ class AxisCells {
         count_(count),
         begin_(on_scale(span.low, axis)),
         scale_(count / (on_scale(span.high, axis) - begin_)) {
-    // Nothing to cut.
+    // An empty span has only one cell.
     if (!std::isfinite(scale_)) scale_ = 0;
   }
   [[nodiscard]] int cell(double value) const {

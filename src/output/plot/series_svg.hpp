@@ -25,14 +25,14 @@ PlaceLine area_inside(PlaceLine outline, const PlotSize& size);
 bool is_inside(const Place& place, const PlotSize& size);
 
 double length_of(const PlaceLine& line);
-/// After that length from the begin of a line that has a place; its end if it is shorter.
+/// The place at that length along a line with at least one place; the end of a shorter line.
 Place place_on(const PlaceLine& line, double length);
 
 /// Leaves out places that are no farther than a twentieth of a px from the line between two that stay. The
 /// first, the last and those where the line turns back stay.
 PlaceLine simplified(const PlaceLine& line);
 
-/// Where a panel shows its numbers: px from the upper left corner of its rectangle.
+/// The scale of a panel: its coordinates are px from the upper left corner of its rectangle.
 struct PanelScale {
   AxisRange x, y;
   PlotSize size;

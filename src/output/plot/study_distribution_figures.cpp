@@ -140,7 +140,7 @@ Panel index_panel(const std::string& response, const study::Sensitivity& sensiti
 
 std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
-  // One row has no distribution.
+  // A single row has no distribution.
   if (answers.records.rows.size() < 2) return figures;
   const std::string note = answers.groups.size() > max_lines_drawn
                                ? fmt::format("The first {} combinations of levels.", max_lines_drawn)

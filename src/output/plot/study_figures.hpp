@@ -37,27 +37,28 @@ std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::s
 /// Marks that point upwards, in the colour of that turn, red by default, for rows that bottomed out on a
 /// rigid support: their force is beyond any axis.
 Series struck_through_marks(std::size_t colour = 1);
-/// Where such marks stand if they are not to hide the values: a little above all of them.
+/// The height for such marks at which they hide no values: slightly above all of them.
 double above_all(const std::vector<Series>& series);
 
-/// At most `most` of `count` rows, in their order: drawn at random, since every n-th of an even sequence lies
-/// in one part of a factor's range. The same each time.
+/// At most `most` of `count` rows, in their order. They are chosen at random, always the same ones: every
+/// n-th row of an even sequence would cover only a part of a factor's range.
 std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t most);
 
-/// Two factors of a grid and a response over them; other factors at their middle level. Levels increase.
+/// A response over two factors of a grid, with all other factors at their middle levels. Levels increase.
 struct GridPlane {
   std::size_t across = 0;                   ///< factor with the most levels
   std::optional<std::size_t> lines;         ///< the next one
   std::vector<double> across_levels;        ///< SI
   std::vector<double> line_levels;          ///< SI; {0} without a second factor
   std::vector<std::vector<double>> values;  ///< [line][across], SI; NaN for none, infinite: struck through
-  /// Of draws, the 5 % and 95 % quantiles beside them; empty without draws.
+  /// The 5 % and 95 % quantiles of draws; empty for a grid without draws.
   std::vector<std::vector<double>> low, high;
   std::string at;          ///< levels of the other factors, in words; may be empty
   bool is_median = false;  ///< of draws, not of single rows
 };
 
-/// Absent where no number has two levels or more. `response` counts in StudyAnswers::responses.
+/// The plane of a response, an index in StudyAnswers::responses. Absent if no numeric factor has at least two
+/// levels.
 std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units);
 
@@ -81,8 +82,8 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
                               const std::vector<std::vector<double>>& values,
                               const std::vector<double>& levels, const std::string& unit);
 
-/// Where the same values are `level`: lines with pale edges, with a gap after each but the last. Empty where
-/// they are nowhere.
+/// The contour of a level: lines with pale edges, separated by gaps. Empty if the values do not cross the
+/// level.
 Series contour(const std::vector<double>& across, const std::vector<double>& up,
                const std::vector<std::vector<double>>& values, double level);
 

@@ -15,7 +15,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// More lie on each other.
+/// The largest number of bands in a plot; more would cover each other.
 constexpr std::size_t max_bands = 3;
 
 std::vector<double> scaled(std::vector<double> values, double scale) {
@@ -36,8 +36,8 @@ std::size_t rows_in(const std::vector<Series>& lines) {
   return rows;
 }
 
-/// Above all values, one row of marks for each line with rows that bottomed out, in its colour if there are
-/// several lines.
+/// Marks above all values for rows that bottomed out: one row of marks for each line that has any, in its
+/// colour if there are several lines.
 std::vector<Series> struck_through_above(const std::vector<Series>& series) {
   constexpr double between_rows = 0.05;
   const double above = above_all(series);
@@ -97,7 +97,7 @@ CaptionedPlot curves(const study::StudyAnswers& answers, const GridPlane& plane,
                       (has_bands(plane) ? "Bands hold nine draws in ten. " : "") + note_of(plane));
 }
 
-/// Nothing where no area can be filled.
+/// The map of a response; none if no area can be filled.
 std::optional<CaptionedPlot> map_of(const study::StudyAnswers& answers, const GridPlane& plane,
                                     std::size_t response, const UnitSystem& units) {
   const std::string name = response_name(answers, response);

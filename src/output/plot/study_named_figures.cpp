@@ -13,7 +13,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// More bars are a list.
+/// The largest number of bars in a plot.
 constexpr std::size_t max_bars = 24;
 
 struct Bar {
@@ -34,7 +34,7 @@ std::vector<Bar> bars_of(const study::StudyAnswers& answers, std::size_t respons
   return bars;
 }
 
-/// Where the axis ends, so that one bar beyond all measure does not hide the others.
+/// The end of the axis, chosen so that one extreme bar does not hide the others.
 double end_of_axis(const std::vector<Bar>& bars, const std::vector<study::StudyLimit>& limits,
                    const std::string& response) {
   constexpr double times_middle = 4;

@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-// All px.
+// All lengths are in px.
 constexpr double title_line = 26, below_title = 6, source_line = 16;
 constexpr double min_right_margin = 24;
 
@@ -133,7 +133,7 @@ constexpr std::string_view colours = R"(
 }
 )";
 
-/// All in proportion to one, by which a page makes them smaller together.
+/// Font sizes relative to one of them, so that a page can scale them together.
 std::string sizes() {
   const auto rule = [](const char* name, double size) {
     return fmt::format(".{}{{font-size:{:.4g}em}}\n", name, size / label_text);

@@ -84,7 +84,7 @@ std::string support_text(const Support& support, const UnitSystem& units) {
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
 }
 
-/// What happens between blows, by the law and by what the case says of it.
+/// What happens to the pad between blows.
 std::string rests_text(const PadLaw& law, const Blows& blows) {
   switch (blow_memory(law)) {
     case BlowMemory::none:

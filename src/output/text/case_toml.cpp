@@ -75,7 +75,7 @@ std::string pad_toml(const Pad& pad) {
 }  // namespace
 
 std::string toml_string(const std::string& text) {
-  // What JSON writes, but for what TOML forbids.
+  // JSON strings are valid TOML strings, except for characters that one_line() removes.
   return nlohmann::json(one_line(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

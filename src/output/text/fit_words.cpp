@@ -34,7 +34,7 @@ std::string words_of(const Misses& misses) {
   return listed(parts);
 }
 
-/// Of the unknowns of the material.
+/// Counts of the unknowns of the material.
 struct Determined {
   std::size_t all = 0, by_data = 0, by_prior = 0, open = 0;
 };

@@ -30,7 +30,7 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// What gives no interval, and why.
+/// Sources without an interval, and why they have none.
 std::vector<std::string> unknown_words(const Intervals& intervals) {
   std::vector<std::string> all;
   for (const OpenSource& open_source : intervals.sources)

@@ -10,7 +10,7 @@
 
 namespace dashpad::output {
 
-/// What was done, in a sentence.
+/// The procedure of a test in a sentence.
 std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& units);
 
 /// "100 per second", or "measured".

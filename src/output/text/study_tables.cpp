@@ -14,10 +14,11 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
-/// Of a grid the others say where its levels are, not what to expect.
+/// The only quantile of a grid that is shown: the others depend on the choice of its levels.
 constexpr double median = 0.5;
 
-/// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
+/// The number of rows that bottomed out, with its share: "229 (22.9 %)"; "-" for responses that stay finite
+/// then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
   const ResultQuantity* kind = study::find_response_kind(response);
   if (kind == nullptr || kind->role.growth != Growth::with_force) return "-";

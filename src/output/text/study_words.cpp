@@ -41,7 +41,7 @@ std::string_view meaning_of(std::string_view key) {
   return "";
 }
 
-/// What the numbers under a table of the case belong to.
+/// The owners of the numbers in the tables of a case.
 constexpr std::array<Words, 5> owners{{{"pad.parameters.", " of the foam"},
                                        {"pad.curve.", " of the foam"},
                                        {"pad.rate.", " of the foam's rate effect"},
@@ -104,7 +104,7 @@ std::string with_interval(const study::Estimate& estimate, double scale) {
 }
 
 std::string share_with_interval(const study::Estimate& share) {
-  // What rounds to zero has no sign.
+  // Adding zero removes the sign of a value that rounds to zero.
   const auto rounded = [](double value) { return std::round(1000 * value) / 1000 + 0.0; };
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", rounded(share.value), rounded(share.low),
                      rounded(share.high));

@@ -9,7 +9,7 @@
 
 namespace dashpad::output {
 
-/// More lines than this tell nothing.
+/// The largest number of lines in a plot of a study.
 inline constexpr std::size_t max_lines_drawn = 8;
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
@@ -23,7 +23,7 @@ std::string with_interval(const study::Estimate& estimate, double scale = 1);
 std::string share_with_interval(const study::Estimate& share);
 /// A share in per cent, with three digits: "12.3 %"; "undecided" if not finite.
 std::string per_cent(double share);
-/// In per cent.
+/// The estimate of a share, in per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
 
 /// The response that is the i-th with answers.
@@ -31,7 +31,7 @@ const std::string& response_name(const study::StudyAnswers& answers, std::size_t
 /// "Peak force" of the response peak_force.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
-/// With its unit and three digits, large values too: "9170 N", "HIC15" without a unit.
+/// The value with its unit and three digits, large values too: "9170 N".
 std::string three_digits(const std::string& response, double value, const UnitSystem& units);
 /// "2080 to 9170 N".
 std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units);

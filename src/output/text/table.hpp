@@ -7,10 +7,11 @@
 
 namespace dashpad::output {
 
-/// As GitHub has them in Markdown.
+/// The table in GitHub's Markdown.
 std::string markdown(const Table& table);
 
-/// For a terminal of 100 columns: where it would be wider the words of its widest columns go on below.
+/// The table for a terminal of 100 columns; the texts of its widest columns continue on further lines if
+/// necessary.
 std::string plain_text(const Table& table);
 
 }  // namespace dashpad::output

@@ -21,7 +21,7 @@ enum class SeriesStyle {
   horizontal_line,  ///< across the whole panel, at each y
 };
 
-/// Where the label of a series is written. What has no room there goes to the legend.
+/// Where the label of a series is placed. Labels without room go to the legend.
 enum class LabelPlace {
   by_style,  ///< of a line at its end, of a line across on it, of everything else in the legend
   middle,    ///< of a line: beside its middle, for brackets and contours; of a single point: beside it
@@ -68,8 +68,8 @@ struct Axis {
   std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
 };
 
-/// One pair of axes. The series are drawn in their order, bands and areas first; those without a point are
-/// left out.
+/// A pair of axes. Series are drawn in their order, after bands and areas; series without a point are left
+/// out.
 struct Panel {
   std::string title = {};
   Axis x = {};
@@ -100,7 +100,7 @@ struct CaptionedPlot {
 
 enum class PictureFormat { svg, png, pdf };
 
-/// By the ending of a file's name, in small or capital letters. None for other endings.
+/// The format by the extension of a file name, in either case. None for other extensions.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 
 /// The bytes of the picture file. The same plot gives the same SVG everywhere, and the same PNG and PDF where
