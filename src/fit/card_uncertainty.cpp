@@ -20,7 +20,7 @@ const std::string scale_of_pad = "pad.scale";
 /// The ends of a principal axis: coordinates one standard deviation down and up, within the bounds.
 struct Axis {
   std::vector<double> minus, plus;
-  double effect = 0;  ///< on what was fitted, squared
+  double effect = 0;  ///< squared effect on the fitted figures
 };
 
 /// The coordinates that go into the card and are not at a bound.

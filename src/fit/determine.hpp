@@ -27,7 +27,7 @@ namespace dashpad::fit {
 struct LeastSquares {
   std::size_t unknowns = 0;
   std::size_t residuals = 0;
-  double step = 1e-4;  ///< of a coordinate, for derivatives
+  double step = 1e-4;  ///< step of a coordinate for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
   /// Residuals take impacts, which are exact to some 1e-4: differences by several threads, and no search goes
   /// on below what that moves.
@@ -71,10 +71,11 @@ struct ProfileEnd {
 
 struct ProfileRequest {
   std::size_t coordinate = 0;
-  int side = 1;                        ///< 1 upwards, -1 downwards
-  double threshold = 3.84;             ///< of the misfit
-  double guess = 0.1;                  ///< of the distance
-  std::vector<double> direction = {};  ///< of all coordinates, for a first guess of the others; 1 for its own
+  int side = 1;             ///< 1 upwards, -1 downwards
+  double threshold = 3.84;  ///< rise of the misfit
+  double guess = 0.1;       ///< first guess of the distance
+  std::vector<double> direction =
+      {};  ///< change of all coordinates along the profile, for first guesses; 1 for its own
 };
 
 /// Searches from a minimum for the end of an interval, to half a per cent of the distance, or to two per cent
@@ -123,14 +124,14 @@ struct Uncertainty {
   /// The standard error of each coordinate; absent at a bound, and where the noise exceeds a move across the
   /// bounds.
   std::vector<std::optional<double>> error;
-  std::vector<double> widening;    ///< of its variance, by correlated residuals
+  std::vector<double> widening;    ///< factor on its variance from correlated residuals
   std::vector<double> covariance;  ///< row by row; rows of coordinates at a bound are 0
   std::vector<std::pair<std::size_t, std::size_t>> strongly_correlated;
-  std::vector<double> correlations;  ///< of these
+  std::vector<double> correlations;  ///< correlations of these pairs
   std::vector<std::vector<std::size_t>> flat_directions;
-  std::vector<double> precision;        ///< of all coordinates, row by row: inverse of the covariance
-  std::vector<double> gradient;         ///< of half the misfit over the scale
-  std::vector<Autocorrelation> blocks;  ///< of the curve of each
+  std::vector<double> precision;        ///< inverse covariance of all coordinates, row by row
+  std::vector<double> gradient;         ///< gradient of half the misfit over the scale
+  std::vector<Autocorrelation> blocks;  ///< autocorrelation along the curve of each block
 };
 
 /// Finds the uncertainty at a minimum. `scale` multiplies variances. False if the derivatives cannot be
@@ -183,7 +184,7 @@ class Session {
   void finished(const std::string& name, const std::string& text);
 
   const RunOptions& options_;
-  mutable std::mutex mutex_;  ///< of all that follows
+  mutable std::mutex mutex_;  ///< guards all members below
   std::map<std::string, std::string> kept_;
   const char* what_ = "";
   std::size_t done_ = 0, pieces_ = 0;
@@ -200,7 +201,7 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
 struct Solved {
   Minimum minimum;
   Uncertainty uncertainty;
-  std::vector<ProfileEnd> below, above;  ///< of each coordinate
+  std::vector<ProfileEnd> below, above;  ///< ends for each coordinate
 };
 
 /// Proceeds from a minimum to the best one that its profiles meet, with the profiles there; report.converged

@@ -123,7 +123,8 @@ std::optional<double> nose_over_pad_of(const Fit& fit, double alike) {
                           std::holds_alternative<Ellipsoid>(impact.impactor.nose) ||
                           std::holds_alternative<Rod>(impact.impactor.nose);
     if (!is_round || !impact.pad.layers.empty() || impact.pad.area) return std::nullopt;
-    const double ratio = sections_of(impact).width / impact.pad.thickness;  // of the curvature at the tip
+    const double ratio =
+        sections_of(impact).width / impact.pad.thickness;  // ratio for the radius of curvature at the tip
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }

@@ -69,7 +69,7 @@ class SmoothCurve {
   std::vector<double> time_, value_, slope_;
 };
 
-constexpr int points_per_step = 4;  ///< of the curve through the steps of the solver
+constexpr int points_per_step = 4;  ///< points of the smooth curve per step of the solver
 
 using Setter = std::function<void(ImpactCase&, double)>;
 

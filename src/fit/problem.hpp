@@ -56,7 +56,7 @@ using Settle = std::function<bool(std::span<double> values, std::span<double> pr
 
 /// A source of data with its residuals.
 struct Block {
-  std::size_t first = 0;  ///< of its residuals
+  std::size_t first = 0;  ///< index of its first residual
   std::vector<double> measured;
   std::vector<double> deviation;
   std::optional<std::size_t> offset;  ///< the coordinate that is added to what is predicted
@@ -65,7 +65,7 @@ struct Block {
   /// figures of its impact. Absent if none does.
   std::optional<std::size_t> curve;
   std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
-  Settle settle;                     ///< where there is a shift
+  Settle settle;                     ///< present if there is a shift
   bool noise_is_stated = true;
   bool is_impact = false;
   /// No data: what keeps a base curve rising, as a material must.
@@ -77,11 +77,11 @@ struct Block {
 struct Problem {
   std::vector<Coordinate> coordinates;
   std::vector<Block> blocks;
-  double derivative_step = 1e-4;  ///< of a coordinate, for central differences
+  double derivative_step = 1e-4;  ///< step of a coordinate for central differences
 
   [[nodiscard]] std::size_t points() const;  ///< measured numbers
   [[nodiscard]] std::size_t priors() const;
-  [[nodiscard]] std::size_t residuals() const;  ///< of all blocks, then priors
+  [[nodiscard]] std::size_t residuals() const;  ///< number of residuals: of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.
   bool evaluate(std::span<const double> x, std::span<double> residuals) const;
   /// The same with the best shift of each pulse whose shift is not held, which is put into `x`.

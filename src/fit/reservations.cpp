@@ -82,7 +82,7 @@ void add_doubts(const FitReport& report, Sentences& all) {
         report.misfit_per_degree()));
 }
 
-constexpr double worth_saying = 0.05;  ///< of the measured figure
+constexpr double worth_saying = 0.05;  ///< share of the measured figure
 
 /// The largest miss of each figure of the impacts.
 void add_misses(const FitReport& report, Sentences& all) {

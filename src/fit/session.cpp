@@ -94,7 +94,7 @@ std::string sum_of(const json& pieces) { return fingerprint({pieces.dump()}); }
 
 /// Throws std::runtime_error if the file is not a state of this fit.
 std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& options) {
-  std::error_code error;  // what cannot be looked at is refused as it is read
+  std::error_code error;  // a file that cannot be examined fails when it is read
   if (options.state.empty() ||
       std::filesystem::status(options.state, error).type() == std::filesystem::file_type::not_found)
     return {};

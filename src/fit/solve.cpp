@@ -239,8 +239,8 @@ class Search {
     return step;
   }
 
-  static constexpr double min_gain = 1e-4;  ///< of a step, actual over expected
-  static constexpr double good_gain = 0.3;  ///< how far from 1 it may be for an update
+  static constexpr double min_gain = 1e-4;  ///< least ratio of actual to expected gain of a step
+  static constexpr double good_gain = 0.3;  ///< largest difference of that ratio from 1 that allows an update
   static constexpr double min_scale = 1e-6;
 
   const LeastSquares& problem_;

@@ -18,7 +18,7 @@ constexpr double min_share = 0.3;
 constexpr double min_eigenvalue = 1e-11;
 
 struct Curvature {
-  Eigen::VectorXd values;  ///< of J'J, not below least_eigenvalue of the largest
+  Eigen::VectorXd values;  ///< eigenvalues of J'J, at least min_eigenvalue times the largest
   Matrix vectors;
   Matrix inverse;
 };
@@ -88,7 +88,7 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
   if (!derivatives(residuals, x, {jacobian.data(), static_cast<std::size_t>(jacobian.size())})) return false;
 
   into = {};
-  Matrix widened = jacobian.transpose() * jacobian;  // with the weights of the blocks
+  Matrix widened = jacobian.transpose() * jacobian;  // will include the weights of the blocks
   const Matrix hessian = widened;
   for (const Block& block : problem.blocks) {
     const auto first = static_cast<Eigen::Index>(block.first),

@@ -74,7 +74,7 @@ std::optional<Unit> product(const Unit& a, const Unit& by, int power) {
   Unit result{power < 0 ? a.number / raised : a.number * raised};
   bool is_sound = std::isfinite(result.number) && result.number > 0;
   const auto sum = [&](int left, int right) {
-    const int exponent = left + right * power;  // both at most largest_exponent, power at most 99
+    const int exponent = left + right * power;  // both are at most largest_exponent, power at most 99
     is_sound = is_sound && std::abs(exponent) <= largest_exponent;
     return exponent;
   };

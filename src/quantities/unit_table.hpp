@@ -16,7 +16,7 @@ struct UnitDimension {
 enum class Prefixes : bool { no, yes };
 
 struct UnitRow {
-  std::string_view names;  ///< with blanks between them
+  std::string_view names;  ///< names separated by blanks
   long double number = 1;  ///< one of it is number times ten to a power, in base units
   int ten = 0;
   UnitDimension dimension;

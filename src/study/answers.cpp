@@ -16,7 +16,7 @@ namespace {
 
 using Binomial = boost::math::binomial_distribution<>;
 
-constexpr double tail = 0.025;  // of a 95 % interval, at each end
+constexpr double tail = 0.025;  // probability beyond each end of a 95 % interval
 constexpr double probabilities[] = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
 std::vector<double> sorted_values(std::span<const double> values) {
@@ -79,7 +79,7 @@ double upper_bound(std::uint64_t count, std::uint64_t successes) {
 
 /// Sums over draws, from which all indices follow.
 struct Sums {
-  double values = 0, squares = 0;  ///< of a and b
+  double values = 0, squares = 0;  ///< sums over a and b
   std::vector<double> first, total;
   explicit Sums(std::size_t factors) : first(factors), total(factors) {}
 

@@ -147,7 +147,7 @@ struct Design::Plan {
   FractionSource source;
   Matrix root;  ///< empty without correlations
   std::vector<Quantiles> quantiles;
-  std::vector<std::vector<double>> levels;  ///< of each factor; empty for a sampled one
+  std::vector<std::vector<double>> levels;  ///< levels of each factor; empty for a sampled one
 };
 
 Design::Design(const Study& study) {

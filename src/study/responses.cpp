@@ -86,7 +86,7 @@ class PulseFigures {
   struct Sampled {
     Pulse pulse;
     std::optional<injury::Hump> hump;
-    std::optional<double> scale;  ///< of the curve, once it is there
+    std::optional<double> scale;  ///< scale of the curve, once it is assigned
     injury::hic_search::Curve curve;
 
     void prepare() {
@@ -124,7 +124,8 @@ class PulseFigures {
   double force_error_ = 0;
   bool whole_ = false;
   std::optional<EstimatedValue> whole_window_;  ///< HIC with a window that is no limit
-  std::optional<EstimatedValue> clip_;          ///< of a hump: contiguous and cumulative are the same
+  std::optional<EstimatedValue>
+      clip_;  ///< clip of a hump, for which contiguous and cumulative clips are equal
 };
 
 namespace {

@@ -78,7 +78,7 @@ class Sobol {
   [[nodiscard]] std::uint32_t plain(std::uint64_t number, std::size_t dimension) const;
 
  private:
-  std::vector<std::array<std::uint32_t, 32>> directions_;  ///< of each dimension
+  std::vector<std::array<std::uint32_t, 32>> directions_;  ///< direction numbers of each dimension
   std::vector<std::uint32_t> seeds_;
 };
 

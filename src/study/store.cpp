@@ -45,7 +45,7 @@ void keep_room(Database& database, const StoreHeading& heading) {
   std::error_code none;
   const std::filesystem::path log = database.log();
   const std::uintmax_t written = std::filesystem::file_size(log, none);
-  if (none) return;  // nothing to write back
+  if (none) return;  // there is no log to write back
   const std::filesystem::space_info space = std::filesystem::space(log, none);
   if (!none && space.available < written + 2 * log_bytes_of_batch(heading)) database.write_back_log();
 }

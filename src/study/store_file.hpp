@@ -49,7 +49,7 @@ class Database {
   struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
   };
-  std::string name_;  ///< as the user gave it
+  std::string name_;  ///< name given by the user
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
@@ -174,11 +174,11 @@ class WriterLock {
 struct Store::File {
   File(Database opened, StoreHeading read) : database(std::move(opened)), heading(std::move(read)) {}
 
-  std::optional<WriterLock> writer_lock;  ///< of a store to write; before the database, to outlive it
+  std::optional<WriterLock> writer_lock;  ///< for writing only; stands before the database to outlive it
   Database database;
   StoreHeading heading;
   std::uint64_t rows_done = 0;
-  std::optional<Statement> insert_row, insert_batch;  ///< of a store to write
+  std::optional<Statement> insert_row, insert_batch;  ///< for writing only
   [[nodiscard]] std::uint64_t batches() const {
     return heading.rows / heading.batch_size + (heading.rows % heading.batch_size > 0 ? 1 : 0);
   }

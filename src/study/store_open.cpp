@@ -93,7 +93,7 @@ void start_log(Database& database) {
       fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
                   "PRAGMA wal_autocheckpoint = {}; PRAGMA journal_size_limit = {};",
                   log_bytes / page_bytes, log_bytes));
-  Transaction{database, "BEGIN IMMEDIATE"}.commit();  // where it cannot be used, that is known now
+  Transaction{database, "BEGIN IMMEDIATE"}.commit();  // fails here if the log cannot be used
 }
 
 std::string insert_text(const StoreHeading& heading) {
@@ -149,7 +149,7 @@ Database open_to_write(const fs::path& file, const Study& study, StoreHeading& h
   try {
     return open(true);
   } catch (const std::runtime_error&) {
-    return open(false);  // what else is wrong is said now
+    return open(false);  // any other fault is reported now
   }
 }
 
@@ -210,7 +210,7 @@ Store Store::open_for(const Study& study, const fs::path& file) {
     auto opened = std::make_unique<File>(std::move(database), std::move(heading));
     opened->writer_lock.emplace(std::move(lock));
     opened->rows_done = count_rows(opened->database, opened->heading);
-    opened->database.write_back_log();  // that a kill or a full disk left
+    opened->database.write_back_log();  // left by a kill or a full disk
     const std::uint64_t missing = opened->heading.rows - opened->rows_done;
     if (!is_new && missing > 0) check_room(file, bytes_of_rows(opened->heading, missing));
     opened->insert_row.emplace(opened->database, insert_text(opened->heading));

@@ -29,7 +29,7 @@ struct FittedUnknown {
   bool lowest_is_natural = false, highest_is_natural = false;
   bool is_at_lowest = false, is_at_highest = false;
   bool is_logarithmic = false;            ///< sought by its logarithm
-  std::optional<double> prior_deviation;  ///< of its prior, where it has one
+  std::optional<double> prior_deviation;  ///< deviation of its prior, if it has one
   bool is_added = false;                  ///< sought though the fit file does not name it
   /// Whether it belongs to a measurement, not to the material: the shift of a force zero or of the clock of a
   /// pulse.
@@ -73,7 +73,7 @@ struct Loop {
 struct MetTest {
   std::string file;
   bool is_held_out = false;
-  std::size_t points = 0;     ///< that count
+  std::size_t points = 0;     ///< number of points that count
   double largest_stress = 0;  ///< Pa, measured
   double lowest_rate = 0;     ///< 1/s, magnitude, of the pieces between points that count
   double highest_rate = 0;
@@ -85,8 +85,8 @@ struct MetTest {
   std::vector<Loop> loops;
   double autocorrelation = 0;   ///< lag-1 rho of the residuals
   double effective_points = 0;  ///< n (1 - rho) / (1 + rho) where rho is clearly above 0, else n
-  std::vector<double> strain, measured, computed;  ///< of the points that count
-  std::vector<int> course;                         ///< of each of them: 1 on the way up, -1 on the way down
+  std::vector<double> strain, measured, computed;  ///< values at the points that count
+  std::vector<int> course;                         ///< direction at each of them: 1 loading, -1 unloading
 };
 
 /// The comparison of the model with a figure of an impact.
@@ -105,7 +105,7 @@ struct MetPulse {
   std::string file;  ///< the case
   std::string pulse_file;
   bool is_held_out = false;
-  std::size_t samples = 0;              ///< of the file, between onset and end
+  std::size_t samples = 0;              ///< samples of the file between onset and end
   double deviation = 0;                 ///< m/s2
   double measured_peak = 0;             ///< m/s2
   std::optional<double> computed_peak;  ///< m/s2; absent where the impact has no whole pulse, as is rms
@@ -125,11 +125,10 @@ struct MetPulse {
 struct ImpactComparison {
   std::string file;  ///< the case
   ImpactFigure figure = ImpactFigure::peak_acceleration;
-  bool is_held_out = false;  ///< predicted, not fitted
-  bool is_of_pulse = false;  ///< taken from a pulse; else measured as a figure
-  double measured = 0;       ///< SI, > 0
-  std::optional<double>
-      computed;  ///< with the filter of the pulse; absent where the impact has no such figure
+  bool is_held_out = false;        ///< predicted, not fitted
+  bool is_of_pulse = false;        ///< taken from a pulse; else measured as a figure
+  double measured = 0;             ///< SI, > 0
+  std::optional<double> computed;  ///< with the filter of the pulse; absent if the impact has no such figure
   /// Standard deviation of what was measured, as stated; absent of a pulse, of which nobody states it.
   std::optional<double> deviation;
 
@@ -166,15 +165,15 @@ struct FitReport {
   std::size_t priors = 0;
   double degrees_of_freedom = 0;
   double misfit = 0;             ///< sum of squared residuals over deviations, priors included
-  bool noise_is_stated = false;  ///< by all tests and impacts
+  bool noise_is_stated = false;  ///< whether all tests and impacts state it
   /// The factor on squared errors: the misfit per degree of freedom, at least 1, if all noise is stated; else
   /// 1, since the noise is estimated from the misfit.
   double variance_scale = 1;
-  double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a curve
+  double largest_widening = 1;  ///< largest factor on a standard error from correlated residuals
   int starts = 0;
-  int starts_at_best = 0;  ///< that came to the same misfit
-  int starts_failed = 0;   ///< that met no valid material or did not converge
-  int solver_runs = 0;     ///< of each impact, fixed; 0 without impacts
+  int starts_at_best = 0;  ///< number of starts with the same misfit
+  int starts_failed = 0;   ///< number of starts without a valid material or without convergence
+  int solver_runs = 0;     ///< fixed number of solver runs per impact; 0 without impacts
   std::size_t evaluations = 0;
   double wall_time = 0;  ///< s
   /// A sample of the unknowns, in their order, if asked for.

@@ -29,8 +29,9 @@ struct AssessmentReport {
   const ImpactCase& assessed;
   const Solution& solution;
   const injury::Assessment& assessment;
-  std::vector<injury::OtherChoice> others = {};  ///< that turn the verdict; each has its reservation, too
-  std::string file = {};                         ///< that the case was read from
+  std::vector<injury::OtherChoice> others =
+      {};                 ///< choices that change the verdict; each has its reservation, too
+  std::string file = {};  ///< case file
 };
 
 /// The reservation for another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s, the

@@ -14,7 +14,7 @@ namespace dashpad::output {
 
 /// The amount of detail.
 enum class Detail {
-  main,  ///< what matters first, to four digits; errors in one line, and where they are much larger than that
+  main,  ///< the main figures to four digits, errors in one line or, where they are large, beside the figure
   all,   ///< every figure to five digits, each with its error
 };
 /// Significant digits of figures.
@@ -23,12 +23,12 @@ constexpr int digits_of(Detail detail) { return detail == Detail::all ? 5 : 4; }
 /// A value with its interval on the way from one bound to another, as a bar.
 struct RangeBar {
   std::string label = {};
-  std::string value = {};   ///< as it is shown, with its unit
+  std::string value = {};   ///< the value as it is shown, with its unit
   std::string words = {};   ///< the interval
   std::string lowest = {};  ///< the bounds
   std::string highest = {};
-  double place = 0;                             ///< of the value: 0 at the lowest, 1 at the highest
-  double from = 0, to = 1;                      ///< of the interval
+  double place = 0;                             ///< place of the value: 0 at the lowest, 1 at the highest
+  double from = 0, to = 1;                      ///< ends of the interval
   bool open_below = false, open_above = false;  ///< it has no end there
 };
 
@@ -37,7 +37,7 @@ enum class Tone { plain, good, doubtful, bad };
 
 /// A figure as people read it, with what goes with it; what is empty is not shown.
 struct ValueRow {
-  std::string key = {};  ///< of the table of results, where it is one of them
+  std::string key = {};  ///< key in the table of results, if it has one
   std::string label = {};
   std::string value = {};
   std::string unit = {};             ///< empty too where the value has it
@@ -55,7 +55,7 @@ struct ValueRow {
 struct Lead {
   std::string answer = {};  ///< one sentence: the heading of the page
   Tone tone = Tone::plain;
-  std::vector<std::string> subject = {};  ///< what was asked, a line each
+  std::vector<std::string> subject = {};  ///< the question or its circumstances, a line each
   std::string drawing = {};               ///< an SVG that this library has made; may be empty
   std::optional<Plot> curve = {};         ///< the one that decides
   /// The most important first: a page shows six large, the terminal all of them in short.
@@ -65,9 +65,9 @@ struct Lead {
 /// Where a section is shown.
 enum class Seen {
   always,
-  in_brief,  ///< on a terminal where not everything is asked for
-  in_full,   ///< where everything is: with --all, on a page and in Markdown
-  on_pages,  ///< on a page and in Markdown
+  in_brief,  ///< only on a terminal without --all
+  in_full,   ///< with --all, on pages and in Markdown
+  on_pages,  ///< on pages and in Markdown
 };
 
 /// Figures that belong together, below a line of their own if there is one.
@@ -90,7 +90,7 @@ struct Section {
 
 struct Document {
   std::string title = {};
-  std::optional<Lead> lead = {};          ///< in place of the title as the heading
+  std::optional<Lead> lead = {};          ///< replaces the title as the heading
   std::vector<std::string> summary = {};  ///< paragraphs below the title
   /// Warnings, the most serious first; the words in capitals at their front are set apart.
   std::vector<std::string> warnings = {};

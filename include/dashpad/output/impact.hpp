@@ -24,7 +24,7 @@ namespace dashpad::output {
 struct BlowResult {
   Summary summary;
   std::optional<injury::InjuryFigures> injury;  ///< absent where the pulse is not whole
-  double earlier_penetration = 0;               ///< that the blow met, m
+  double earlier_penetration = 0;               ///< penetration left by earlier blows, m
 };
 std::vector<BlowResult> blow_results(std::span<const Blow> blows);
 
@@ -33,8 +33,8 @@ struct ImpactReport {
   const Options& options;
   const Solution& solution;
   std::optional<injury::InjuryFigures> injury = {};  ///< absent where the pulse is not whole
-  std::vector<BlowResult> blows = {};                ///< of a series, whose last blow the solution is
-  std::vector<ContactSnapshot> snapshots = {};       ///< for the page; may be empty
+  std::vector<BlowResult> blows = {};           ///< the blows of a series, the last of which is the solution
+  std::vector<ContactSnapshot> snapshots = {};  ///< for the page; may be empty
 };
 
 /// The answer, how it ended, what to beware of, the figures, and what they rest on.

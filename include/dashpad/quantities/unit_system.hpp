@@ -11,12 +11,12 @@ namespace dashpad {
 /// A unit for each kind of quantity, as text that dashpad/quantities/quantity.hpp reads. Strain rates are in
 /// 1/s everywhere.
 struct UnitSystem {
-  std::string name;  ///< as on the command line
+  std::string name;  ///< name on the command line
   std::string length;
   std::string mass;
   std::string time;
   std::string speed;
-  std::string acceleration;  ///< of decks; people are shown g
+  std::string acceleration;  ///< unit in decks; people are shown g
   std::string force;
   std::string stiffness;
   std::string pressure;

@@ -27,11 +27,12 @@ struct Estimate {
 /// response that grows with the force: quantiles and the greatest value are infinite where they fall on such
 /// a row, and there is no mean and no deviation.
 struct Distribution {
-  std::uint64_t rows = 0;            ///< with a finite value
-  std::uint64_t struck_through = 0;  ///< with an infinite one
-  std::uint64_t without = 0;         ///< with none: the impactor did not leave, or the row was not run
-  Estimate mean;                     ///< Student's interval
-  double deviation = 0;              ///< of the rows, with n - 1
+  std::uint64_t rows = 0;            ///< number of finite values
+  std::uint64_t struck_through = 0;  ///< number of infinite values
+  std::uint64_t without =
+      0;          ///< number of rows without a value: the impactor did not leave, or the row was not run
+  Estimate mean;  ///< Student's interval
+  double deviation = 0;  ///< standard deviation of the rows, with n - 1
   double least = 0, greatest = 0;
   struct Quantile {
     double probability = 0;
@@ -102,11 +103,11 @@ struct Records {
   std::vector<std::vector<double>> responses;  ///< in the order of Study::responses, SI; NaN for none
   std::vector<Status> statuses;
   std::uint64_t doubtful = 0;        ///< is_doubtful()
-  std::uint64_t extrapolated = 0;    ///< beyond what the material was measured for
-  std::uint64_t beyond_strain = 0;   ///< of these by their strain, a guess; stores of 0.1.0 do not say it
+  std::uint64_t extrapolated = 0;    ///< rows beyond what the material was measured for
+  std::uint64_t beyond_strain = 0;   ///< rows beyond the tested strain; stores of 0.1.0 do not tell
   std::uint64_t beyond_rate = 0;     ///< and by their rate, a law
   std::uint64_t bottomed = 0;        ///< the pad was fully compressed at some time
-  std::uint64_t struck_through = 0;  ///< of these: on a rigid support, where no force is finite
+  std::uint64_t struck_through = 0;  ///< rows that bottomed out on a rigid support, where no force is finite
   std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time limit was reached
 };
 Records read_records(const Study& study, const Store& store);
@@ -114,8 +115,8 @@ Records read_records(const Study& study, const Store& store);
 /// Rows of one combination of levels, each a draw by itself: with `indices` those of the two matrices only. A
 /// study without sampled factors is one group of all its rows.
 struct Group {
-  std::vector<double> levels;       ///< of the factors that are not sampled, in their order; SI
-  std::vector<std::size_t> places;  ///< in Records
+  std::vector<double> levels;       ///< levels of the factors that are not sampled, in their order; SI
+  std::vector<std::size_t> places;  ///< indices in Records
   bool drawn = true;
 };
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
@@ -142,7 +143,7 @@ bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses)
 /// Counts of rows with reservations.
 struct RowCounts {
   std::uint64_t doubtful = 0;
-  std::uint64_t struck_through = 0;  ///< as Records::struck_through
+  std::uint64_t struck_through = 0;  ///< as in Records::struck_through
 };
 RowCounts row_counts(const Store& store);
 
@@ -186,8 +187,8 @@ struct StudyQuestions {
 
 struct StudyAnswers {
   Study study;
-  std::string program;     ///< that computed the rows
-  std::uint64_t rows = 0;  ///< of the whole study
+  std::string program;     ///< program that computed the rows
+  std::uint64_t rows = 0;  ///< number of rows of the whole study
   Records records;
   std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
   std::vector<StudyLimit> limits;
@@ -195,9 +196,9 @@ struct StudyAnswers {
   /// The answers for one combination of levels.
   struct OfGroup {
     Group group;
-    std::vector<Distribution> distributions;                ///< of each response asked for
-    std::vector<Exceedance> exceedances;                    ///< of each limit
-    std::vector<std::optional<Sensitivity>> sensitivities;  ///< of each response asked for
+    std::vector<Distribution> distributions;                ///< for each response asked for
+    std::vector<Exceedance> exceedances;                    ///< for each limit
+    std::vector<std::optional<Sensitivity>> sensitivities;  ///< for each response asked for
   };
   std::vector<OfGroup> groups;
   std::optional<CushionCurves> cushion_curves;

@@ -64,7 +64,7 @@ class ResponseReader {
 
  private:
   std::vector<std::size_t> kinds_;       ///< numbers in response_kinds()
-  std::unique_ptr<PulseFigures> pulse_;  ///< where a figure of the pulse is asked for
+  std::unique_ptr<PulseFigures> pulse_;  ///< present if a figure of the pulse is asked for
 };
 
 /// The same for one solution.

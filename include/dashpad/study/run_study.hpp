@@ -50,7 +50,7 @@ struct Progress {
 struct RunSettings {
   int threads = 0;                                     ///< 0: all cores
   const std::atomic<bool>* stop = nullptr;             ///< set to finish the batches at hand and return
-  std::function<void(const Progress&)> progress = {};  ///< from one thread at a time
+  std::function<void(const Progress&)> progress = {};  ///< called from one thread at a time
 };
 
 /// True where all rows are there at the end, false where it was stopped. What goes wrong in writing is thrown

@@ -36,7 +36,7 @@ inline constexpr std::array all_statuses{Status::not_run,    Status::released,  
 struct StoredColumn {
   std::string name;     ///< "impactor.speed", "peak_force"
   std::string unit;     ///< SI; "" for a material
-  std::string meaning;  ///< of a response; "" for a factor
+  std::string meaning;  ///< meaning of a response; "" for a factor
 };
 
 /// A file that is no store of a study, or that holds what no Dashpad wrote; what() names it.
@@ -105,9 +105,9 @@ class Store {
 
 /// A column as files have it: SI, but accelerations in g.
 struct ExportedColumn {
-  std::string name;  ///< with the unit: "peak_force_N", "impactor.speed_m_per_s"
+  std::string name;  ///< name with unit: "peak_force_N", "impactor.speed_m_per_s"
   std::string unit;  ///< "" for a material
-  double scale = 1;  ///< what the values of the store are multiplied with
+  double scale = 1;  ///< factor on the values of the store
 };
 ExportedColumn exported(const StoredColumn& column);
 

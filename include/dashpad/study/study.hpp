@@ -42,7 +42,7 @@ using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empi
 
 /// A quantity of the case that varies. SI.
 struct Factor {
-  std::string key;   ///< as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
+  std::string key;   ///< key as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
   std::string unit;  ///< SI: "m/s"; "" for a material
   Spread spread = {};
   /// Values outside are never drawn: the distribution is cut off there and made whole again.
@@ -67,7 +67,7 @@ struct Study {
   ImpactCase base;
   Options options{.tolerance = 1e-3};
   std::vector<Factor> factors;
-  std::vector<Material> materials;  ///< that "pad.material" chooses from; empty without that factor
+  std::vector<Material> materials;  ///< materials that "pad.material" chooses from; empty without that factor
   std::vector<Correlation> correlations;
   Sampling sampling = Sampling::sobol;
   std::uint64_t samples = 1;  ///< draws; 1 without sampled factors

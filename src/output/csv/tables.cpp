@@ -20,7 +20,7 @@ namespace {
 
 struct Column {
   std::string header;
-  std::vector<double> values = {};  ///< in the unit of the header
+  std::vector<double> values = {};  ///< values in the unit of the header
 };
 
 /// A quantity of the table of results, given in SI.

@@ -142,7 +142,7 @@ Table card_table(const Material& material) {
 /// The stress of a first loading at a few strains, for each tested rate.
 Section stresses(const Material& material, const FoamCurves& curves, const UnitSystem& units) {
   constexpr std::array strains{0.1, 0.25, 0.5};
-  constexpr int steps = 10;  // of 0.05: all of them are met
+  constexpr int steps = 10;  // steps of 0.05, which include all of these strains
   const double last = last_strain_of(curves.base);
   Table table{.columns = {"Stress in a first loading"}};
   for (const double strain : strains)

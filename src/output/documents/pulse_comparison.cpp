@@ -18,7 +18,7 @@ using injury::Alignment;
 using injury::ComparedFigure;
 
 constexpr int compared_digits = 4;
-constexpr double next_to_nothing = 5e-3;  // of the measured figure: the same, for a person
+constexpr double next_to_nothing = 5e-3;  // share of the measured figure below which figures count as equal
 constexpr double rounding_of_figures = 1e-6;
 
 const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string_view key) {
@@ -61,7 +61,7 @@ std::string shown_share(const ComparedFigure& figure) {
 
 /// Whether times that count from the onset may count from something else.
 bool is_onset_doubtful(const injury::PulseComparison& pulse_comparison) {
-  constexpr double matters = 0.05;  // of the time to the peak
+  constexpr double matters = 0.05;  // share of the time to the peak
   const injury::PulseShape& pulse = pulse_comparison.measured;
   return pulse_comparison.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
          *pulse.last_onset - *pulse.onset > matters * (pulse.peak.time - *pulse.onset);

@@ -19,9 +19,9 @@ namespace {
 
 /// An assessment as a place in the plan.
 struct Combination {
-  std::string name;  ///< of the case
+  std::string name;  ///< name of the case
   const AssessmentReport& report;
-  Document document;  ///< without pictures
+  Document document;  ///< its document, without pictures
   ValueRow next;      ///< the criterion next to its limit or farthest beyond it; without margins the first
 };
 

@@ -13,14 +13,14 @@ namespace dashpad::output {
 namespace {
 
 struct Dimension {
-  std::string of;     ///< what it is, as the attribute data-of: "penetration"
+  std::string of;     ///< the attribute data-of: "penetration"
   double metres = 0;  ///< its value
   double from = 0;    ///< y, px
   double to = 0;
-  std::string value;      ///< as it is shown
+  std::string value;      ///< the text that is shown
   std::string word = {};  ///< below it; may be empty
   bool is_cut = false;    ///< drawn shorter than it is
-  bool is_alarm = false;  ///< in the colour of what is struck through
+  bool is_alarm = false;  ///< in the colour of a pad that is struck through
 };
 
 double label_height(const Dimension& dimension) { return dimension.word.empty() ? 19 : 37; }

@@ -75,7 +75,7 @@ std::vector<Place> both_halves(const std::vector<Place>& right, double axis) {
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style) {
   const Sections outline = outline_of(nose);
   const double farthest = frame.half_width + beyond;
-  std::vector<Place> right;  // from the tip on; x from the axis
+  std::vector<Place> right;  // from the tip upwards; x counts from the axis
   for (const double depth : outline_depths(outline, frame)) {
     const double half_width = std::min(outline.radius(depth) * frame.scale, farthest);
     if (right.empty() && half_width > 0) right.push_back({0, frame.tip});

@@ -126,7 +126,7 @@ class PadPicture {
   const Picture& picture_;
   double face_;        ///< y of the new pad's face, px
   double half_width_;  ///< px
-  double share_;       ///< of the strains at greatest penetration
+  double share_;       ///< share of the strains at greatest penetration
 };
 
 }  // namespace

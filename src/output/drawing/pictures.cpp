@@ -12,7 +12,7 @@ namespace {
 
 /// The number of teeth on half a break.
 constexpr int teeth = 16;
-constexpr double max_of_sheet = 3.5;  ///< of its thickness as drawn, px
+constexpr double max_of_sheet = 3.5;  ///< largest drawn thickness of a sheet, px
 
 /// Two ragged lines with paper between them.
 std::string break_of_pad(const Scene& scene, const Picture& picture) {

@@ -24,8 +24,8 @@ struct NoseFrame {
   double axis = 0;         ///< x, px
   double tip = 0;          ///< y, px
   double scale = 0;        ///< px/m
-  double half_width = 0;   ///< of the picture, px; the nose may reach somewhat beyond
-  double height = 0;       ///< of the picture above the tip, px; likewise
+  double half_width = 0;   ///< half the width of the picture, px; the nose may reach slightly beyond
+  double height = 0;       ///< height of the picture above the tip, px; likewise
   bool is_buried = false;  ///< deeper than its widest section: its side goes on, as in the model
 };
 

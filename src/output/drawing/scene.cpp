@@ -88,12 +88,12 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
 }
 
 constexpr double picture_height = 256;
-constexpr double min_nose = 60;  ///< of its height above the pad
+constexpr double min_nose = 60;  ///< least height of the nose above the pad
 constexpr double max_nose = 130;
-constexpr double min_pad = 44;         ///< of a pad thin against the nose
+constexpr double min_pad = 44;         ///< least height of a pad thin against the nose
 constexpr double min_nose_width = 30;  ///< half the width of a nose small against the pad
 constexpr double margin = 8;
-constexpr double solid_spring = 22;  ///< what is left of a spring at its greatest deflection
+constexpr double solid_spring = 22;  ///< length of a spring at its greatest deflection
 
 /// Heights at a scale, with the sink of the pad as given, px.
 SupportHeights support_heights(const ImpactCase& impact, const DrawnMoments& moments, double scale,

@@ -43,25 +43,25 @@ double half_width_of_face(const Nose& nose, double area);
 struct DrawnLayer {
   std::string name;
   double thickness = 0;               ///< m
-  double strain = 0;                  ///< on the axis at greatest penetration, 0 to 1
+  double strain = 0;                  ///< strain on the axis at greatest penetration, 0 to 1
   std::optional<double> tested = {};  ///< strain up to which its foam was tested or fitted
-  bool has_curves = false;            ///< of its tests, rather than numbers fitted to them
+  bool has_curves = false;            ///< made of the curves of tests, rather than of numbers fitted to them
   bool struck_through = false;
 };
 
 /// The pad at first contact and at greatest penetration. SI.
 struct DrawnMoments {
-  std::vector<DrawnLayer> layers;    ///< from the struck face on
-  double thickness = 0;              ///< of the pad, m
+  std::vector<DrawnLayer> layers;    ///< beginning at the struck face
+  double thickness = 0;              ///< thickness of the pad, m
   double crater = 0;                 ///< penetration at first contact, left by earlier blows, m
   double penetration = 0;            ///< greatest, m, at most the thickness
-  double deflection = 0;             ///< of the support then, m
-  double body_motion = 0;            ///< of a free body behind the support then, m
-  std::optional<double> time;        ///< of greatest penetration, s; absent without a history
-  std::optional<double> half_width;  ///< of the pad's face, m; absent where it goes on to all sides
+  double deflection = 0;             ///< deflection of the support at greatest penetration, m
+  double body_motion = 0;            ///< displacement of a free body behind the support then, m
+  std::optional<double> time;        ///< time of greatest penetration, s; absent without a history
+  std::optional<double> half_width;  ///< half width of the pad's face, m; absent for an unbounded pad
   bool struck_through = false;       ///< is_struck_through()
   bool is_so_far = false;            ///< the run ends there, before the impact has turned
-  bool bottomed = false;             ///< nothing is left of it, and its support is rigid
+  bool bottomed = false;             ///< the pad is fully compressed on a rigid support
 
   /// The thickness that is left of the pad on the axis, m.
   [[nodiscard]] double left() const { return thickness - penetration; }
@@ -71,29 +71,29 @@ struct DrawnMoments {
 
 /// Heights of the symbols below the pad, from its back down, px. Only gap and travel are to scale.
 struct SupportHeights {
-  double plate = 0;   ///< of a panel
-  double gap = 0;     ///< to scale, unless it is too small to be seen or too large for the picture
+  double plate = 0;   ///< height of a panel
+  double gap = 0;     ///< to scale unless that is too small to be seen or too large for the picture
   double spring = 0;  ///< at rest; 0 where the support is rigid
-  double base = 0;    ///< of the ground or of a free body
+  double base = 0;    ///< height of the ground or of a free body
 };
 
 /// The layout of the drawing, in px of its viewBox; y points down.
 struct Layout {
   double scale = 0;           ///< px/m, the same across and along the motion
-  double half_width = 0;      ///< of either picture
+  double half_width = 0;      ///< half the width of each picture
   double left = 0;            ///< axis of the picture of first contact
   double right = 0;           ///< axis of that of greatest penetration
   double captions_width = 0;  ///< width of what is written below the left picture
-  double left_end = 0;        ///< where the left picture and all that is written beside and below it end
-  double right_begin = 0;     ///< where the right picture and what is written beside it begin
+  double left_end = 0;        ///< right end of the left picture with all texts beside and below it
+  double right_begin = 0;     ///< left end of the right picture with the texts beside it
   double face = 0;            ///< y of the new pad's face at first contact
   double pad = 0;             ///< height of the new pad
   bool pad_is_cut = false;    ///< a stretch in the middle of the pad is left out
-  double deflection = 0;      ///< of the support
+  double deflection = 0;      ///< deflection of the support
   double body_motion = 0;
-  bool sink_is_cut = false;  ///< those two are drawn shorter than they are
+  bool sink_is_cut = false;  ///< deflection and body motion are drawn shorter than they are
   SupportHeights support;
-  double bottom = 0;  ///< of both pictures
+  double bottom = 0;  ///< lower edge of both pictures
 
   /// The depth below the face of the new pad, px, at which a depth in a pad of that thickness is drawn;
   /// arguments in m.

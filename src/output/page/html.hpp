@@ -19,8 +19,8 @@ std::string policy_hash(std::string_view text);
 extern const std::string_view page_style, page_script;
 
 struct PageHtml {
-  std::set<std::string> styles;  ///< those that its SVGs bring
-  std::string title;             ///< what browsers show above the page
+  std::set<std::string> styles;  ///< styles of its SVGs
+  std::string title;             ///< title in the browser's tab
   std::string body;
 };
 

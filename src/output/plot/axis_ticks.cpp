@@ -56,7 +56,7 @@ bool has_linear_marks(const Span& span, bool logarithmic) {
 
 /// A span of at least some length around what has none, so that marks on it differ.
 Span widened(Span span, bool logarithmic) {
-  constexpr double least = 1e-9;  // of the numbers
+  constexpr double least = 1e-9;  // least relative length
   if (span.is_empty()) return logarithmic ? Span{1, 10} : Span{0, 1};
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   if (size > 0 && span.high / size - span.low / size > least) return span;

@@ -14,7 +14,7 @@ namespace dashpad::output {
 struct PlotRow {
   double x = 0;
   double y = 0;
-  double y2 = 0;  ///< of bands; otherwise as y
+  double y2 = 0;  ///< second edge of a band; otherwise equal to y
 };
 
 /// A part of a series without a gap.

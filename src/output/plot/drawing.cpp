@@ -94,7 +94,7 @@ Span with_limits(Span span, const Axis& axis) {
 
 /// A line across at the very top would have no room for its name.
 void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
-  constexpr double height_of_name = 0.06;  // of the axis
+  constexpr double height_of_name = 0.06;  // as a share of the axis
   if (y.logarithmic || y.high) return;
   const double room = height_of_name * (drawing.y.high - y.low.value_or(drawing.y.low));
   if (!std::isfinite(room) || room <= 0) return;

@@ -37,8 +37,8 @@ struct Looks {
   SeriesStyle style = SeriesStyle::line;
   SeriesColour colour;
   double width = 0;         ///< px, of lines
-  std::size_t pattern = 0;  ///< of the dashes of a line by turns, or the shape of points
-  bool is_dot = false;      ///< in place of a line that has only one point
+  std::size_t pattern = 0;  ///< index of the dashes of a line, or of the shape of points
+  bool is_dot = false;      ///< a dot that replaces a line of a single point
 
   bool operator==(const Looks&) const = default;
 };
@@ -63,14 +63,14 @@ struct SeriesDrawing {
   bool has_arrow = false;
   Looks looks = {};
   std::vector<PlotRun> runs = {};   ///< thinned; none for vertical and horizontal lines
-  std::vector<double> places = {};  ///< of vertical and horizontal lines
+  std::vector<double> places = {};  ///< places of vertical and horizontal lines
 };
 LegendEntry entry_of(const SeriesDrawing& series);
 
 struct PanelDrawing {
-  std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
-  std::vector<LegendEntry> named;     ///< those that have a label, in their order
-  Span x, y;                          ///< what the axes have to include
+  std::vector<SeriesDrawing> series;  ///< series with something to show, bands first
+  std::vector<LegendEntry> named;     ///< series with a label, in their order
+  Span x, y;                          ///< ranges that the axes have to include
   bool has_data = false;              ///< more than vertical and horizontal lines
 };
 

@@ -144,7 +144,7 @@ std::vector<Edge> taken_from(Neighbours& left, Edge at) {
 
 std::vector<double> round_levels(double least, double greatest) {
   constexpr double about = 9;
-  constexpr double rounding = 1e-9;  // of the numbers: what differs by less does not differ
+  constexpr double rounding = 1e-9;  // relative difference below which numbers count as equal
   const double range = greatest - least;
   if (!std::isfinite(range) || !(range > rounding * std::max(std::abs(least), std::abs(greatest)))) return {};
   const double rough = range / about;

@@ -53,7 +53,7 @@ void show_bottoming(Panel& panel, const Solution& solution, const std::vector<do
 /// force over distance; the total includes the work of the weight.
 struct ImpactEnergies {
   std::vector<double> kinetic, support, pad, total;
-  double largest_deviation = 0;  ///< of the total from what it was at first, as a share of that
+  double largest_deviation = 0;  ///< largest relative deviation of the total from its first value
 };
 ImpactEnergies impact_energies(const ImpactCase& impact, const History& history);
 

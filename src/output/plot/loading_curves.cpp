@@ -26,10 +26,10 @@ namespace {
 
 /// The range of a plot of one foam.
 constexpr double last_drawn_strain = 0.98;
-constexpr int places_of_curve = 196;  // of 0.005
+constexpr int places_of_curve = 196;  // steps of 0.005
 /// The range of a plot that compares foams.
 constexpr double last_compared_strain = 0.8;
-constexpr int places_of_compared = 400;  // of 0.002
+constexpr int places_of_compared = 400;  // steps of 0.002
 /// A pad that is pressed flat would make all else a line along the axis: there the plot ends at that many
 /// times what half the strain takes.
 constexpr double steepest = 10;
@@ -92,7 +92,7 @@ struct UsedFoam {
   const PadCondition& condition;
   double strain = 0;
   double rate = 0;        ///< the highest, 1/s
-  std::size_t layer = 0;  ///< from 1; 0: the pad is of one foam
+  std::size_t layer = 0;  ///< counted from 1; 0 for a pad of one foam
 };
 
 UsedFoam used_foam(const Pad& pad, const Summary& summary) {

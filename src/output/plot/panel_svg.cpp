@@ -13,7 +13,7 @@ namespace {
 
 // All lengths are in px.
 constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_title_line = 18;
-constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
+constexpr double below_numbers = 20, below_panel = 17;  // distances from the axis and from the title
 constexpr std::size_t max_y_labels = 7;
 
 /// The largest number of labels on the x axis.

@@ -16,9 +16,9 @@ inline constexpr double beside_axes = 18;
 /// A name at the right of a panel, beside the end of its line.
 struct EndLabel {
   const SeriesDrawing* series;
-  std::vector<std::string> lines;  ///< of text
-  Place line_end = {};             ///< of a line that goes forth and back, where it turns
-  double height = 0;               ///< of the middle of the text
+  std::vector<std::string> lines;  ///< lines of text
+  Place line_end = {};             ///< end of the line, or where it turns if it comes back
+  double height = 0;               ///< y of the middle of the text
 };
 
 /// The names that are to stand there, not placed yet: those that series ask for, and the labels of lines if
@@ -40,7 +40,7 @@ std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale
 enum class TextAnchor { start, middle, end };
 
 struct TextPlace {
-  Place at;  ///< of the base line
+  Place at;  ///< place of the base line
   TextAnchor anchor = TextAnchor::start;
 };
 
@@ -66,7 +66,7 @@ inline constexpr double plot_edge = 16;
 struct PanelFrame {
   const Panel* panel;
   const PanelDrawing* drawing;
-  std::size_t x_labels;  ///< that have room
+  std::size_t x_labels;  ///< number of labels that have room
   PanelScale scale;      ///< its width is set when all panels are known
   std::vector<Tick> x_ticks, y_ticks;
   std::vector<std::string> title, y_title;  ///< lines

@@ -18,7 +18,7 @@ namespace dashpad::output {
 namespace {
 
 constexpr std::size_t turn_of_computed = 0, turn_of_measured = 6;
-constexpr double room = 0.1;  // of the contact, beside it
+constexpr double room = 0.1;  // share of the contact that is shown on either side of it
 constexpr std::size_t turn_of_filtered = 0, turn_of_raw = 3, turn_of_hic15 = 1, turn_of_hic36 = 2;
 
 /// The pulse, `shift` s later; `side` -1 turns it over.

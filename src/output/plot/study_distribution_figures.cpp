@@ -15,8 +15,8 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t max_steps = 400;        ///< of a distribution function
-constexpr std::size_t max_plain_dots = 1000;  ///< of a scatter plot
+constexpr std::size_t max_steps = 400;        ///< points of a distribution function
+constexpr std::size_t max_plain_dots = 1000;  ///< dots of a scatter plot
 
 /// The share of rows at or below each value; rows that bottomed out on a rigid support or have no value count
 /// as above all.

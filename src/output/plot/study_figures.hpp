@@ -54,7 +54,7 @@ struct GridPlane {
   /// The 5 % and 95 % quantiles of draws; empty for a grid without draws.
   std::vector<std::vector<double>> low, high;
   std::string at;          ///< levels of the other factors, in words; may be empty
-  bool is_median = false;  ///< of draws, not of single rows
+  bool is_median = false;  ///< whether the values are medians of draws, not of single rows
 };
 
 /// The plane of a response, an index in StudyAnswers::responses. Absent if no numeric factor has at least two

@@ -10,7 +10,8 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double width_of_95 = 1.96;  ///< of a normal distribution, in deviations
+constexpr double width_of_95 =
+    1.96;  ///< half width of the 95 % interval of a normal distribution, in deviations
 
 std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
   if (!rms) return "not tested";

@@ -84,7 +84,8 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
   const auto level = [&](std::size_t factor, std::size_t row) {
     return answers.records.factors[factor][group.places[row]];
   };
-  std::map<double, std::vector<LevelRow>> lines[2];  // by the levels of either factor, along the other one
+  std::map<double, std::vector<LevelRow>>
+      lines[2];  // for each factor: its levels, and the rows along the other factor
   for (std::size_t row = 0; row < is_above.size(); ++row)
     for (std::size_t given = 0; given < 2; ++given)
       lines[given][level(given, row)].emplace_back(level(1 - given, row), is_above[row]);

@@ -11,10 +11,10 @@
 namespace dashpad::output {
 
 enum class SeriesStyle {
-  line,             ///< in the colour and with the dashes of its turn: told apart in grey, too
-  solid_line,       ///< in the colour of its turn
-  dashed_line,      ///< in the colour of its turn
-  points,           ///< in the colour and shape of its turn
+  line,             ///< colour and dashes by palette index, distinguishable in grey, too
+  solid_line,       ///< colour by palette index
+  dashed_line,      ///< colour by palette index
+  points,           ///< colour and shape by palette index
   band,             ///< the area from y to y2, pale, behind everything else
   area,             ///< closed outlines, one after each gap, filled, behind everything else
   vertical_line,    ///< across the whole panel, at each x
@@ -23,8 +23,8 @@ enum class SeriesStyle {
 
 /// Where the label of a series is placed. Labels without room go to the legend.
 enum class LabelPlace {
-  by_style,  ///< of a line at its end, of a line across on it, of everything else in the legend
-  middle,    ///< of a line: beside its middle, for brackets and contours; of a single point: beside it
+  by_style,  ///< a line at its end, a line across on it, everything else in the legend
+  middle,    ///< a line beside its middle, for brackets and contours; a single point beside it
 };
 
 /// A place where x, y or y2 is not finite, or not positive on a logarithmic axis, is a gap.
@@ -44,9 +44,9 @@ struct Series {
   /// labels there are; they make room for each other.
   std::string end_label = {};
   LabelPlace label_place = LabelPlace::by_style;
-  bool is_cased = false;   ///< of a line: with pale edges, so that it is seen on areas of any colour
-  bool has_arrow = false;  ///< of a line: on its last third, in the direction in which its points follow
-  std::string of = {};     ///< without a label: that of the series with which pages switch it off
+  bool is_cased = false;   ///< a line with pale edges, visible on areas of any colour
+  bool has_arrow = false;  ///< a line with an arrow on its last third, in the direction of its points
+  std::string of = {};     ///< without a label: the label of the series with which pages switch it off
 
   void add(double across, double up) {
     x.push_back(across);
@@ -59,13 +59,13 @@ struct Series {
 };
 
 struct Axis {
-  std::string label = {};    ///< with the unit: "Force (kN)"
+  std::string label = {};    ///< label with the unit: "Force (kN)"
   std::string si_unit = {};  ///< the SI unit of the quantity, for pages that change units: "N"; may be empty
-  double per_si = 1;         ///< what one of those is on this axis: 0.001
+  double per_si = 1;         ///< one SI unit on this axis: 0.001
   bool logarithmic = false;
   bool has_numbers = true;          ///< and lines across at them; without, places on it mean nothing
-  std::optional<double> low = {};   ///< where the axis begins; by default where the data does, or before
-  std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
+  std::optional<double> low = {};   ///< lower end; by default at or before the beginning of the data
+  std::optional<double> high = {};  ///< upper end; by default at or after the end of the data
 };
 
 /// A pair of axes. Series are drawn in their order, after bands and areas; series without a point are left
