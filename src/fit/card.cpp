@@ -156,9 +156,8 @@ PadLaw rounded(const PadLaw& exact) {
 /// Whether what neighbouring columns do in impacts is in the numbers of the law.
 bool rests_on_strikes(const Fit& fit) {
   return rests_on_impacts_alone(fit) && !seeks(fit, "pad.neighbours") &&
-         std::ranges::all_of(fit.impacts, [](const ImpactMeasurement& impact_measurement) {
-           return impact_measurement.impact.pad.neighbours == 0;
-         });
+         std::ranges::all_of(
+             fit.impacts, [](const ImpactMeasurement& impact) { return impact.impact.pad.neighbours == 0; });
 }
 
 }  // namespace
@@ -199,8 +198,7 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
   FittedCase found{fit.base, fit.options};
   if (!fit.has_case) {
     const ImpactMeasurement& first = *std::ranges::find_if(
-        fit.impacts,
-        [](const ImpactMeasurement& impact_measurement) { return !impact_measurement.is_held_out; });
+        fit.impacts, [](const ImpactMeasurement& impact) { return !impact.is_held_out; });
     found = {first.impact, first.options};
   }
   const std::vector<double> written = written_values(fit, values);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/study.hpp"

@@ -82,9 +82,9 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
   const auto take = [&](std::size_t i, std::span<const double> values) {
     ImpactMeasurement asked = fit.impacts[i];
     asked.figures.clear();
-    for (const ImpactComparison& impact_comparison : compared(fit, fit.impacts[i], values)) {
-      found[i].push_back({impact_comparison});
-      asked.figures.push_back({impact_comparison.figure, impact_comparison.measured, 1});
+    for (const ImpactComparison& comparison : compared(fit, fit.impacts[i], values)) {
+      found[i].push_back({comparison});
+      asked.figures.push_back({comparison.figure, comparison.measured, 1});
     }
     const auto own = prediction_deviations(fit, asked, problem, x, solved.uncertainty);
     for (std::size_t k = 0; k < own.size(); ++k)

@@ -4,8 +4,6 @@
 #include <functional>
 #include <iterator>
 
-#include <fmt/format.h>
-
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/fit/fit.hpp"
 #include "dashpad/input/case_file.hpp"
@@ -32,12 +30,11 @@ struct UnknownEntry {
 void collect_unknowns(const TomlNode& table, const std::string& prefix, std::vector<UnknownEntry>& entries) {
   for (const TomlNode& child : table.children) {
     const std::string key = prefix + child.key;
-    const bool holds_tables = child.kind == TomlNode::Kind::table && !child.children.empty() &&
-                              std::ranges::all_of(child.children,
-                                                  [](const TomlNode& toml_node) {
-                                                    return toml_node.kind == TomlNode::Kind::table;
-                                                  }) &&
-                              child.child("prior") == nullptr;
+    const bool holds_tables =
+        child.kind == TomlNode::Kind::table && !child.children.empty() &&
+        std::ranges::all_of(child.children,
+                            [](const TomlNode& node) { return node.kind == TomlNode::Kind::table; }) &&
+        child.child("prior") == nullptr;
     if (holds_tables)
       collect_unknowns(child, key + ".", entries);
     else

@@ -114,13 +114,12 @@ void read_range(TableReader& table, MaterialMeasurement& test) {
   if (!table.has("range")) return;
   const TomlNode* range = table.array("range");
   if (!range) return;
-  const bool sound = range->children.size() == 2 &&
-                     std::ranges::all_of(range->children,
-                                         [](const TomlNode& toml_node) {
-                                           return toml_node.kind == TomlNode::Kind::number;
-                                         }) &&
-                     range->children[0].number < range->children[1].number &&
-                     range->children[0].number >= 0 && range->children[1].number <= 1;
+  const bool sound =
+      range->children.size() == 2 &&
+      std::ranges::all_of(range->children,
+                          [](const TomlNode& node) { return node.kind == TomlNode::Kind::number; }) &&
+      range->children[0].number < range->children[1].number && range->children[0].number >= 0 &&
+      range->children[1].number <= 1;
   if (!sound) {
     table.fault("range", "must be two strains from 0 to 1, the lower one first, such as [0, 0.5]");
     return;

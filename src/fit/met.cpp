@@ -1,9 +1,7 @@
 #include "fit/card.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/metrics.hpp"
@@ -216,7 +214,7 @@ std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& 
   }
   const auto is_there = [&](ImpactFigure figure) {
     return std::ranges::any_of(
-        all, [&](const ImpactComparison& impact_comparison) { return impact_comparison.figure == figure; });
+        all, [&](const ImpactComparison& comparison) { return comparison.figure == figure; });
   };
   for (const MetFigure& met : met_figures(fit, impact, values))
     if (met.measured > 0 && kind_of(met.figure) && !is_there(met.figure))

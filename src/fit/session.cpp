@@ -31,10 +31,10 @@ json json_of(const Minimum& minimum) {
           {"is_sound", minimum.is_sound}};
 }
 
-json json_of(const ProfileEnd& profile_end) {
-  return {{"x", profile_end.x ? json(*profile_end.x) : json()},
-          {"is_rough", profile_end.is_rough},
-          {"better", profile_end.better ? json_of(*profile_end.better) : json()}};
+json json_of(const ProfileEnd& end) {
+  return {{"x", end.x ? json(*end.x) : json()},
+          {"is_rough", end.is_rough},
+          {"better", end.better ? json_of(*end.better) : json()}};
 }
 
 /// A fault of a state file that was read back.

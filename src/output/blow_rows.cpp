@@ -17,12 +17,10 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double peak_in_g(const BlowResult& blow_result) {
-  return blow_result.summary.peak_acceleration.value_or(none) / standard_gravity;
+double peak_in_g(const BlowResult& blow) {
+  return blow.summary.peak_acceleration.value_or(none) / standard_gravity;
 }
-double hic15(const BlowResult& blow_result) {
-  return blow_result.injury ? blow_result.injury->hic15.value : none;
-}
+double hic15(const BlowResult& blow) { return blow.injury ? blow.injury->hic15.value : none; }
 
 /// " from 35.81 to 61.2 g (+70.9 %)"
 std::string change(double from, double to, const std::string& unit) {
@@ -105,12 +103,12 @@ Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows,
                    header("penetration", length.unit),
                    "% of pad",
                    header("energy_absorbed_fraction", "%")};
-  for (const BlowResult& blow_result : blows) {
-    const Summary& summary = blow_result.summary;
+  for (const BlowResult& blow : blows) {
+    const Summary& summary = blow.summary;
     const auto shown = [&](double value) { return std::isnan(value) ? "none" : significant(value, digits); };
     table.rows.push_back({std::to_string(summary.blow),
                           shown(acceleration.scale * summary.peak_acceleration.value_or(none)),
-                          shown(hic15(blow_result)), shown(force.scale * summary.peak_force.value_or(none)),
+                          shown(hic15(blow)), shown(force.scale * summary.peak_force.value_or(none)),
                           shown(length.scale * summary.peak_penetration),
                           shown(100 * summary.peak_penetration / impact.pad.thickness),
                           shown(100 * summary.energy_absorbed_fraction)});

@@ -62,10 +62,10 @@ std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 /// takes to tell the ends apart.
 std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
 /// The interval of a figure from all sources together.
-std::string interval_words(const FigureInterval& figure_interval, const UnitSystem& units);
+std::string interval_words(const FigureInterval& interval, const UnitSystem& units);
 
 /// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
-std::vector<std::string> source_words(const FigureInterval& figure_interval, const Intervals& intervals,
+std::vector<std::string> source_words(const FigureInterval& interval, const Intervals& intervals,
                                       const UnitSystem& units);
 
 /// Adds intervals to the rows whose figures have them.

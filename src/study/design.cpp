@@ -60,7 +60,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
                ? "the support of the case is rigid"
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
   std::vector<std::string> known;
-  for (const FactorKey& factor_key : factor_keys(base)) known.push_back(factor_key.key);
+  for (const FactorKey& each : factor_keys(base)) known.push_back(each.key);
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);

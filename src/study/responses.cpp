@@ -142,15 +142,14 @@ struct PulseRecipe {
   EstimatedValue (*of)(PulseFigures&);
 };
 constexpr PulseRecipe of_pulses[] = {
-    {"hic15", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic15_window); }},
-    {"hic36", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic36_window); }},
-    {"hic_unlimited",
-     [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::unlimited_window); }},
-    {"hic_d", [](PulseFigures& pulse_figures) { return pulse_figures.hic_d(); }},
-    {"clip_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.clip_3ms(); }},
-    {"cumulative_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.cumulative_3ms(); }},
-    {"severity_index", [](PulseFigures& pulse_figures) { return pulse_figures.severity_index(); }},
-    {"velocity_change", [](PulseFigures& pulse_figures) { return pulse_figures.velocity_change(); }},
+    {"hic15", [](PulseFigures& pulse) { return pulse.hic(injury::hic15_window); }},
+    {"hic36", [](PulseFigures& pulse) { return pulse.hic(injury::hic36_window); }},
+    {"hic_unlimited", [](PulseFigures& pulse) { return pulse.hic(injury::unlimited_window); }},
+    {"hic_d", [](PulseFigures& pulse) { return pulse.hic_d(); }},
+    {"clip_3ms", [](PulseFigures& pulse) { return pulse.clip_3ms(); }},
+    {"cumulative_3ms", [](PulseFigures& pulse) { return pulse.cumulative_3ms(); }},
+    {"severity_index", [](PulseFigures& pulse) { return pulse.severity_index(); }},
+    {"velocity_change", [](PulseFigures& pulse) { return pulse.velocity_change(); }},
 };
 
 /// The order is that of the table of results.

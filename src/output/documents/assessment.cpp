@@ -264,8 +264,8 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
                        {.heading = "Figures", .rows = {{"", std::move(rows)}}}};
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
-    for (const injury::CriterionResult& criterion_result : assessment.results)
-      limited.emplace_back(injury::quantity_of(criterion_result.criterion.metric).key);
+    for (const injury::CriterionResult& result : assessment.results)
+      limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
     document.sections.push_back({.heading = "How sure the figures are",
                                  .paragraphs = {source_paragraph(*intervals)},
                                  .tables = {interval_table(report.solution.summary, units, limited)}});

@@ -25,47 +25,44 @@ namespace dashpad::output {
 
 namespace {
 
-double place_of(const fit::FittedUnknown& fitted_unknown, double value) {
-  return std::clamp(
-      fit::place_between(fitted_unknown.lowest, fitted_unknown.highest, fitted_unknown.is_logarithmic, value),
-      0.0, 1.0);
+double place_of(const fit::FittedUnknown& unknown, double value) {
+  return std::clamp(fit::place_between(unknown.lowest, unknown.highest, unknown.is_logarithmic, value), 0.0,
+                    1.0);
 }
 
-RangeBar bar_of(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
-  return {.label = factor_title(fitted_unknown.key),
-          .value = shown(fitted_unknown.value),
-          .words = interval_words(fitted_unknown, units) +
-                   (fitted_unknown.standard_error
-                        ? "; standard error " +
-                              brief_quantity(*fitted_unknown.standard_error, fitted_unknown.unit, units, 2)
-                        : "; no standard error"),
-          .lowest = shown(fitted_unknown.lowest),
-          .highest = shown(fitted_unknown.highest),
-          .place = place_of(fitted_unknown, fitted_unknown.value),
-          .from = fitted_unknown.low ? place_of(fitted_unknown, *fitted_unknown.low) : 0,
-          .to = fitted_unknown.high ? place_of(fitted_unknown, *fitted_unknown.high) : 1,
-          .open_below = !fitted_unknown.low && !fitted_unknown.is_identified(),
-          .open_above = !fitted_unknown.high && !fitted_unknown.is_identified()};
+RangeBar bar_of(const fit::FittedUnknown& unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, unknown.unit, units, 4); };
+  return {.label = factor_title(unknown.key),
+          .value = shown(unknown.value),
+          .words = interval_words(unknown, units) +
+                   (unknown.standard_error ? "; standard error " + brief_quantity(*unknown.standard_error,
+                                                                                  unknown.unit, units, 2)
+                                           : "; no standard error"),
+          .lowest = shown(unknown.lowest),
+          .highest = shown(unknown.highest),
+          .place = place_of(unknown, unknown.value),
+          .from = unknown.low ? place_of(unknown, *unknown.low) : 0,
+          .to = unknown.high ? place_of(unknown, *unknown.high) : 1,
+          .open_below = !unknown.low && !unknown.is_identified(),
+          .open_above = !unknown.high && !unknown.is_identified()};
 }
 
 /// Findings that could change the answer.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (!fitted_unknown.is_identified() && !fitted_unknown.is_nuisance)
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (!unknown.is_identified() && !unknown.is_nuisance)
       all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
-                                factor_words(fitted_unknown.key), interval_words(fitted_unknown, units)));
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (fitted_unknown.is_identified() && fitted_unknown.rests_on_prior() && !fitted_unknown.is_nuisance)
+                                factor_words(unknown.key), interval_words(unknown, units)));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
       all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
-                                factor_words(fitted_unknown.key)));
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (fitted_unknown.wants_beyond())
+                                factor_words(unknown.key)));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (unknown.wants_beyond())
       all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
-                                factor_words(fitted_unknown.key),
-                                fitted_unknown.is_at_lowest ? "lower" : "upper"));
+                                factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
                               report.starts_at_best, report.starts));
@@ -92,15 +89,14 @@ std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem
   add_misses(figures, report, false);
   add_misses(figures, report, true);
   for (const bool identified : {false, true})
-    for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-      if (!fitted_unknown.is_nuisance && fitted_unknown.is_identified() == identified)
-        figures.push_back(
-            {.label = capitalised(factor_words(fitted_unknown.key)),
-             .value = brief_quantity(fitted_unknown.value, fitted_unknown.unit, units, 3),
-             .remark = (fitted_unknown.rests_on_prior() ? "mostly from its prior; 95 % interval "
-                                                        : "95 % interval ") +
-                       interval_words(fitted_unknown, units),
-             .tone = identified && !fitted_unknown.rests_on_prior() ? Tone::plain : Tone::doubtful});
+    for (const fit::FittedUnknown& unknown : report.unknowns)
+      if (!unknown.is_nuisance && unknown.is_identified() == identified)
+        figures.push_back({.label = capitalised(factor_words(unknown.key)),
+                           .value = brief_quantity(unknown.value, unknown.unit, units, 3),
+                           .remark = (unknown.rests_on_prior() ? "mostly from its prior; 95 % interval "
+                                                               : "95 % interval ") +
+                                     interval_words(unknown, units),
+                           .tone = identified && !unknown.rests_on_prior() ? Tone::plain : Tone::doubtful});
   return figures;
 }
 
@@ -125,8 +121,7 @@ Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) 
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
       "Where a bar fades, the interval is open: the data do not end it."};
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    unknowns.ranges.push_back(bar_of(fitted_unknown, units));
+  for (const fit::FittedUnknown& unknown : report.unknowns) unknowns.ranges.push_back(bar_of(unknown, units));
   return unknowns;
 }
 
@@ -206,9 +201,9 @@ std::string fitted_case_toml(const fit::FitReport& report) {
 
 std::string posterior_csv(const fit::FitReport& report) {
   std::string text;
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    text += fmt::format("{}{}{}", text.empty() ? "" : ",", fitted_unknown.key,
-                        fitted_unknown.unit == "1" ? "" : fmt::format(" [{}]", fitted_unknown.unit));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", unknown.key,
+                        unknown.unit == "1" ? "" : fmt::format(" [{}]", unknown.unit));
   text += "\n";
   for (const std::vector<double>& draw : report.posterior) {
     std::string row;

@@ -2,7 +2,6 @@
 
 #include "dashpad/output/materials.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>

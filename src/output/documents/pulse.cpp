@@ -3,7 +3,6 @@
 #include "output/documents/pulse.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -72,9 +71,9 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
           "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
               (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
   }
-  for (const injury::WindowedHic& windowed_hic : report.windows)
-    add("hic_unlimited", "HIC of " + brief(1e3 * windowed_hic.longest_window) + " ms", windowed_hic.hic.value,
-        stretch(windowed_hic.hic.begin, windowed_hic.hic.end, units, digits));
+  for (const injury::WindowedHic& windowed : report.windows)
+    add("hic_unlimited", "HIC of " + brief(1e3 * windowed.longest_window) + " ms", windowed.hic.value,
+        stretch(windowed.hic.begin, windowed.hic.end, units, digits));
   for (const injury::DwellTime& each : report.dwells)
     if (each.cumulative > 0 || detail == Detail::all)
       add("dwell_time",
@@ -98,14 +97,13 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
 /// "Uncertainty of the measurement: peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %, calibration 2
 /// %);
 /// ..., k = 2", and what is not in it. With Detail::main of peak and HIC15 alone.
-std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& measurement_uncertainty,
-                                           Detail detail) {
+std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
   constexpr double next_to_nothing = 5e-5;
   const auto share = [](double value) {
     return value < next_to_nothing ? "below 0.01 %" : injury::in_percent(value);
   };
   std::string text;
-  for (const injury::FigureUncertainty& each : measurement_uncertainty.figures) {
+  for (const injury::FigureUncertainty& each : uncertainty.figures) {
     const std::string_view key = each.quantity->key;
     if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
     text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
@@ -116,15 +114,13 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
     text += ")";
   }
   if (text.empty()) return {};
-  text += measurement_uncertainty.compared_with.empty()
+  text += uncertainty.compared_with.empty()
               ? ", k = 2. What a filter before the file took away is not in it"
               : fmt::format(
                     ", k = 2, the filter beside {}. What another one before the "
                     "file took away is not in it",
-                    measurement_uncertainty.compared_with);
-  return {text + (measurement_uncertainty.calibration
-                      ? "."
-                      : ", nor is the calibration, which --calibration states.")};
+                    uncertainty.compared_with);
+  return {text + (uncertainty.calibration ? "." : ", nor is the calibration, which --calibration states.")};
 }
 
 /// The result of a comparison with limits: "Within the limits: HIC(d) has 136 to spare".

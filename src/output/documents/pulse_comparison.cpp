@@ -60,10 +60,10 @@ std::string shown_share(const ComparedFigure& figure) {
 }
 
 /// Whether times that count from the onset may count from something else.
-bool is_onset_doubtful(const injury::PulseComparison& pulse_comparison) {
+bool is_onset_doubtful(const injury::PulseComparison& comparison) {
   constexpr double matters = 0.05;  // share of the time to the peak
-  const injury::PulseShape& pulse = pulse_comparison.measured;
-  return pulse_comparison.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
+  const injury::PulseShape& pulse = comparison.measured;
+  return comparison.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
          *pulse.last_onset - *pulse.onset > matters * (pulse.peak.time - *pulse.onset);
 }
 

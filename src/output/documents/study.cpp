@@ -57,8 +57,8 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
     if (figures.empty()) continue;
     if (asks_for_limit)
       // std::ranges::stable_partition does not compile with clang 14 and libstdc++ 12.
-      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& captioned_plot) {
-        return captioned_plot.plot.panels.front().title ==
+      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& figure) {
+        return figure.plot.panels.front().title ==
                title_of(answers.limits[strictest_limit(answers)].response);
       });
     // A map stands alone: other maps would compete with its legend.

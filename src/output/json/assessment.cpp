@@ -62,10 +62,10 @@ Json criterion(const injury::CriterionResult& result) {
           {"note", of.origin.note}};
 }
 
-Json figures_json(const injury::KeyFigures& key_figures) {
+Json figures_json(const injury::KeyFigures& figures) {
   Json all;
   for (const auto& [key, member] : figures_of_assessment) {
-    const injury::Figure& figure = key_figures.*member;
+    const injury::Figure& figure = figures.*member;
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
     const auto shown = [&](double value) { return number(scale * value); };

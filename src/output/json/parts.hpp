@@ -15,7 +15,7 @@ namespace dashpad::output {
 Json flags_json(const std::vector<Flag>& flags);
 
 /// The interval of a figure: `high` is null where there is no bound.
-Json interval_json(const FigureInterval& figure_interval);
+Json interval_json(const FigureInterval& interval);
 
 /// The figures of a pulse, computed or measured: {"hic15": {"value": 1661.2, "begin_s": 5.8e-3, "end_s":
 /// 2.0e-2, "error": 1.6e-3}, "clip_3ms": {"value_g": ...}, ...}. A measured pulse is taken as it is: without

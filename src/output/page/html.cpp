@@ -27,9 +27,9 @@ std::string part(const std::string& name, const std::string& html) {
   return fmt::format("<div data-part=\"{}\">\n{}</div>\n", name, html);
 }
 
-std::string heading_of(const CaptionedPlot& captioned_plot) {
-  const std::string both = captioned_plot.name.empty() || captioned_plot.plot.title.empty() ? "" : ": ";
-  return one_line(captioned_plot.name) + both + one_line(captioned_plot.plot.title);
+std::string heading_of(const CaptionedPlot& figure) {
+  const std::string both = figure.name.empty() || figure.plot.title.empty() ? "" : ": ";
+  return one_line(figure.name) + both + one_line(figure.plot.title);
 }
 
 /// The largest number of points in a series: more make a page heavy without showing more.
@@ -59,20 +59,19 @@ std::string plot_html(Plot plot, InlineSvgs& svgs) {
   return html;
 }
 
-std::string figure(const CaptionedPlot& captioned_plot, const std::string& id, InlineSvgs& svgs) {
+std::string figure(const CaptionedPlot& figure, const std::string& id, InlineSvgs& svgs) {
   std::string html = fmt::format("<figure id=\"{}\"><figcaption><h3>{}</h3></figcaption>\n", id,
-                                 xml_text(heading_of(captioned_plot)));
-  Plot plot = captioned_plot.plot;
+                                 xml_text(heading_of(figure)));
+  Plot plot = figure.plot;
   // The heading says it already.
   if (plot.panels.size() == 1 &&
-      heading_of(captioned_plot).find(one_line(plot.panels.front().title)) != std::string::npos)
+      heading_of(figure).find(one_line(plot.panels.front().title)) != std::string::npos)
     plot.panels.front().title.clear();
   plot.title.clear();
   plot.source.clear();
   html += plot_html(std::move(plot), svgs);
-  if (!captioned_plot.plot.source.empty())
-    html += "<p class=\"source\">" + text_html(captioned_plot.plot.source) + "</p>\n";
-  if (!captioned_plot.note.empty()) html += "<p class=\"note\">" + text_html(captioned_plot.note) + "</p>\n";
+  if (!figure.plot.source.empty()) html += "<p class=\"source\">" + text_html(figure.plot.source) + "</p>\n";
+  if (!figure.note.empty()) html += "<p class=\"note\">" + text_html(figure.note) + "</p>\n";
   return html + "</figure>\n";
 }
 

@@ -93,16 +93,16 @@ std::string bar_of(const ValueRow& figure) {
 }
 
 /// The interval, which fades where it has no end.
-std::string interval_of(const RangeBar& range_bar) {
+std::string interval_of(const RangeBar& range) {
   constexpr int slices = 10;
-  const double width = 100 * (range_bar.to - range_bar.from) / slices;
+  const double width = 100 * (range.to - range.from) / slices;
   std::string rects;
   for (int slice = 0; slice < slices; ++slice) {
     const double from_low = (slice + 0.5) / slices, to_high = 1 - from_low;
     double opacity = 0.55;
-    if (range_bar.open_below) opacity = std::min(opacity, from_low);
-    if (range_bar.open_above) opacity = std::min(opacity, to_high);
-    rects += rect("interval", 100 * range_bar.from + slice * width, width, opacity);
+    if (range.open_below) opacity = std::min(opacity, from_low);
+    if (range.open_above) opacity = std::min(opacity, to_high);
+    rects += rect("interval", 100 * range.from + slice * width, width, opacity);
   }
   return rects;
 }
@@ -128,13 +128,13 @@ std::string warning_html(const std::string& line) {
          "</li>\n";
 }
 
-std::string range_html(const RangeBar& range_bar) {
+std::string range_html(const RangeBar& range) {
   return fmt::format(
       "<li><p class=\"name\"><span>{}</span><b>{}</b></p>\n{}<p class=\"ends\"><span>{}</span>"
       "<span class=\"words\">{}</span><span>{}</span></p></li>\n",
-      text_html(range_bar.label), text_html(range_bar.value),
-      bar(text_html(range_bar.words), interval_of(range_bar), 100 * range_bar.place),
-      text_html(range_bar.lowest), text_html(range_bar.words), text_html(range_bar.highest));
+      text_html(range.label), text_html(range.value),
+      bar(text_html(range.words), interval_of(range), 100 * range.place), text_html(range.lowest),
+      text_html(range.words), text_html(range.highest));
 }
 
 std::string table_html(const Table& table) {

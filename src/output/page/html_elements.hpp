@@ -24,7 +24,7 @@ const char* sign_of_tone(Tone tone);
 std::string key_figure_html(const ValueRow& figure);
 /// A warning; the words in capitals at its front are set apart.
 std::string warning_html(const std::string& line);
-std::string range_html(const RangeBar& range_bar);
+std::string range_html(const RangeBar& range);
 std::string table_html(const Table& table);
 
 /// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes

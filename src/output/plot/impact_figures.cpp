@@ -92,9 +92,9 @@ std::string percent(double share) { return fmt::format("{} %", significant(100 *
 /// Nearer to full compression than half a hundredth, stress has no finite limit.
 double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
   double highest = 0;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    for (std::size_t i = 0; i < contact_snapshot.stress.size(); ++i)
-      if (contact_snapshot.strain[i] < 0.995) highest = std::max(highest, contact_snapshot.stress[i]);
+  for (const ContactSnapshot& snapshot : snapshots)
+    for (std::size_t i = 0; i < snapshot.stress.size(); ++i)
+      if (snapshot.strain[i] < 0.995) highest = std::max(highest, snapshot.stress[i]);
   return highest;
 }
 
@@ -102,17 +102,16 @@ double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
 /// that the law determines; 0 without any.
 double deviation_of_stress(const std::vector<ContactSnapshot>& snapshots) {
   double deviation = 0;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    if (contact_snapshot.determined)
-      deviation =
-          std::max(deviation, std::abs(contact_snapshot.force_of_stress() / contact_snapshot.force - 1));
+  for (const ContactSnapshot& snapshot : snapshots)
+    if (snapshot.determined)
+      deviation = std::max(deviation, std::abs(snapshot.force_of_stress() / snapshot.force - 1));
   return deviation;
 }
 
 std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double highest) {
   const auto known = std::ranges::count_if(snapshots, &ContactSnapshot::determined);
-  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& contact_snapshot) {
-    return std::ranges::any_of(contact_snapshot.stress, [&](double stress) { return stress > highest; });
+  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& snapshot) {
+    return std::ranges::any_of(snapshot.stress, [&](double stress) { return stress > highest; });
   });
   std::string note;
   if (known > 0)
@@ -131,9 +130,8 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
 void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, double highest,
                      double factor) {
   double lowest = highest;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    if (!contact_snapshot.stress.empty())
-      lowest = std::min(lowest, std::ranges::max(contact_snapshot.stress));
+  for (const ContactSnapshot& snapshot : snapshots)
+    if (!snapshot.stress.empty()) lowest = std::min(lowest, std::ranges::max(snapshot.stress));
   if (!(highest > 0)) return;
   axis.low = 0;
   axis.high = 1.06 * highest * factor;
@@ -205,16 +203,16 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
   const double highest = highest_stress(snapshots);
   set_stress_axis(stress.y, snapshots, highest, value_in(units, 1, "Pa"));
   for (std::size_t palette_index = 0; palette_index < snapshots.size(); ++palette_index) {
-    const ContactSnapshot& contact_snapshot = snapshots[palette_index];
+    const ContactSnapshot& snapshot = snapshots[palette_index];
     const std::string label =
-        fmt::format("{}, {}", brief_quantity(contact_snapshot.time, "s", units, 3), contact_snapshot.when);
-    const std::vector<double> radius = values_in(units, contact_snapshot.radius, "m");
+        fmt::format("{}, {}", brief_quantity(snapshot.time, "s", units, 3), snapshot.when);
+    const std::vector<double> radius = values_in(units, snapshot.radius, "m");
     stress.series.push_back({.label = label,
                              .x = radius,
-                             .y = values_in(units, contact_snapshot.stress, "Pa"),
+                             .y = values_in(units, snapshot.stress, "Pa"),
                              .palette_index = palette_index});
     strain.series.push_back(
-        {.label = label, .x = radius, .y = contact_snapshot.strain, .palette_index = palette_index});
+        {.label = label, .x = radius, .y = snapshot.strain, .palette_index = palette_index});
   }
   // Next to full compression stations of their own do not find the force again.
   constexpr double max_deviation = 0.05;

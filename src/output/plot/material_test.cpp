@@ -96,15 +96,15 @@ Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& uni
   Panel panel = panel_of_runs(report, "Stress over strain", strain_of_column(), stress_of_column(units));
   for (Series& loop : panel.series) loop.has_arrow = true;
   add_points_of_1984(panel, report, units,
-                     [](const laboratory::UpdateOf1984& update_of1984) { return update_of1984.strain; });
+                     [](const laboratory::UpdateOf1984& update) { return update.strain; });
   return panel;
 }
 
 Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units) {
   Panel panel =
       panel_of_runs(report, "Stress over time", time_of_column(report, units), stress_of_column(units));
-  add_points_of_1984(panel, report, units, [&](const laboratory::UpdateOf1984& update_of1984) {
-    return values_in(units, update_of1984.time, "s");
+  add_points_of_1984(panel, report, units, [&](const laboratory::UpdateOf1984& update) {
+    return values_in(units, update.time, "s");
   });
   return panel;
 }

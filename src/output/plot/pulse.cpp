@@ -57,16 +57,16 @@ void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& u
 }  // namespace
 
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
-  const injury::PulseComparison& pulse_comparison = report.comparison;
-  const auto& computed = pulse_comparison.computed;
-  double begin = pulse_comparison.measured.contact.begin + pulse_comparison.shift,
-         end = pulse_comparison.measured.contact.end + pulse_comparison.shift;
-  if (const std::vector<double>& time = pulse_comparison.computed_pulse.time; !time.empty()) {
+  const injury::PulseComparison& comparison = report.comparison;
+  const auto& computed = comparison.computed;
+  double begin = comparison.measured.contact.begin + comparison.shift,
+         end = comparison.measured.contact.end + comparison.shift;
+  if (const std::vector<double>& time = comparison.computed_pulse.time; !time.empty()) {
     begin = std::min(begin, computed ? computed->contact.begin : time.front());
     end = std::max(end, computed ? computed->contact.end : time.back());
   }
   Panel panel{.x = axis_of("time", units), .y = axis_of("deceleration", units)};
-  const double peak = pulse_comparison.measured.peak.magnitude;
+  const double peak = comparison.measured.peak.magnitude;
   if (computed)
     panel.title =
         fmt::format("The computed peak is {} g, the measured one {} g",
@@ -75,16 +75,16 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
     panel.y.high = 1.5 * peak / standard_gravity;
   panel.x.low = value_in(units, begin - room * (end - begin), "s");
   panel.x.high = value_in(units, end + room * (end - begin), "s");
-  panel.series = {line("computed", pulse_comparison.computed_pulse, turn_of_computed, units,
-                       computed ? computed->side : -1),
-                  line("measured", report.pulse.pulse, turn_of_measured, units,
-                       pulse_comparison.measured.side, pulse_comparison.shift)};
+  panel.series = {
+      line("computed", comparison.computed_pulse, turn_of_computed, units, computed ? computed->side : -1),
+      line("measured", report.pulse.pulse, turn_of_measured, units, comparison.measured.side,
+           comparison.shift)};
   return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
           .panels = {std::move(panel)},
           .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
                                 one_line(report.pulse.file), one_line(report.case_file),
                                 report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
-                                injury::to_string(pulse_comparison.alignment))};
+                                injury::to_string(comparison.alignment))};
 }
 
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {

@@ -29,12 +29,12 @@ std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t respo
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
-    for (const study::StudyAnswers::OfGroup& of_group : answers.groups) {
+    for (const study::StudyAnswers::OfGroup& group : answers.groups) {
       const auto at = [&](double probability) {
-        const auto found = study::quantile(of_group.distributions[response], probability);
+        const auto found = study::quantile(group.distributions[response], probability);
         return found ? found->value : std::numeric_limits<double>::quiet_NaN();
       };
-      cells.push_back({of_group.group.levels, at(0.5), at(0.05), at(0.95)});
+      cells.push_back({group.group.levels, at(0.5), at(0.05), at(0.95)});
     }
     return cells;
   }

@@ -41,12 +41,10 @@ struct Determined {
 
 Determined determined(const fit::FitReport& report) {
   Determined count;
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns) {
-    if (fitted_unknown.is_nuisance) continue;
+  for (const fit::FittedUnknown& unknown : report.unknowns) {
+    if (unknown.is_nuisance) continue;
     ++count.all;
-    ++(!fitted_unknown.is_identified()   ? count.open
-       : fitted_unknown.rests_on_prior() ? count.by_prior
-                                         : count.by_data);
+    ++(!unknown.is_identified() ? count.open : unknown.rests_on_prior() ? count.by_prior : count.by_data);
   }
   return count;
 }
@@ -65,16 +63,15 @@ std::string beside_data(const Determined& determined) {
 
 Misses misses(const fit::FitReport& report, bool held_out) {
   Misses most;
-  for (const fit::MetTest& met_test : report.tests)
-    if (met_test.is_held_out == held_out)
-      for (const auto& rms : {met_test.rms_loading, met_test.rms_unloading})
-        if (rms) grow(most.tests, *rms / met_test.largest_stress);
-  for (const fit::MetFigure& met_figure : report.figures)
-    if (met_figure.is_held_out == held_out && met_figure.computed)
-      grow(most.figures, std::abs(*met_figure.computed - met_figure.measured) / met_figure.deviation);
-  for (const fit::MetPulse& met_pulse : report.pulses)
-    if (met_pulse.is_held_out == held_out && met_pulse.rms)
-      grow(most.pulses, *met_pulse.rms / met_pulse.measured_peak);
+  for (const fit::MetTest& test : report.tests)
+    if (test.is_held_out == held_out)
+      for (const auto& rms : {test.rms_loading, test.rms_unloading})
+        if (rms) grow(most.tests, *rms / test.largest_stress);
+  for (const fit::MetFigure& figure : report.figures)
+    if (figure.is_held_out == held_out && figure.computed)
+      grow(most.figures, std::abs(*figure.computed - figure.measured) / figure.deviation);
+  for (const fit::MetPulse& pulse : report.pulses)
+    if (pulse.is_held_out == held_out && pulse.rms) grow(most.pulses, *pulse.rms / pulse.measured_peak);
   return most;
 }
 
@@ -131,13 +128,13 @@ std::string words_on_added(const fit::FitReport& report) {
          "is sought too, from 0 to 1. State it where it is known.";
 }
 
-std::string interval_words(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
-  if (fitted_unknown.is_identified())
-    return shown(fitted_unknown.low.value_or(fitted_unknown.lowest)) + " to " +
-           shown(fitted_unknown.high.value_or(fitted_unknown.highest));
-  if (fitted_unknown.low) return "above " + shown(*fitted_unknown.low) + ", open above";
-  if (fitted_unknown.high) return "below " + shown(*fitted_unknown.high) + ", open below";
+std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, unknown.unit, units, 4); };
+  if (unknown.is_identified())
+    return shown(unknown.low.value_or(unknown.lowest)) + " to " +
+           shown(unknown.high.value_or(unknown.highest));
+  if (unknown.low) return "above " + shown(*unknown.low) + ", open above";
+  if (unknown.high) return "below " + shown(*unknown.high) + ", open below";
   return "open on both sides";
 }
 
@@ -153,9 +150,9 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   for (const std::vector<std::string>& keys : report.flat_directions)
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
                                                    : " are not told apart by these data."));
-  for (const fit::StrongCorrelation& strong_correlation : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.",
-                              strong_correlation.first, strong_correlation.second, strong_correlation.value));
+  for (const fit::StrongCorrelation& correlation : report.correlations)
+    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", correlation.first,
+                              correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
     all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
   return all;

@@ -33,7 +33,7 @@ std::string fit_headline(const fit::FitReport& report);
 std::string prediction_words(const fit::FitReport& report);
 
 /// "1.2 to 3.4 kPa", "above 1.2 kPa, open above", "open on both sides"; a natural bound ends it as well.
-std::string interval_words(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units);
+std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units);
 
 /// Unknowns that the data do not determine, a sentence each.
 std::vector<std::string> open_matters(const fit::FitReport& report);

@@ -49,16 +49,13 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
                           cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
                           "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::CushionFigures& cushion_figures = run.figures;
-    table.rows.push_back({rate_cell(run), cells.stress(cushion_figures.peak_stress),
-                          significant(cushion_figures.strain_at_peak),
-                          cells.stress(cushion_figures.energy_in),
-                          run.unloads ? cells.stress(cushion_figures.energy_returned) : "-",
-                          run.unloads ? percent(cushion_figures.hysteresis) : "-",
-                          significant(cushion_figures.best_efficiency.efficiency),
-                          significant(cushion_figures.best_efficiency.strain),
-                          cells.stress(cushion_figures.best_efficiency.stress),
-                          significant(cushion_figures.best_efficiency.ideality)});
+    const laboratory::CushionFigures& figures = run.figures;
+    table.rows.push_back(
+        {rate_cell(run), cells.stress(figures.peak_stress), significant(figures.strain_at_peak),
+         cells.stress(figures.energy_in), run.unloads ? cells.stress(figures.energy_returned) : "-",
+         run.unloads ? percent(figures.hysteresis) : "-", significant(figures.best_efficiency.efficiency),
+         significant(figures.best_efficiency.strain), cells.stress(figures.best_efficiency.stress),
+         significant(figures.best_efficiency.ideality)});
   }
   return table;
 }
@@ -86,10 +83,10 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
               .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
                           after(0.1 * report.test.hold), after(report.test.hold), "left (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::RelaxedStress& relaxed_stress = *run.relaxed;
-    table.rows.push_back({rate_cell(run), cells.stress(relaxed_stress.at_end_of_ramp),
-                          cells.stress(relaxed_stress.after_tenth), cells.stress(relaxed_stress.after_hold),
-                          percent(relaxed_stress.after_hold / relaxed_stress.at_end_of_ramp)});
+    const laboratory::RelaxedStress& relaxed = *run.relaxed;
+    table.rows.push_back({rate_cell(run), cells.stress(relaxed.at_end_of_ramp),
+                          cells.stress(relaxed.after_tenth), cells.stress(relaxed.after_hold),
+                          percent(relaxed.after_hold / relaxed.at_end_of_ramp)});
   }
   return table;
 }
@@ -112,10 +109,10 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::UpdateOf1984& update_of1984 = *run.update_of_1984;
+    const laboratory::UpdateOf1984& update = *run.update_of_1984;
     for (const auto& [name, turn] :
-         {std::pair{"1984", update_of1984.update_at_turn}, {"exact", update_of1984.exact_at_turn}}) {
-      Row row{rate_cell(run), cells.time(update_of1984.step), name, "-", "-", "-", "-"};
+         {std::pair{"1984", update.update_at_turn}, {"exact", update.exact_at_turn}}) {
+      Row row{rate_cell(run), cells.time(update.step), name, "-", "-", "-", "-"};
       if (turn) {
         row[3] = cells.stress(turn->last_loading);
         row[4] = cells.stress(turn->next);

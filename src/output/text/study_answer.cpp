@@ -140,10 +140,10 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
   const std::string& name = response_name(answers, 0);
   const auto [least, greatest] = extreme_medians(answers, 0);
   if (least == nullptr) return "";
-  const auto part = [&](const study::StudyAnswers::OfGroup& of_group) {
+  const auto part = [&](const study::StudyAnswers::OfGroup& group) {
     return fmt::format("{} at {}",
-                       three_digits(name, study::quantile(of_group.distributions.front(), 0.5)->value, units),
-                       words_of_levels(answers, of_group.group, units));
+                       three_digits(name, study::quantile(group.distributions.front(), 0.5)->value, units),
+                       words_of_levels(answers, group.group, units));
   };
   return fmt::format("The median of {} goes from {} to {}", uncapitalised(title_of(name)), part(*least),
                      part(*greatest));
@@ -168,8 +168,8 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
 }  // namespace
 
 ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response) {
-  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& of_group) {
-    const auto median = study::quantile(of_group.distributions[response], 0.5);
+  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& group) {
+    const auto median = study::quantile(group.distributions[response], 0.5);
     return median ? median->value : NAN;
   });
 }

@@ -33,17 +33,17 @@ std::string share_above(const study::Exceedance& exceedance) {
 }
 
 void add_distributions(Table& table, const study::StudyAnswers& answers,
-                       const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
+                       const study::StudyAnswers::OfGroup& group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = response_name(answers, i);
-    const study::Distribution& distribution = of_group.distributions[i];
+    const study::Distribution& distribution = group.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
     Row row{label(name, units)};
-    if (of_group.group.drawn)
+    if (group.group.drawn)
       row.insert(row.end(), {with_interval(distribution.mean, shown.scale), digits(distribution.deviation)});
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
-      if (of_group.group.drawn
+      if (group.group.drawn
               ? std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles)
               : quantile.probability == median)
         row.push_back(with_interval(quantile.value, shown.scale));
@@ -60,10 +60,10 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
 }
 
 void add_exceedances(Table& table, const study::StudyAnswers& answers,
-                     const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
+                     const study::StudyAnswers::OfGroup& group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
     const study::StudyLimit& limit = answers.limits[i];
-    const study::Exceedance& exceedance = of_group.exceedances[i];
+    const study::Exceedance& exceedance = group.exceedances[i];
     const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
     Row row{title_of(limit.response), with_unit(four_digits(shown.scale * limit.value), shown.unit),
             share_above(exceedance), std::to_string(exceedance.exceeding)};
@@ -77,15 +77,14 @@ void add_exceedances(Table& table, const study::StudyAnswers& answers,
   }
 }
 
-void add_indices(Table& table, const study::StudyAnswers& answers,
-                 const study::StudyAnswers::OfGroup& of_group,
+void add_indices(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& group,
                  const UnitSystem& /*none of them has a unit*/) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    if (!of_group.sensitivities[i]) continue;
-    for (const study::Sensitivity::Index& index : of_group.sensitivities[i]->indices)
+    if (!group.sensitivities[i]) continue;
+    for (const study::Sensitivity::Index& index : group.sensitivities[i]->indices)
       table.rows.push_back({title_of(response_name(answers, i)), factor_title(index.factor),
                             share_with_interval(index.first), share_with_interval(index.total),
-                            std::to_string(of_group.sensitivities[i]->draws)});
+                            std::to_string(group.sensitivities[i]->draws)});
   }
 }
 
@@ -103,11 +102,11 @@ Table over_groups(Table table, const study::StudyAnswers& answers, const UnitSys
   const bool named = answers.groups.size() > 1;
   if (named) table.columns.insert(table.columns.begin(), "At");
   for (std::size_t i = 0; i < answers.groups.size() && i < max_groups_shown; ++i) {
-    const study::StudyAnswers::OfGroup& of_group = answers.groups[i];
+    const study::StudyAnswers::OfGroup& group = answers.groups[i];
     const std::size_t begin = table.rows.size();
-    add(table, answers, of_group, units);
+    add(table, answers, group, units);
     for (std::size_t row = begin; named && row < table.rows.size(); ++row)
-      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, of_group.group, units));
+      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, group.group, units));
   }
   return table;
 }
