@@ -11,10 +11,8 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/text/table.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "output/document.hpp"
-#include "output/text/table.hpp"
 
 namespace dashpad::output {
 

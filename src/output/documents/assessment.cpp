@@ -25,10 +25,6 @@ namespace dashpad::output {
 
 namespace {
 
-std::string giver(const injury::StandardValue& value) {
-  return value.chosen_by_user ? "given by you" : "of the standard";
-}
-
 std::array<double, 3> numbers_of(const Impactor& impactor) {
   return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
@@ -60,30 +56,34 @@ Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
       continue;
     }
     replaced.lines.push_back(fmt::format("{} {}, {}; the case has {}", entry.name, value_text(entry, units),
-                                         giver(*entry.value), in_case) +
+                                         entry.value->chosen_by_user ? "given by you" : "of the standard",
+                                         in_case) +
                              of_standard(entry, units));
   }
   replaced.kept = fmt::format("Kept from the case: {}pad, support, solver.", kept);
   return replaced;
 }
 
-/// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
-std::vector<std::string> figures_from(injury::SourceKind kind, const injury::Standard& standard) {
-  std::vector<std::string> names;
+/// The names and origins of the standard's figures in force, without values from the user or the case.
+std::vector<std::pair<std::string, const injury::Origin*>> origins_of(const injury::Standard& standard) {
+  std::vector<std::pair<std::string, const injury::Origin*>> all;
   for (const NamedValue& entry : values_of(standard))
-    if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
-      names.emplace_back(entry.name);
+    if (entry.value->value && !entry.value->chosen_by_user)
+      all.emplace_back(entry.name, &entry.value->origin);
   for (const injury::Criterion& criterion : standard.criteria)
-    if (criterion.origin.kind == kind) names.push_back(injury::limit_of(criterion));
-  return names;
+    all.emplace_back(injury::limit_of(criterion), &criterion.origin);
+  return all;
 }
 
 std::string sources_of(const injury::Standard& standard) {
   std::vector<std::string> kinds;
   for (const injury::SourceKind kind :
-       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none})
-    if (const auto names = figures_from(kind, standard); !names.empty())
-      kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none}) {
+    std::vector<std::string> names;
+    for (const auto& [name, origin] : origins_of(standard))
+      if (origin->kind == kind) names.push_back(name);
+    if (!names.empty()) kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+  }
   return fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
                      fmt::join(kinds, ", "), full_name(standard));
 }
@@ -91,20 +91,16 @@ std::string sources_of(const injury::Standard& standard) {
 /// Each source of what is in force with what comes from it, for those who cannot ask for the standard.
 std::vector<Basis> sources_in_full(const injury::Standard& standard) {
   std::vector<Basis> all;
-  const auto add = [&](const injury::Origin& origin, const std::string& name) {
-    const std::string source = fmt::format("{} ({})", one_line(origin.source), to_string(origin.kind));
-    const char* const doubt = origin.verified ? "" : "unverified";
-    const auto known = std::ranges::find_if(
-        all, [&](const Basis& basis) { return basis.source == source && basis.doubt == doubt; });
+  for (const auto& [name, origin] : origins_of(standard)) {
+    const std::string source = fmt::format("{} ({})", one_line(origin->source), to_string(origin->kind));
+    const std::string doubt = origin->verified ? "" : "unverified";
+    auto known = all.begin();
+    while (known != all.end() && (known->source != source || known->doubt != doubt)) ++known;
     if (known == all.end())
-      all.push_back({.what = "", .value = capitalised(name), .source = source, .doubt = doubt});
+      all.push_back({"", capitalised(name), source, doubt});
     else
       known->value += ", " + name;
-  };
-  for (const NamedValue& entry : values_of(standard))
-    if (entry.value->value && !entry.value->chosen_by_user) add(entry.value->origin, entry.name);
-  for (const injury::Criterion& criterion : standard.criteria)
-    add(criterion.origin, injury::limit_of(criterion));
+  }
   return all;
 }
 
@@ -120,17 +116,14 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
 /// The reason to doubt a pass in spite of its interval, to be appended to the answer: the pad is struck
 /// through. Empty where there is none.
 std::string doubt_about_pass(const AssessmentReport& report) {
-  const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
-  const injury::CriterionResult* const next = closest(assessment.results);
-  if (assessment.verdict != injury::Verdict::pass || next == nullptr) return "";
-  const auto in_g = [](double acceleration) {
-    return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
-  };
-  if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
-    return ", but the pad is struck through" +
-           (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
-  return "";
+  if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||
+      !is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
+    return "";
+  const std::string text = ", but the pad is struck through";
+  if (!summary.peak_acceleration) return text;
+  const double peak = rounded_to(*summary.peak_acceleration / standard_gravity, 3);
+  return text + ", at a peak of " + brief(peak) + " g";
 }
 
 /// "Passes: 3 ms clip has 3.66 g to spare", by the criterion next to its limit or farthest beyond it.

@@ -8,7 +8,6 @@
 
 #include "dashpad/output/study.hpp"
 #include "output/document.hpp"
-#include "output/documents/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"

@@ -1,4 +1,4 @@
-#include "output/documents/study_key_figures.hpp"
+#include "output/text/study_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 
 #include "output/document.hpp"
 #include "output/text/capitals.hpp"
-#include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 

@@ -71,13 +71,10 @@ std::string counted(const std::vector<Combination>& all) {
   return text;
 }
 
+/// 0 for a fail, 1 for an undecided verdict, 2 for a pass.
 int rank(const Combination& combination) {
-  switch (combination.report.assessment.verdict) {
-    case injury::Verdict::fail: return 0;
-    case injury::Verdict::undecided: return 1;
-    case injury::Verdict::pass: break;
-  }
-  return 2;
+  const injury::Verdict verdict = combination.report.assessment.verdict;
+  return verdict == injury::Verdict::fail ? 0 : verdict == injury::Verdict::undecided ? 1 : 2;
 }
 
 /// The combinations from the one farthest beyond its limit to the one with most to spare.

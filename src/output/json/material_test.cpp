@@ -1,5 +1,7 @@
 // A material test for programs.
 
+#include <array>
+
 #include "dashpad/output/materials.hpp"
 #include "json/json_values.hpp"
 #include "output/json/parts.hpp"
@@ -78,18 +80,9 @@ Json update(const laboratory::UpdateOf1984& update) {
           {"exact_stress_Pa", numbers(update.exact)}};
 }
 
-const char* name_of(laboratory::ColumnEvent::Kind kind) {
-  switch (kind) {
-    case laboratory::ColumnEvent::Kind::turned: return "turned";
-    case laboratory::ColumnEvent::Kind::reloaded: return "reloaded";
-    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
-    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
-  }
-  return "";
-}
-
 Json event_json(const laboratory::ColumnEvent& event) {
-  return {{"event", name_of(event.kind)},
+  constexpr std::array names{"turned", "reloaded", "contact lost", "contact taken up"};
+  return {{"event", names.at(static_cast<std::size_t>(event.kind))},
           {"time_s", number(event.time)},
           {"strain", number(event.strain)},
           {"stress_before_Pa", number(event.stress_before)},

@@ -1,6 +1,7 @@
 #include "output/page/html_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -35,23 +36,13 @@ std::string lines_html(const std::string& text) {
 }
 
 const char* class_of_tone(Tone tone) {
-  switch (tone) {
-    case Tone::good: return "good";
-    case Tone::doubtful: return "doubtful";
-    case Tone::bad: return "bad";
-    case Tone::plain: break;
-  }
-  return "plain";
+  constexpr std::array names{"plain", "good", "doubtful", "bad"};
+  return names.at(static_cast<std::size_t>(tone));
 }
 
 const char* sign_of_tone(Tone tone) {
-  switch (tone) {
-    case Tone::good: return "✓";
-    case Tone::doubtful: return "?";
-    case Tone::bad: return "✕";
-    case Tone::plain: break;
-  }
-  return "";
+  constexpr std::array signs{"", "✓", "?", "✕"};
+  return signs.at(static_cast<std::size_t>(tone));
 }
 
 namespace {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "output/document.hpp"
-#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

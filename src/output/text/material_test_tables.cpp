@@ -1,5 +1,6 @@
 // The tables of a material test.
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -125,15 +126,9 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
   return table;
 }
 
-const char* words_for(laboratory::ColumnEvent::Kind kind) {
-  switch (kind) {
-    case laboratory::ColumnEvent::Kind::turned: return "unloading begins";
-    case laboratory::ColumnEvent::Kind::reloaded: return "loading begins again";
-    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
-    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
-  }
-  return "";
-}
+/// In the order of laboratory::ColumnEvent::Kind.
+constexpr std::array names_of_events{"unloading begins", "loading begins again", "contact lost",
+                                     "contact taken up"};
 
 Table events_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{
@@ -144,9 +139,9 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
     const auto& events = run.column.events;
     for (std::size_t i = 0; i < events.size() && i < max_events; ++i) {
       const laboratory::ColumnEvent& event = events[i];
-      table.rows.push_back({rate_cell(run), words_for(event.kind), strain_cell(event.strain),
-                            cells.time(event.time), cells.stress(event.stress_before),
-                            cells.stress(event.stress_after)});
+      table.rows.push_back({rate_cell(run), names_of_events.at(static_cast<std::size_t>(event.kind)),
+                            strain_cell(event.strain), cells.time(event.time),
+                            cells.stress(event.stress_before), cells.stress(event.stress_after)});
     }
     if (events.size() > max_events)
       table.rows.push_back(

@@ -1,12 +1,12 @@
 #pragma once
-/// The answer of a study in a sentence, and all of its answers as tables.
+/// The answer of a study in a sentence, its key figures, and all of its answers as tables.
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "dashpad/output/text/table.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/study/answers.hpp"
 #include "quantities/text.hpp"
@@ -17,6 +17,10 @@ namespace dashpad::output {
 /// exceeded, or where it is exceeded, or in how many rows; which factor matters most; where a response is
 /// least; how the draws scatter. Empty for a study without rows.
 std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& units);
+
+/// The figures behind study_answer(): probabilities, the factors that matter, least peaks of cushion curves,
+/// or ranges. At most max_key_figures; none without rows.
+std::vector<ValueRow> study_key_figures(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// Combinations of levels; null where none has a value.
 struct ExtremeGroups {

@@ -6,7 +6,6 @@
 
 #include "output/document.hpp"
 #include "output/svg/svg.hpp"
-#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
