@@ -38,20 +38,16 @@ std::string impact_words(const ImpactMeasurement& impact, const FitReport& repor
 }
 
 std::string origin_of(const Fit& fit, const FitReport& report) {
-  std::string origin = "dashpad fit to ";
-  std::string separator;
-  for (const MetTest& test : report.tests) {
-    if (test.is_held_out) continue;
-    origin += fmt::format("{}{} ({} points; rms {} of the largest stress)", separator, test.file, test.points,
-                          rms_words(test));
-    separator = "; ";
-  }
-  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
-    origin += fmt::format("{}{} ({})", separator, impact.file, impact_words(impact, report));
-    separator = "; ";
-  }
-  origin += fmt::format("; misfit {:.3g} per degree of freedom{}", report.misfit_per_degree(),
-                        report.noise_is_stated ? "" : ", by construction: the noise was not stated");
+  std::vector<std::string> parts;
+  for (const MetTest& test : fitted(report.tests))
+    parts.push_back(
+        fmt::format("{} ({} points; rms {} of the largest stress)", test.file, test.points, rms_words(test)));
+  for (const ImpactMeasurement& impact : fitted(fit.impacts))
+    parts.push_back(fmt::format("{} ({})", impact.file, impact_words(impact, report)));
+  std::string origin =
+      fmt::format("dashpad fit to {}; misfit {:.3g} per degree of freedom{}", fmt::join(parts, "; "),
+                  report.misfit_per_degree(),
+                  report.noise_is_stated ? "" : ", by construction: the noise was not stated");
   const Material& base = fit.base.pad.material;
   if (is_stated(base) && !base.source.empty() && !base.name.empty())
     origin += fmt::format("; the rest from {}: {}", base.name, base.source);

@@ -55,6 +55,9 @@ std::vector<std::string> reservations_of(const Fit& fit, std::span<const double>
 /// uncertain. `files` are those that the pad was read from.
 bool states_recoil(const input::TomlNode& fit_file, const std::vector<input::InputFile>& files);
 
+/// Whether the fitted data show how the foam unloads.
+bool shows_way_back(const Fit& fit, const FitReport& report);
+
 /// Whether the foam rests on a recoil that nobody stated and that is no unknown.
 bool assumes_recoil(const Fit& fit);
 

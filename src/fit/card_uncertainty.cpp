@@ -164,11 +164,6 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
     of.recoil = range;
   else if (assumes_recoil(fit))
     of.recoil = whole;
-  const bool has_way_back = std::ranges::any_of(report.tests,
-                                                [](const MetTest& test) {
-                                                  return !test.is_held_out && test.rms_unloading.has_value();
-                                                }) ||
-                            has_fitted(fit.impacts);
   // If the interval has both ends, the axes contain its uncertainty already.
   const auto sought =
       std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);
@@ -178,7 +173,7 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
     of.unloading_factor.reset();
   else if (const auto range = share_range(report, "unloading_factor", foam->unloading_factor))
     of.unloading_factor = range;
-  else if (!has_way_back && !of.unloading_factor)
+  else if (!shows_way_back(fit, report) && !of.unloading_factor)
     of.unloading_factor = whole;
   return of;
 }

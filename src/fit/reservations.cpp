@@ -176,6 +176,12 @@ bool states_recoil(const TomlNode& fit_file, const std::vector<input::InputFile>
   });
 }
 
+bool shows_way_back(const Fit& fit, const FitReport& report) {
+  return has_fitted(fit.impacts) || std::ranges::any_of(report.tests, [](const MetTest& test) {
+           return !test.is_held_out && test.rms_unloading.has_value();
+         });
+}
+
 bool assumes_recoil(const Fit& fit) {
   return !fit.recoil_is_stated && curves_with_rate(fit) && !seeks(fit, key_of_recoil);
 }
@@ -199,10 +205,7 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   add_speeds(fit, values, all);
   add_misses(report, all);
   add_company(fit, report, all);
-  const bool unloads = std::ranges::any_of(
-      report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
-  if (!unloads && !has_fitted(fit.impacts))
-    all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the way back is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
         "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "

@@ -29,11 +29,6 @@ std::string change(double from, double to, const std::string& unit) {
                      tenths == 0 ? 0.0 : tenths / 10);
 }
 
-bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
-  return first.earlier_penetration == other.earlier_penetration &&
-         first.summary.peak_force == other.summary.peak_force;
-}
-
 std::string why_alike(const PadLaw& law) {
   if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully in between";
   return "a pad of the law " + name_of(law) + " recovers fully by its law" +
@@ -59,7 +54,8 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   const BlowResult& last = blows.back();
   const int asked = first.summary.blows;
   if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
-  if (is_as_the_first(first, last))
+  if (first.earlier_penetration == last.earlier_penetration &&
+      first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
   std::string text = fmt::format("From blow 1 to blow {} the peak acceleration goes", blows.size());
   if (std::isnan(peak_in_g(last)))

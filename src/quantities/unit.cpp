@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "quantities/text.hpp"
 #include "quantities/unit_table.hpp"
 
 namespace dashpad {
@@ -209,9 +210,7 @@ class UnitReader {
 
 std::string tidy_unit(std::string_view text) {
   std::string tidy(text);
-  for (const auto& [from, to] : lookalikes)
-    for (auto at = tidy.find(from); at != std::string::npos; at = tidy.find(from, at + to.size()))
-      tidy.replace(at, from.size(), to);
+  for (const auto& [from, to] : lookalikes) replace_all(tidy, from, to);
   const auto first = tidy.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
   tidy = tidy.substr(first, tidy.find_last_not_of(" \t") - first + 1);

@@ -99,11 +99,6 @@ void Application::operator()(std::span<const double> values, ImpactCase& into) c
   for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i](into, values[i]);
 }
 
-void apply(const Study& study, std::span<const double> values, ImpactCase& into) {
-  const Application application(study);
-  application(values, into);
-}
-
 struct Design::Plan {
   /// The second matrix of Saltelli's design has dimensions of its own.
   explicit Plan(const Study& study)
@@ -160,7 +155,9 @@ Design::~Design() = default;
 Design::Design(Design&&) noexcept = default;
 Design& Design::operator=(Design&&) noexcept = default;
 
-std::uint64_t Design::rows() const { return plan_->combinations * plan_->samples * plan_->blocks; }
+std::uint64_t Design::rows() const { return plan_->combinations * rows_of_combination(); }
+
+std::uint64_t Design::rows_of_combination() const { return plan_->samples * plan_->blocks; }
 
 int Design::block_of(std::uint64_t row) const { return static_cast<int>(row % plan_->blocks); }
 

@@ -137,11 +137,7 @@ struct Recipe {
   EstimatedValue (*of_pulse)(PulseFigures&) = nullptr;
 };
 
-struct PulseRecipe {
-  const char* key;
-  EstimatedValue (*of)(PulseFigures&);
-};
-constexpr PulseRecipe of_pulses[] = {
+constexpr std::pair<const char*, EstimatedValue (*)(PulseFigures&)> of_pulses[] = {
     {"hic15", [](PulseFigures& pulse) { return pulse.hic(injury::hic15_window); }},
     {"hic36", [](PulseFigures& pulse) { return pulse.hic(injury::hic36_window); }},
     {"hic_unlimited", [](PulseFigures& pulse) { return pulse.hic(injury::unlimited_window); }},
@@ -153,17 +149,15 @@ constexpr PulseRecipe of_pulses[] = {
 };
 
 /// The order is that of the table of results.
-std::vector<Recipe> make_recipes() {
-  std::vector<Recipe> all;
-  for (const SummaryQuantity& entry : summary_quantities())
-    if (entry.quantity->role.in_studies) all.push_back({*entry.quantity, entry.of, nullptr});
-  for (const PulseRecipe& entry : of_pulses) all.push_back({result_quantity(entry.key), nullptr, entry.of});
-  return all;
-}
-
 const std::vector<Recipe>& recipes() {
-  static const std::vector<Recipe> all = make_recipes();
-  return all;
+  static const std::vector<Recipe> recipes = [] {
+    std::vector<Recipe> all;
+    for (const SummaryQuantity& entry : summary_quantities())
+      if (entry.quantity->role.in_studies) all.push_back({*entry.quantity, entry.of, nullptr});
+    for (const auto& [key, of] : of_pulses) all.push_back({result_quantity(key), nullptr, of});
+    return all;
+  }();
+  return recipes;
 }
 
 }  // namespace
@@ -241,11 +235,6 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
     // An estimate that is no number bounds nothing.
     outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
   }
-}
-
-void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome) {
-  ResponseReader reader(names);
-  reader(solution, outcome);
 }
 
 }  // namespace dashpad::study

@@ -37,8 +37,7 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
-  const bool varies_law =
-      std::ranges::any_of(study.factors, [](const Factor& factor) { return is_of_law(factor.key); });
+  const bool varies_law = std::ranges::any_of(study.factors, is_of_law, &Factor::key);
   if (has("pad.material") && varies_law)
     broken.push_back({"factors.pad.material", no_value,
                       "parameters and curves belong to the material of the case: vary the material or its "

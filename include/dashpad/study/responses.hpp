@@ -67,7 +67,4 @@ class ResponseReader {
   std::unique_ptr<PulseFigures> pulse_;  ///< present if a figure of the pulse is asked for
 };
 
-/// The same for one solution.
-void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome);
-
 }  // namespace dashpad::study

@@ -139,6 +139,7 @@ class Design {
   Design& operator=(Design&&) noexcept;
 
   [[nodiscard]] std::uint64_t rows() const;
+  [[nodiscard]] std::uint64_t rows_of_combination() const;  ///< rows for one combination of levels
   /// SI values of all factors in row `row` (0 to rows() - 1), in the order of Study::factors. Several threads
   /// may call it at once. Throws std::out_of_range for another row, and for `values` of another length.
   void factors_of(std::uint64_t row, std::span<double> values) const;
@@ -152,8 +153,5 @@ class Design {
   struct Plan;
   std::unique_ptr<const Plan> plan_;
 };
-
-/// Writes the factors of a row into a copy of the base case. For many rows: class Application.
-void apply(const Study& study, std::span<const double> values, ImpactCase& into);
 
 }  // namespace dashpad::study
