@@ -53,8 +53,8 @@ std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& 
   return axes;
 }
 
-/// Peak, HIC and rebound of the fitted impacts, or without impacts the stresses of the fitted tests; each
-/// over its size. Empty where they cannot be computed.
+/// Peak, HIC and rebound of the fitted impacts, or else the stresses of the fitted tests, each over its size.
+/// Empty if they cannot be computed.
 std::vector<double> fitted_figures(const Fit& fit, std::span<const double> values) {
   std::vector<double> all;
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {

@@ -48,8 +48,8 @@ constexpr double threshold_of_95 = 3.841458820694124;
 /// Better minima that profiles may meet before the search is given up.
 constexpr int max_better = 5;
 
-/// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
-/// Refits where that changes the weights.
+/// Estimates the noise that nobody stated, one share of the largest stress for all such tests, from the
+/// misfit; refits if that changes the weights.
 void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& minimum) {
   std::size_t unstated = 0;
   for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();

@@ -1,6 +1,5 @@
 #pragma once
-/// Least squares, how sure a minimum is, and the way from the starts to the best minimum: with the wish to
-/// stop, the progress, and what is kept of finished pieces of work.
+/// Least squares, the uncertainty of a minimum, and the search from the starts to the best minimum.
 
 #include <atomic>
 #include <cstddef>
@@ -20,8 +19,8 @@
 
 namespace dashpad::fit {
 
-// Least squares within bounds, the derivatives that go with it, and profile likelihood: how far a coordinate
-// can go until the misfit, the others refitted, has risen by a threshold.
+// Least squares within bounds, their derivatives, and profile likelihood: how far a coordinate can move until
+// the misfit, with the others refitted, has risen by a threshold.
 
 /// Residuals over coordinates in [0, 1]; false where they cannot be evaluated. Several threads call it.
 struct LeastSquares {
@@ -29,18 +28,18 @@ struct LeastSquares {
   std::size_t residuals = 0;
   double step = 1e-4;  ///< step of a coordinate for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
-  /// Residuals take impacts, which are exact to some 1e-4: differences by several threads, and no search goes
-  /// on below what that moves.
+  /// Whether residuals need impacts, which are exact to some 1e-4: then differences use several threads, and
+  /// searches end earlier.
   bool takes_impacts = false;
-  /// Coordinates that settle() puts where they are best unless they are held, at no cost: they are not
-  /// searched for. Empty: none.
+  /// Coordinates that settle() sets to their best values at no cost, unless they are held. They are not
+  /// searched for. Empty if there are none.
   std::vector<bool> settles = {};
   std::function<bool(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals)>
       settle = {};
 };
 
-/// d residual / d x, a row a residual: central differences, at a bound one-sided ones of second order. False
-/// where the residuals cannot be evaluated.
+/// The derivatives d residual / d x, a row per residual: central differences, or one-sided ones of second
+/// order at a bound. False if the residuals cannot be evaluated.
 bool derivatives(const LeastSquares& problem, std::span<const double> x, std::span<double> into);
 
 struct Minimum {
@@ -51,8 +50,8 @@ struct Minimum {
   bool is_sound = false;  ///< converged, or out of iterations with a misfit that is not below the least one
 };
 
-/// Relative change of the misfit at which a search has converged: for a comparison, and for the result; with
-/// impacts, whose noise in it is up to 1e-4, not below that and a tenth of it.
+/// The relative change of the misfit at which a search has converged: for comparisons, and for the result.
+/// With impacts, whose misfit has a noise of up to 1e-4, they are at least that and a tenth of it.
 inline constexpr double coarse = 1e-6, fine = 1e-10;
 inline constexpr int max_iterations = 300;
 
@@ -141,17 +140,16 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
 
 bool is_at_bound(double x);
 
-/// Standard deviations of the figures of an impact at the minimum `x`: of each the root of the sum of squared
-/// half differences between one standard deviation up and down each principal axis of the covariance. A
-/// direction of which the data say nothing counts as even between the bounds. Absent where the figure is
-/// missing there.
+/// Standard deviations of the figures of an impact at the minimum `x`: the root of the sum of squared half
+/// differences between both ends of each principal axis of the covariance. Along directions that the data do
+/// not determine the distribution is uniform between the bounds. Absent if the figure is missing there.
 std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const ImpactMeasurement& impact,
                                                          const Problem& problem, std::span<const double> x,
                                                          const Uncertainty& uncertainty);
 
-/// Normal about a minimum in [0, 1]^n with this precision (row by row) and gradient there, cut off at the
-/// bounds. Coordinates of which the data say nothing are even between their bounds. By hit and run along the
-/// eigenvectors of the precision.
+/// Draws from a normal distribution about a minimum in [0, 1]^n with this precision (row by row) and
+/// gradient, cut off at the bounds, by hit and run along the eigenvectors of the precision. Coordinates that
+/// the data do not determine are uniform between their bounds.
 std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
                                                 std::span<const double> precision,
                                                 std::span<const double> gradient, std::size_t count,
@@ -172,8 +170,8 @@ class Session {
   /// A kind of work begins, in so many pieces.
   void begin(const char* what, std::size_t pieces);
 
-  /// The piece of that name: kept from before, or computed now and kept. The names of a fit are the same each
-  /// time, and pieces depend on nothing but the fit and the pieces before.
+  /// The piece of that name, kept from before or computed and kept now. The names of a fit are always the
+  /// same, and pieces depend only on the fit and on earlier pieces.
   Minimum piece(const std::string& name, const std::function<Minimum()>& compute);
   ProfileEnd piece(const std::string& name, const std::function<ProfileEnd()>& compute);
 

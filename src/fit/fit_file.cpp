@@ -158,8 +158,8 @@ void add_broken_rules(const std::vector<Violation>& broken, const TomlNode& root
   }
 }
 
-/// Impacts alone tell the law and what neighbouring columns do as one: unless a case says otherwise, it is
-/// all in the law, and the card says so.
+/// Impacts alone do not separate the law from the effect of neighbouring columns. Unless a case says
+/// otherwise, the law takes all of it, and the card says so.
 void leave_neighbours_to_law(Fit& fit) {
   if (seeks(fit, "pad.neighbours") || !rests_on_impacts_alone(fit)) return;
   for (ImpactMeasurement& impact : fit.impacts)

@@ -28,8 +28,8 @@ ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& f
 
 // Values. SI; NaN after a fault.
 
-/// A pure number is written without quotes, an acceleration as "3 g" or "30 m/s2": in files g is the gram,
-/// but of an acceleration it is standard gravity.
+/// A value: pure numbers stand without quotes. In an acceleration, "3 g", g is standard gravity; elsewhere in
+/// files it is the gram.
 double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults);
 double value_in(input::TableReader& table, const std::string& key, const std::string& unit);

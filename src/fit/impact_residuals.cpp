@@ -19,11 +19,10 @@ namespace dashpad::fit {
 
 namespace {
 
-/// A curve through points, smooth where they are: what is read off between the steps of the solver must not
-/// jump when their number changes, as it does with the unknowns.
+/// A smooth curve through points, 0 outside. What is read between the steps of the solver must not jump when
+/// their number changes with the unknowns.
 ///
-/// Cubics with the values at the points, and the slopes there of the parabolas through three neighbours. 0
-/// outside.
+/// It consists of cubics with the values at the points and the slopes of parabolas through three neighbours.
 class SmoothCurve {
  public:
   /// Needs two points or more, at increasing times.
@@ -152,9 +151,9 @@ std::optional<ComputedPulse> computed_pulse(const Solution& solution, const Meas
   return ComputedPulse{std::move(curve), onset};
 }
 
-/// The shift between two with which a computed pulse meets the measured one best. Where a pulse has an edge,
-/// as at the turning point of a foam with a rate effect, the misfit has a dent for each sample that passes
-/// it: all of them are looked at, on chords, and the best two searched.
+/// The shift within bounds at which a computed pulse meets the measured one best. An edge of a pulse, as at
+/// the turning point of a foam with a rate effect, makes a dent in the misfit for each sample that passes it;
+/// so all dents are examined, on chords, and the best two are refined.
 double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& measured, double lowest,
                   double highest) {
   constexpr double looks_per_sample = 3;

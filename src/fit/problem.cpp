@@ -17,8 +17,8 @@ namespace {
 
 /// Share of the largest stress that an unstated noise is taken to be, until the misfit tells.
 constexpr double first_guess_of_noise = 0.01;
-/// Steps for derivatives, of coordinates. Material tests are exact to rounding or to a quadrature of 1e-9;
-/// figures of impacts by a fixed number of runs to some 5e-5, since the number of steps changes.
+/// Steps of coordinates for derivatives. Material tests are exact to 1e-9 or better; figures of impacts with
+/// a fixed number of runs are exact to some 5e-5, since the number of steps varies.
 constexpr double step_with_tests = 1e-4;
 constexpr double step_with_impacts = 1e-2;
 
@@ -55,8 +55,8 @@ Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::o
   return block;
 }
 
-/// The trigger of a measured pulse is as good as its noise: it may be off by this share of the time for which
-/// the pulse is above half its peak.
+/// The largest shift of a pulse, as a share of the time above half its peak: its trigger is only as good as
+/// its noise.
 constexpr double max_shift = 0.25;
 
 Coordinate shift_of(const MeasuredDeceleration& pulse, std::size_t impact) {
@@ -81,8 +81,8 @@ Coordinate offset_of(const Block& block, std::size_t test) {
   return offset;
 }
 
-/// The base curve has to rise from place to place by this share of its mean rise, to within a deviation that
-/// no data can move: a material whose curve falls is none.
+/// The base curve has to rise between these places by this share of its mean rise, with a deviation that no
+/// data outweigh.
 constexpr std::size_t places_of_rule = 100;
 constexpr double min_rise = 0.01;
 constexpr double deviation_of_rule = 1e-4;

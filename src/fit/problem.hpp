@@ -46,12 +46,12 @@ struct Coordinate {
 /// A predicted figure that an impact does not have.
 inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
-/// Predicts from the values of all coordinates, SI. False where they make no material that can be tested. A
-/// figure that an impact does not have is `no_figure`.
+/// Predicts from the values of all coordinates, SI. False if they make no material that can be tested. Absent
+/// figures are `no_figure`.
 using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
 
-/// The same with a pulse that comes later by the shift with which it meets the measured one best. That is
-/// put into the values; it costs no impact.
+/// The same with the shift at which the pulse meets the measured one best. The shift is put into the values;
+/// it costs no impact.
 using Settle = std::function<bool(std::span<double> values, std::span<double> predicted)>;
 
 /// A source of data with its residuals.
@@ -117,11 +117,11 @@ bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
 Material material_with(const Fit& fit, std::span<const double> values);
 
 /// The impact of a measurement with the material of the fit and these values of the unknowns. Throws
-/// std::invalid_argument where it has no such quantity, or they make a support that cannot exist.
+/// std::invalid_argument if the impact lacks a quantity or the values make an impossible support.
 ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::span<const double> values);
 
-/// The acceleration by a curve through the steps of the solver: a polyline through them would jump when their
-/// number changes. Nothing where the pulse was cut off or is not finite.
+/// The acceleration as a smooth curve through the steps of the solver, since a polyline would jump when their
+/// number changes. None if the pulse was cut off or is not finite.
 std::optional<Pulse> smooth_pulse(const Solution& solution);
 
 struct TestPath {
@@ -130,8 +130,8 @@ struct TestPath {
   std::vector<std::size_t> pieces_to;
 };
 
-/// Straight through the points, strains below 0 as 0. A test whose first strain is above 0 is led there from
-/// 0 at the mean rate of the test.
+/// A path straight through the points, with strains below 0 as 0. If the first strain is above 0, it leads
+/// there at the mean rate of the test.
 TestPath path_of(const MaterialMeasurement& test);
 
 /// Mean magnitude of the strain rate while the strain moves, 1/s.

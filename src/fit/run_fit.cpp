@@ -85,8 +85,8 @@ constexpr int first_runs = 3, max_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double max_off = 0.1;
 
-/// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full
-/// tolerance: each figure, and pulses in the mean square.
+/// Whether a fixed number of runs gives the figures and pulses of all fitted impacts as exactly as the full
+/// tolerance.
 bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double> values, int runs) {
   auto block = std::ranges::find_if(problem.blocks, &Block::is_impact);
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {

@@ -53,8 +53,7 @@ inline std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The layout of all results that the command writes as JSON: a greater number where a key has gone, or means
-/// something else.
+/// The layout of all JSON results; it increases when a key is removed or changes its meaning.
 constexpr int result_format = 3;
 
 /// A result, with its format before everything else.

@@ -1,6 +1,6 @@
 #pragma once
-/// Which numbers readers take: what no foam, pad or sensor has is a slip of the pen or of a unit, and would
-/// only overflow further on.
+/// Bounds for values that are read. Values that no foam, pad or sensor has are typing errors, and would
+/// overflow later.
 
 #include <string>
 #include <string_view>

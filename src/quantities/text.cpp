@@ -21,8 +21,8 @@ bool is_long(double value, int digits) {
   return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
 }
 
-/// Bytes of a UTF-8 character at the start of `text` that a terminal obeys instead of showing it: the C1
-/// controls, line separators, and what changes the direction of writing. 0 if there is none.
+/// The length in bytes of a UTF-8 character at the front of `text` that a terminal obeys instead of showing:
+/// C1 controls, line separators, and changes of the writing direction. 0 if there is none.
 std::size_t unseen(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
   if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;

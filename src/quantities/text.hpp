@@ -10,8 +10,8 @@
 
 namespace dashpad {
 
-/// Significant digits, trailing zeros kept: "8.9408", "5768.8"; whole numbers are not cut: "123457". "none"
-/// if not finite.
+/// The number with significant digits and trailing zeros: "8.9408", "5768.8". Whole numbers keep all digits:
+/// "123457". "none" if it is not finite.
 std::string significant(double value, int digits = 5);
 
 /// The same without trailing zeros: "25.4".
@@ -50,11 +50,11 @@ std::string with_article(const std::string& words);
 /// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (RFC 3629).
 std::size_t character_length(std::string_view text);
 
-/// Text from a file, safe for a terminal: line breaks and other control characters become spaces, as does
-/// what changes the direction of writing.
+/// Text made safe for one line of a terminal: line breaks, other control characters and changes of the
+/// writing direction become spaces.
 std::string one_line(std::string_view text);
-/// The same of a text of several lines, which keeps its line breaks and tabs; bytes that are no
-/// UTF-8 become U+FFFD.
+/// The same for text of several lines, which keeps line breaks and tabs; bytes that are not UTF-8 become
+/// U+FFFD.
 std::string without_controls(std::string_view text);
 
 /// A name as a message quotes it: at most `most` bytes, then "...", never half a character.
@@ -65,14 +65,14 @@ std::string without_endless_words(std::string_view line);
 /// Every place of `old`, from left to right; what took its place is not looked at again.
 void replace_all(std::string& text, std::string_view old, std::string_view fresh);
 
-/// Breaks a line at blanks so that no line is wider than 100 columns, as far as the words allow; all but the
-/// first are indented.
+/// Breaks a line at blanks into lines of at most 100 columns, if the words allow, and indents all but the
+/// first.
 std::string wrapped(std::string_view line, std::size_t indent);
 /// The same with each line of a text, by two columns.
 std::string wrapped_lines(std::string_view text);
 
-/// Tells texts from others that were changed, by accident or by hand: FNV-1a of the texts and of where each
-/// ends, 16 hexadecimal digits.
+/// A fingerprint that detects changes of texts: FNV-1a of the texts and of where each ends, as 16 hexadecimal
+/// digits.
 std::string fingerprint(const std::vector<std::string>& texts);
 
 }  // namespace dashpad

@@ -54,8 +54,8 @@ std::uint64_t min_count(const Binomial& binomial, double share) {
   return k;
 }
 
-/// The quantile lies below order statistic j with P(fewer than j values below it) and so on: David and
-/// Nagaraja, Order Statistics, section 7.1. `values` are sorted.
+/// The distribution-free interval of a quantile between order statistics (David and Nagaraja, Order
+/// Statistics, section 7.1). `values` are sorted.
 Estimate quantile_of(const std::vector<double>& values, double probability, bool drawn) {
   const std::size_t count = values.size();
   const auto rank = static_cast<std::size_t>(std::ceil(probability * static_cast<double>(count)));

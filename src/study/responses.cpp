@@ -17,9 +17,8 @@ namespace dashpad::study {
 
 using injury::hic_power;
 
-/// The injury figures of a solved impact one by one, so that nothing is computed that nobody asked for: the
-/// same numbers and errors as injury_figures() of dashpad/injury/figures.hpp, of one solution after the
-/// other.
+/// The injury figures of one solution after the other, each computed only on request, with the values and
+/// errors of injury_figures() (dashpad/injury/figures.hpp).
 class PulseFigures {
  public:
   /// Takes no memory once it has held a pulse as long.
@@ -54,8 +53,8 @@ class PulseFigures {
   EstimatedValue hic_d() {
     const EstimatedValue hic36 = hic(injury::hic36_window);
     const double value = injury::hic_d(hic36.value);
-    // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
-    // there.
+    // The offset of HIC(d) has no error. The error of the samples shrinks with it; that of the force does
+    // not, as in injury_figures().
     const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
     return {value, of_samples + hic_power * force_error_};
   }

@@ -74,8 +74,7 @@ std::uint64_t Permutation::at(std::uint64_t number) const {
   return number;
 }
 
-/// Boost goes through the points in the order of the Gray code: from point 2^j - 1 to point 2^j only
-/// direction j changes.
+/// Boost follows the order of the Gray code: between points 2^j - 1 and 2^j only direction j changes.
 Sobol::Sobol(std::size_t dimensions, std::uint64_t seed) : directions_(dimensions), seeds_(dimensions) {
   for (unsigned j = 0; j < 32; ++j) {
     const auto before = point(dimensions, (std::uint64_t{1} << j) - 1);

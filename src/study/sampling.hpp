@@ -46,9 +46,8 @@ inline double random_fraction(std::uint64_t seed, std::uint64_t place, std::uint
   return fraction < 1 ? fraction : 1 - 0x1p-53;
 }
 
-/// A keyed Feistel network on the smallest power of 4 that is not below `count`; a number that it puts
-/// outside is led through again until it is inside (cycle walking: Black, Rogaway, Ciphers with arbitrary
-/// finite domains, CT-RSA 2002), fewer than four times on the average.
+/// A random permutation by a keyed Feistel network on the least power of 4 not below `count`. Numbers outside
+/// are mapped again (cycle walking: Black, Rogaway, CT-RSA 2002), fewer than four times on average.
 class Permutation {
  public:
   /// `count` in [1, 2^62].
@@ -113,11 +112,10 @@ class FractionSource {
   std::vector<Permutation> strata_;
 };
 
-// Values of sampled factors from fractions of their probability, their correlations, and whether the values
-// of all factors make cases that can be solved.
+// Values of sampled factors, their correlations, and checks of the cases that they make.
 
-/// F(x(i)) = i / (n - 1) for the values x(0) <= ... <= x(n - 1), n >= 2; linear between. Equal values carry
-/// the probability between them.
+/// The distribution with F(x(i)) = i / (n - 1) for values x(0) <= ... <= x(n - 1), n >= 2, and linear between
+/// them. Equal values carry the probability between them.
 class EmpiricalDistribution {
  public:
   explicit EmpiricalDistribution(std::vector<double> sorted) : values_(std::move(sorted)) {}
@@ -179,8 +177,8 @@ class Quantiles {
 /// The rule that the numbers of a distribution break, or "".
 std::string rule_broken_by(const Factor& factor);
 
-/// The range in which a distribution is checked before work starts: its ends or cut-offs, and 6 deviations of
-/// a normal where it has none.
+/// The range in which a distribution is checked: its ends or cut-offs, or 6 deviations of a normal
+/// distribution.
 struct CheckedRange {
   double low = 0, high = 0;
   bool low_is_tail = false, high_is_tail = false;  ///< 6 deviations out: rarer values exist
@@ -189,14 +187,13 @@ CheckedRange checked_range(const Factor& factor);
 
 using Matrix = std::vector<std::vector<double>>;
 
-/// L with L L^T = C, where C has the study's correlations between its sampled factors, in their order. Absent
-/// where C is not positive definite.
+/// The matrix L with L L^T = C for the correlations C between the sampled factors, in their order. Absent if
+/// C is not positive definite.
 std::optional<Matrix> root_of_correlations(const Study& study);
 
-/// Rules of the case that levels or the ends of distributions break, under keys such as
-/// "factors.impactor.speed": of all combinations of levels, up to 100,000, or of each level with the first of
-/// the others; and of the ends of each distribution, the others at their medians. For a study whose factors
-/// are sound in themselves.
+/// Rules of the case that a study breaks, under keys such as "factors.impactor.speed": at all combinations of
+/// levels, up to 100,000, or else at each level with the first of the others, and at the ends of each
+/// distribution with the others at their medians. The factors must be sound.
 std::vector<Violation> case_violations(const Study& study);
 
 }  // namespace dashpad::study

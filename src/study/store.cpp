@@ -133,8 +133,8 @@ Store::Store(std::unique_ptr<File> file) : file_(std::move(file)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-/// A store that was written becomes one plain file, that can be read from a read-only folder. Where that
-/// fails (a full disk, a reader), the log stays beside the file and nothing is lost.
+/// Turns a written store into one plain file, readable in a read-only folder. If that fails (full disk, a
+/// reader), the log stays beside the file and nothing is lost.
 Store::~Store() {
   if (!file_ || !file_->insert_row) return;
   file_->insert_row.reset();

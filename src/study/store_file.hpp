@@ -33,7 +33,7 @@ class Database {
   [[nodiscard]] bool has_moved() const;
   /// The write-ahead log beside the file; it need not be there.
   [[nodiscard]] std::filesystem::path log() const;
-  /// Writes the log back into the file and empties it, as far as readers and the disk let it: what stays in
+  /// Writes the log back into the file and empties it, as far as readers and the disk allow. What stays in
   /// the log is not lost.
   void write_back_log();
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -109,8 +109,7 @@ class Transaction {
   bool open_ = true;
 };
 
-// The file of a store (docs/studies.md): its tables, made, and read back with every value checked; one
-// writer at a time, however many read it; and what a Store keeps while it is open.
+// The file of a store (docs/studies.md): its tables, the lock of its writer, and the state of an open Store.
 
 /// The content of the tables beside `samples` and `batches`.
 struct StoreHeading {
@@ -148,16 +147,15 @@ std::uint64_t log_bytes_of_batch(const StoreHeading& heading);
 /// About how many bytes the tables take in the file before the first row.
 std::uint64_t bytes_of_tables(const StoreHeading& heading);
 
-/// About how many bytes must be free for so many rows: in the file, for the shortest log that will do, and
-/// for the index of the log.
+/// The approximate number of free bytes that so many rows need: for the file, the shortest possible log, and
+/// the index of the log.
 std::uint64_t bytes_of_rows(const StoreHeading& heading, std::uint64_t rows);
 
-/// A lock of the system on one byte of the file, far beyond its end and the bytes that SQLite locks. It goes
-/// with the process, keeps no reader out, and leaves nothing behind. Two in one process exclude each other,
-/// too.
+/// A system lock on one byte far beyond the end of the file and the bytes that SQLite locks. It ends with the
+/// process and does not affect readers. Two locks in one process exclude each other, too.
 class WriterLock {
  public:
-  /// Makes the file where it is missing. Throws std::runtime_error: another run has the lock, or the file
+  /// Makes the file if it is missing. Throws std::runtime_error if another run has the lock or the file
   /// cannot be opened.
   explicit WriterLock(const std::filesystem::path& file);
   /// Closing a file drops the locks that SQLite has on it in this process: it must be closed before.

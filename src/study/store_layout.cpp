@@ -26,8 +26,8 @@ CREATE TABLE materials (number INTEGER PRIMARY KEY, name TEXT NOT NULL);
 CREATE TABLE batches (batch INTEGER PRIMARY KEY, rows INTEGER NOT NULL);
 )";
 
-/// A batch is the least that an interruption can lose and the most that a stop has to wait for: 256 rows take
-/// from 5 ms (20 us a row) to 3 s (10 ms a row). Small studies have enough batches for all cores.
+/// The rows of a batch, the unit of loss and of waiting at an interruption: 256 rows take 5 ms to 3 s. Small
+/// studies get enough batches for all cores.
 std::uint64_t batch_size_of(std::uint64_t rows) {
   constexpr std::uint64_t most = 256, batches = 64;
   return std::clamp<std::uint64_t>(rows / batches, 1, most);

@@ -86,8 +86,8 @@ void check_same(const Database& database, const StoreHeading& stored, const Stor
   if (stored.rows != wanted.rows) database.damaged("another number of rows");
 }
 
-/// Synchronous NORMAL: a kill loses nothing that was committed. A power cut may lose the last batches, which
-/// are then computed again, but never damages the file.
+/// With synchronous = NORMAL a kill loses nothing that was committed. A power cut may lose the last batches,
+/// which are computed again, but never damages the file.
 void start_log(Database& database) {
   database.execute(
       fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
@@ -103,8 +103,8 @@ std::string insert_text(const StoreHeading& heading) {
          ") VALUES (" + marks + ")";
 }
 
-/// SQLite takes a last page that is cut for one that ends in zeros, and a file shorter than its own heading
-/// for a new one. With a log beside it the page is whole there.
+/// SQLite would read a truncated last page as one that ends in zeros, and a file shorter than its heading as
+/// a new one. With a log beside it, the page is whole there.
 void require_whole(const Database& database) {
   constexpr std::string_view heading{"SQLite format 3\0", 16};
   constexpr std::uintmax_t smallest_page = 512;  // bytes; all are multiples
@@ -134,8 +134,8 @@ void make_or_check(Database& database, const Study& study, StoreHeading& heading
   transaction.commit();
 }
 
-/// The write-ahead log lets others read while this one writes: they share its index in memory (FILE-shm). On
-/// a disk where that cannot be, the index is this process's own, and nobody reads until it ends.
+/// With the write-ahead log others can read while this run writes, through a shared index in memory
+/// (FILE-shm). Where the disk does not support that, the index is private and readers have to wait.
 Database open_to_write(const fs::path& file, const Study& study, StoreHeading& heading) {
   const auto open = [&](bool shared) {
     Database database{file, Access::write};

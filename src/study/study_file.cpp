@@ -32,8 +32,8 @@ struct Entry {
   const input::TomlNode* node;
 };
 
-/// [factors."impactor.speed"] and [factors.impactor.speed] mean the same. A table that is on the way to a
-/// known key is opened; every other one is a factor.
+/// Collects the factors. [factors."impactor.speed"] and [factors.impactor.speed] are equal: a table that
+/// leads to a known key is opened, every other one is a factor.
 void collect(const input::TomlNode& table, const std::string& prefix, const std::vector<std::string>& known,
              std::vector<Entry>& entries) {
   for (const input::TomlNode& child : table.children) {
@@ -122,8 +122,8 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   return good;
 }
 
-/// Adds the factors, and the materials that "pad.material" names, to a study. A factor at fault is added as
-/// far as it can be read. Without a base case a parameter or a support is taken on trust.
+/// Reads the factors and the materials of "pad.material" into a study, faulty factors as far as possible.
+/// Without a base case parameters and supports are not checked.
 FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders,
                          Study& study) {
   FactorLines lines;

@@ -78,8 +78,8 @@ struct MeasuredFigure {
   double deviation = 0;  ///< standard deviation, > 0
 };
 
-/// A whole measured pulse of an impact, between its onset (injury::onset_share of its peak) and its end
-/// (that of injury::contact_of()), turned so that its peak is positive.
+/// A measured pulse of an impact between its onset (injury::onset_share of its peak) and its end
+/// (injury::contact_of()), with a positive peak.
 struct MeasuredDeceleration {
   std::string file;
   std::vector<double> time;          ///< s since the onset, increasing
@@ -169,8 +169,7 @@ inline bool counts(const MaterialMeasurement& test, std::size_t i) {
   return test.strain[i] >= test.lowest_strain && test.strain[i] <= test.highest_strain;
 }
 
-/// Every rule that a fit breaks, over all its parts. Keys are those of fit files:
-/// "unknowns.pad.curve.modulus", "tests[1].file".
+/// All rules that a fit breaks, under keys of fit files: "unknowns.pad.curve.modulus", "tests[1].file".
 std::vector<Violation> violations(const Fit& fit);
 
 struct FitFile {
@@ -178,8 +177,8 @@ struct FitFile {
   std::vector<input::InputFile> files;  ///< files that were read
 };
 
-/// `materials` is the folder in which material names are looked up; other files are looked for beside the fit
-/// file. All faults of it and of the files that it names.
+/// Reads a fit file. `materials` is the folder of material cards; other files are relative to the fit file.
+/// Reports all faults of the file and of those that it names.
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 }  // namespace dashpad::fit

@@ -22,7 +22,7 @@ struct FittedUnknown {
   double lowest = 0, highest = 0;  ///< its bounds
   /// Standard error; absent at a bound, and where the data do not say anything of it.
   std::optional<double> standard_error;
-  /// 95 % interval by profile likelihood; an end is absent where the misfit does not rise enough within the
+  /// The 95 % interval by profile likelihood; an end is absent if the misfit does not rise enough within the
   /// bounds.
   std::optional<double> low, high;
   /// Whether the model admits nothing beyond a bound, such as friction below 0: an interval may end there.
@@ -35,8 +35,8 @@ struct FittedUnknown {
   /// pulse.
   bool is_nuisance = false;
 
-  /// Whether its interval ends within the bounds on both sides; or on one, in the half of the bounds that
-  /// ends at the natural bound on the other.
+  /// Whether its interval ends within the bounds on both sides, or on one side within the half of the bounds
+  /// next to a natural bound.
   [[nodiscard]] bool is_identified() const {
     const auto place = [this](double end) { return place_between(lowest, highest, is_logarithmic, end); };
     if (low && high) return true;
@@ -118,10 +118,10 @@ struct MetPulse {
   std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
-/// A figure on which a verdict may rest, measured in an impact and computed for it: peak, HIC and rebound
-/// speed of each pulse; then what was measured as a figure and no pulse says: peak_force, peak_acceleration,
-/// HIC, rebound_speed, peak_penetration. The rebound speed of a pulse is its velocity change less the speed
-/// of the case and what gravity adds meanwhile; there is none where that is not between 0 and the speed.
+/// A figure for verdicts, measured and computed: peak, HIC and rebound speed of each pulse, then measured
+/// figures that no pulse gives (peak_force, peak_acceleration, HIC, rebound_speed, peak_penetration). The
+/// rebound speed of a pulse is its velocity change less the speed of the case and what gravity adds; it is
+/// absent if that is not between 0 and the speed.
 struct ImpactComparison {
   std::string file;  ///< the case
   ImpactFigure figure = ImpactFigure::peak_acceleration;
@@ -149,8 +149,8 @@ struct FitReport {
   bool converged = false;
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
-  /// The case of the fit, else the first impact, with the card and what was found beside it; absent where a
-  /// card holds all that was sought.
+  /// The case of the fit, or the first impact, with the card and all fitted values; absent if the card holds
+  /// all of them.
   std::optional<FittedCase> fitted_case;
   std::vector<FittedUnknown> unknowns;
   /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".

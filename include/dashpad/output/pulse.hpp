@@ -1,6 +1,5 @@
 #pragma once
-/// A pulse and its figures, alone or beside the computed one: as text for people, as JSON and CSV for
-/// programs, as a picture and a page.
+/// Output of pulses, alone or beside a computed one: documents, JSON, CSV and plots.
 
 #include <string>
 #include <vector>
@@ -33,8 +32,7 @@ std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units
 /// The accelerations of several pulses over the time since the beginning of contact.
 Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units);
 
-/// The pulse, before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms
-/// clip.
+/// The pulse before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms clip.
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units);
 
 /// A measured pulse and the computed one: what was compared, and what came of it.

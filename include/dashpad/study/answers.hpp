@@ -38,9 +38,8 @@ struct Distribution {
     double probability = 0;
     Estimate value;
   };
-  /// 1, 5, 25, 50, 75, 95 and 99 %: the least value that this share of the rows does not exceed, with the
-  /// distribution-free interval between two order statistics; infinite where the rows are too few for a
-  /// bound.
+  /// Quantiles at 1, 5, 25, 50, 75, 95 and 99 %: the least value that this share of the rows does not exceed,
+  /// with the interval between two order statistics, infinite if there are too few rows for a bound.
   std::vector<Quantile> quantiles;
 };
 
@@ -54,8 +53,8 @@ struct Reading {
   double low = 0, high = 0;
 };
 
-/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. An undecided row could
-/// lie on either side of the limit: `value` leaves it out, and the interval covers both.
+/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. `value` leaves out
+/// undecided rows, which could lie on either side of the limit; the interval covers both.
 struct Exceedance {
   double limit = 0;  ///< SI
   Estimate probability;
@@ -65,9 +64,9 @@ struct Exceedance {
   std::uint64_t undecided = 0;
 };
 
-/// `values` has NaN for a row without one and infinity for one that bottomed out on a rigid support. `drawn`
-/// says that the rows are draws; those of a grid are not, and have no intervals of sampling: there the
-/// interval of an exceedance covers the undecided rows alone, and is absent without any.
+/// In `values`, NaN is a row without a value and infinity one that bottomed out on a rigid support. The rows
+/// of a grid are not `drawn` and have no sampling intervals: the interval of an exceedance covers undecided
+/// rows alone, and is absent without any.
 Distribution distribution(std::span<const double> values, bool drawn = true);
 Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn = true);
 
@@ -112,8 +111,8 @@ struct Records {
 };
 Records read_records(const Study& study, const Store& store);
 
-/// Rows of one combination of levels, each a draw by itself: with `indices` those of the two matrices only. A
-/// study without sampled factors is one group of all its rows.
+/// The rows of one combination of levels, each a draw; with `indices` only those of the two matrices. A study
+/// without sampled factors is a single group.
 struct Group {
   std::vector<double> levels;       ///< levels of the factors that are not sampled, in their order; SI
   std::vector<std::size_t> places;  ///< indices in Records
@@ -121,23 +120,23 @@ struct Group {
 };
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
 
-/// The values of a response in a group: NaN for none, infinite where the pad bottomed out on a rigid support
-/// and the response grows with the force.
+/// The values of a response in a group: NaN for none, infinite for rows that bottomed out on a rigid support
+/// if the response grows with the force.
 std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
                               std::size_t response);
 
-/// The same as what may be relied on: a row that is doubtful, or has no value, is without bounds; a value at
-/// the time limit is a lower bound where the response grows during the impact.
+/// The reliable bounds of the same values: none for a row that is doubtful or has no value, and a lower bound
+/// at the time limit if the response grows during the impact.
 std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
                                  std::size_t response);
 
-/// Indices of a response at one combination of levels, numbered as the groups are. Absent where the study has
-/// no `indices`, or fewer than two whole draws.
+/// The indices of a response at one combination of levels, numbered like the groups. Absent without `indices`
+/// or with fewer than two whole draws.
 std::optional<Sensitivity> sensitivity(const Study& study, const Design& design, const Records& records,
                                        std::size_t combination, std::size_t response);
 
-/// Whether a row missed the tolerance, had factors that make no valid case, or lacks a response that its
-/// status promises (has_response()). `responses` are the names of its values.
+/// Whether a row missed the tolerance, made no valid case, or lacks a response that its status promises
+/// (has_response()). `responses` are the names of its values.
 bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses);
 
 /// Counts of rows with reservations.
@@ -148,9 +147,9 @@ struct RowCounts {
 RowCounts row_counts(const Store& store);
 
 /// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
-/// thicknesses (docs/studies.md). Static stress is the weight over the area of the contact, projected along
-/// the direction of impact, at the largest penetration; drop height is v^2 / 2 g. Curves of a sphere lie
-/// elsewhere than those of a platen and must not be mixed with them.
+/// thicknesses (docs/studies.md). Static stress is the weight over the projected contact area at the largest
+/// penetration; drop height is v^2 / 2 g. Curves of a sphere differ from those of a platen and must not be
+/// mixed with them.
 struct CushionCurve {
   double thickness = 0;                   ///< m
   std::vector<double> static_stress;      ///< Pa, in the order of the masses

@@ -1,6 +1,6 @@
 #pragma once
-/// Computes the rows of a study: those of one batch, as a thread or a rank does, or all that is missing, on
-/// all cores of this machine or on all ranks of an MPI job.
+/// Computing the rows of a study: one batch by a thread or a rank, or all missing rows on all cores or MPI
+/// ranks.
 
 #include <atomic>
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace dashpad::study {
 class Worker {
  public:
   Worker(const Study& study, const Design& design);
-  /// Rows batch * size to (batch + 1) * size - 1, as far as the design has them. A row whose factors make no
-  /// valid case has the status not_run and the value NaN everywhere; it does not stop the others.
+  /// Computes rows batch * size to (batch + 1) * size - 1, as far as the design has them. Rows whose factors
+  /// make no valid case get the status not_run and NaN everywhere.
   std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
   /// The same into rows that were used before, whose memory is used again.
   void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
@@ -53,8 +53,8 @@ struct RunSettings {
   std::function<void(const Progress&)> progress = {};  ///< called from one thread at a time
 };
 
-/// True where all rows are there at the end, false where it was stopped. What goes wrong in writing is thrown
-/// after the batches at hand: std::runtime_error.
+/// Computes the missing rows. True if all rows are there at the end, false if it was stopped. Faults in
+/// writing are thrown after the batches at hand: std::runtime_error.
 bool run(const Study& study, Store& store, const RunSettings& settings = {});
 
 }  // namespace dashpad::study

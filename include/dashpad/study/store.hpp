@@ -49,10 +49,10 @@ class DamagedStore : public std::runtime_error {
 /// threads at once.
 class Store {
  public:
-  /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's
-  /// version and commit. Until the store is closed nobody else can write it; all may read.
-  /// Throws std::runtime_error in the user's words: another study, no store, read-only, written by another,
-  /// full disk.
+  /// Creates the file, or opens that of the very same study (text, named files, program version and commit)
+  /// to continue. While it is open only this store can write, but all can read. Throws std::runtime_error in
+  /// the user's words for another study, a file that is no store or read-only, another writer, or a full
+  /// disk.
   static Store open_for(const Study& study, const std::filesystem::path& file);
   /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
@@ -89,7 +89,7 @@ class Store {
   [[nodiscard]] std::optional<StoredRow> row(std::uint64_t number) const;
   /// Calls `visit` for all rows done, by row number. Memory does not grow with their number.
   void visit_rows(const std::function<void(const StoredRow&)>& visit) const;
-  /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN where a row has none.
+  /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN for missing values.
   /// Throws std::invalid_argument for another name.
   [[nodiscard]] std::vector<double> column(const std::string& name) const;
 
@@ -111,11 +111,11 @@ struct ExportedColumn {
 };
 ExportedColumn exported(const StoredColumn& column);
 
-/// Passes the CSV on in pieces, so that memory does not grow with the rows: a heading, then one line a row
-/// done, by row number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and
-/// bottomed (0 or 1), error, factors, responses; the heading names units: "impactor.speed_m_per_s". Numbers
-/// read back as the same, but for accelerations, which the store has in m/s2; a value that a row does not
-/// have is empty. What `write` throws passes through.
+/// Writes the rows done as CSV, in pieces so that memory does not grow: a heading, then a line per row by row
+/// number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and bottomed (0 or 1),
+/// error, factors, responses; the heading has units: "impactor.speed_m_per_s". Numbers read back exactly,
+/// except accelerations, which the store has in m/s2; missing values are empty. Exceptions of `write` pass
+/// through.
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

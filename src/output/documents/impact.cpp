@@ -58,8 +58,8 @@ Tone tone_of(const ImpactReport& report) {
   return is_cut(summary) || is_guess(summary) ? Tone::doubtful : Tone::plain;
 }
 
-/// The largest error that needs no remark beside its figure: ten times the tolerance, or half a percent, of
-/// which four digits show next to nothing.
+/// The largest error that needs no remark: ten times the tolerance, or half a per cent, which four digits
+/// hardly show.
 double unremarkable(double tolerance) { return std::max(10 * tolerance, 5e-3); }
 
 /// Takes the errors off the rows that they do not matter to, and says how large they are.

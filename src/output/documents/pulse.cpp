@@ -49,8 +49,7 @@ std::vector<std::string> offset_row(const injury::OffsetEffect& effect, double p
           fmt::format("{} taken off, {}; {}; {}", mean, interval, scatter, injury::change_of_hic15(effect))};
 }
 
-/// Restitution, HIC with windows of one's own and dwell times. With Detail::main no level that is not
-/// reached.
+/// Restitution, HIC with chosen windows, and dwell times; with Detail::main only for levels that are reached.
 std::vector<ValueRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
                                    Detail detail) {
   const int digits = digits_of(detail);
@@ -94,9 +93,8 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
   return rows;
 }
 
-/// "Uncertainty of the measurement: peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %, calibration 2
-/// %);
-/// ..., k = 2", and what is not in it. With Detail::main of peak and HIC15 alone.
+/// The uncertainty of the measurement, "peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %)", and what
+/// it leaves out; with Detail::main for peak and HIC15 only.
 std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
   constexpr double next_to_nothing = 5e-5;
   const auto share = [](double value) {

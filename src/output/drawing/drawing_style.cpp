@@ -107,8 +107,7 @@ bool touch(const Mark& left, const Mark& right, double width) {
          text_room(left.label() + right.label(), small_text_size) / 2 + apart;
 }
 
-/// The layers that have such a strain. Those whose numbers would touch share a label, in their order on the
-/// scale: "3, 1".
+/// Labels for the strains of layers. Labels that would touch become one, in the order of the scale: "3, 1".
 template <class StrainOf>
 std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& strain_of) {
   std::vector<Mark> list;

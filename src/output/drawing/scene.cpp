@@ -17,8 +17,8 @@ double within(double value, double lowest, double highest) {
   return std::isfinite(value) ? std::clamp(value, lowest, highest) : lowest;
 }
 
-/// The entry of greatest penetration. A pad that is closed may stay so while its support goes on: then the
-/// entry of greatest motion among those.
+/// The entry of greatest penetration. If a closed pad moves on with its support, it is the one of greatest
+/// motion.
 std::optional<std::size_t> deepest_entry(const History& history) {
   double deepest = -1;
   for (const double penetration : history.penetration)

@@ -25,18 +25,17 @@ inline constexpr double beside_picture = 120;
 /// Upper edge of both pictures, below their headings and what is written beside the arrow.
 inline constexpr double picture_top = 70;
 
-/// Stands for the drawing's own name, in ids and what refers to them, until impact_drawing() puts it there;
-/// no readable text has this character.
+/// A placeholder for the name of the drawing in its ids, replaced by impact_drawing(); no readable text
+/// contains it.
 inline constexpr std::string_view own_name = "\x01";
 
-/// Sections of the round nose that has this one's outline as it is seen from the side: their radius is half
-/// its width at a depth, m. An ellipsoid is seen across its half length, a platen across its length, a
-/// cylinder along its axis.
+/// Sections of the round nose with the same outline in side view: their radius is half the width at a depth,
+/// m. An ellipsoid is seen across its half length, a platen across its length, a cylinder along its axis.
 Sections outline_of(const Nose& nose);
 /// Whether it is narrower again behind its widest section, rather than going on along the motion.
 bool is_ball(const Nose& nose);
-/// Half the width, in the same view, of a pad with this face, m2: its outline is that of the nose's sections,
-/// which is how the model takes it (theory.md, section 1).
+/// Half the width in the same view of a pad with this face, m2. As in the model (theory.md, section 1), the
+/// pad has the outline of the nose's sections.
 double half_width_of_face(const Nose& nose, double area);
 
 /// A layer of the pad; a pad of one foam has one.

@@ -1,6 +1,5 @@
 #pragma once
-/// A page as HTML that needs no script, as a mail preview, a printer or a reader who allows no scripts sees
-/// it; and the file around it.
+/// Pages as HTML that is complete without scripts, as in a mail preview or in print.
 
 #include <set>
 #include <string>

@@ -27,16 +27,15 @@ std::string warning_html(const std::string& line);
 std::string range_html(const RangeBar& range);
 std::string table_html(const Table& table);
 
-/// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes
-/// the place of the first one, and must not take its style away.
+/// The SVGs of a page. Their styles go into its head, once each, so that a drawing in other units can replace
+/// the first one without removing its style.
 class InlineSvgs {
  public:
   /// The element without its style.
   std::string add(std::string svg);
   /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
   std::string add(const Plot& plot, double width);
-  /// A drawing with two pictures, and below it each half by itself: which of the two is shown is for the
-  /// style of the page to say.
+  /// A drawing with two pictures, followed by each half alone; the style of the page chooses what is shown.
   std::string add_with_halves(std::string svg);
   /// The texts of all styles so far.
   [[nodiscard]] const std::set<std::string>& styles() const { return styles_; }

@@ -1,6 +1,5 @@
 #pragma once
-/// The points of a series that the picture needs, whether a panel can be drawn at all, where axes end, and
-/// the marks on them: at 1, 2 and 5 times powers of ten.
+/// The points of a series that a picture needs, checks of panels, and the ranges and marks of axes.
 
 #include <cstddef>
 #include <limits>
@@ -37,16 +36,15 @@ bool is_within_limits(double value, const Axis& axis);
 /// Throws std::invalid_argument if columns of a series differ in length or an axis cannot have its limits.
 void check(const Panel& panel);
 
-/// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
-/// ends.
+/// The runs of a line, band or point series that can be drawn on these axes and are not wholly outside them.
 std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y);
 
-/// Leaves out of a line or band what makes no difference to the picture: of neighbours within half a pixel in
-/// x, the first, last, lowest and highest stay. `span` is what the x axis shows.
+/// Thins a line or band without a visible change: of neighbours within half a pixel in x, the first, last,
+/// lowest and highest stay. `span` is what the x axis shows.
 PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
 
-/// Leaves out of many points those that lie on others: of all points within the same square of one and a half
-/// pixels, the first stays.
+/// Thins points that cover each other: of all points within a square of one and a half pixels, the first
+/// stays.
 PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
                        const Span& y_span);
 

@@ -10,8 +10,8 @@
 
 namespace dashpad::output {
 
-/// Colours, dashes and shapes by turns; later turns begin again. The number of colours shares no
-/// factor with the others.
+/// The numbers of colours, dashes and shapes, which repeat. The number of colours shares no factor with the
+/// others.
 inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_turn = 6;
 
 /// Whether it is a line across the whole panel.
@@ -21,8 +21,8 @@ bool is_line(SeriesStyle style);
 /// Whether the style is drawn behind all others.
 bool is_ground(SeriesStyle style);
 
-/// "#rrggbb" of a shade, between the colours of viridis (Smith, van der Walt 2015): as light as it is high,
-/// so that the colour-blind and grey prints tell the order.
+/// The colour of a shade, "#rrggbb", on the viridis scale (Smith, van der Walt 2015). Its lightness rises
+/// with the shade, so that it is legible in grey and for the colour-blind.
 std::string colour_of_shade(double shade);
 
 /// A class of the style sheet, which knows light and dark paper, or the colour of a shade.

@@ -125,8 +125,8 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
   return note.substr(0, note.find_last_not_of(' ') + 1);
 }
 
-/// Near full compression the stress on the axis dwarfs all others: then four decades, the last of which holds
-/// the highest.
+/// Sets the axis of stresses. Where the stress near full compression exceeds all others by far, it spans four
+/// decades up to that stress.
 void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, double highest,
                      double factor) {
   double lowest = highest;

@@ -41,9 +41,9 @@ Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& v
 /// the pulse is shorter than the clip.
 void add_clip(Panel& panel, double level, const std::string& value);
 
-/// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
-/// support had before the last hundredth of its penetration: at the end it has no finite limit, and would
-/// hide all the rest. `column` is what is plotted, an entry for each of the history.
+/// Limits the axis of a force, or of a quantity proportional to it, if the pad bottomed out on a rigid
+/// support: the force has no finite limit there. The axis ends above the values before the last hundredth of
+/// the penetration. `column` has the plotted values, one for each entry of the history.
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column);
 /// The same of a panel over time, which begins at nothing, with a line across where the pad bottoms out.
 void show_bottoming(Panel& panel, const Solution& solution, const std::vector<double>& column,

@@ -30,8 +30,8 @@ constexpr int places_of_curve = 196;  // steps of 0.005
 /// The range of a plot that compares foams.
 constexpr double last_compared_strain = 0.8;
 constexpr int places_of_compared = 400;  // steps of 0.002
-/// A pad that is pressed flat would make all else a line along the axis: there the plot ends at that many
-/// times what half the strain takes.
+/// The largest stress in a plot, as a multiple of the stress at half the strain: that of a pad pressed flat
+/// would hide the rest of the curve.
 constexpr double steepest = 10;
 
 /// The stress at a strain between those of the curve.
@@ -135,8 +135,8 @@ double fast_stress_shown(const Series& fast) {
   return std::min(fast.y.back(), steepest * half);
 }
 
-/// The curve at the highest rate of the impact, as far as it was used: the foam is stiffer there than where
-/// it was tested slowly. Nothing of a foam that knows no rate, or was not faster.
+/// The curve at the highest rate of the impact, up to the strain that was reached. None for a foam without a
+/// rate effect, or if the impact was not faster than the tests.
 std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& foam, double slowest,
                                     const UnitSystem& units) {
   if (rate_words_of(material, foam.rate).empty() || !(foam.rate > slowest)) return std::nullopt;

@@ -184,8 +184,7 @@ std::vector<LegendEntry> PanelFrame::not_named() const {
 }
 
 std::string panel_svg(const PanelFrame& frame, double left, double top, double edge) {
-  // The inner coordinates begin at the axes, and a script that zooms has something that can hide what leaves
-  // them.
+  // The inner SVG has its origin at the axes, and lets a script that zooms hide what leaves them.
   return fmt::format(
       "<g class=\"dp-panel\" {}>\n{}<svg class=\"dp-inside\" x=\"{}\" y=\"{}\" width=\"{}\" "
       "height=\"{}\" overflow=\"visible\">\n{}</svg>\n</g>\n",

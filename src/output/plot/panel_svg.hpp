@@ -1,6 +1,6 @@
 #pragma once
-/// A panel as SVG: axes, marks, series, and the names of what it shows, written in it and to the right of it.
-/// Places are in px from the upper left corner of the axes.
+/// Panels as SVG: axes, marks, series, and the names in and beside them. Places are in px from the upper left
+/// corner of the axes.
 
 #include <cstddef>
 #include <string>
@@ -21,15 +21,15 @@ struct EndLabel {
   double height = 0;               ///< y of the middle of the text
 };
 
-/// The names that are to stand there, not placed yet: those that series ask for, and the labels of lines if
-/// these are few enough and short enough to be read beside a plot of that width.
+/// The labels at the right of a panel, not placed yet: those that series ask for, and those of lines if they
+/// are few and short enough for a plot of that width.
 std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width);
 
 /// Sets all places.
 void place(std::vector<EndLabel>& labels, const PanelScale& scale);
 
-/// Sets the heights so that no text lies on another and each is as near to the end of its line as that allows
-/// (least squares); on the way down the order of the ends stays. `height`: of the axes.
+/// Sets the heights so that no texts overlap and each is as near to the end of its line as possible (least
+/// squares). The order of the ends is kept. `height` is that of the axes.
 void make_room(std::vector<EndLabel>& labels, double height);
 
 /// The width of the labels and their leaders, px.
@@ -44,8 +44,8 @@ struct TextPlace {
   TextAnchor anchor = TextAnchor::start;
 };
 
-/// The name of a line across a panel, a bracket, a contour, a single point or a line that ends early, beside
-/// it within the axes.
+/// The name of a line across, a bracket, a contour, a single point or a line that ends early, beside it
+/// within the axes.
 struct MarkLabel {
   const SeriesDrawing* series;
   TextPlace place;

@@ -34,8 +34,7 @@ Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units);
 /// Lines across at the limits of a response, with their values.
 std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
                                 SeriesStyle style, const UnitSystem& units);
-/// Marks that point upwards, in the colour of that turn, red by default, for rows that bottomed out on a
-/// rigid support: their force is beyond any axis.
+/// Triangles for rows that bottomed out on a rigid support, whose force is beyond any axis; red by default.
 Series struck_through_marks(std::size_t colour = 1);
 /// The height for such marks at which they hide no values: slightly above all of them.
 double above_all(const std::vector<Series>& series);
@@ -64,15 +63,15 @@ std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::siz
 
 // A value over two axes as areas between round levels, each in its colour.
 
-/// Round values from `least` to `greatest`, both ends covered: steps of 1, 2 or 5 times a power of ten, about
-/// nine. Empty where there is no range.
+/// About nine round values that cover `least` to `greatest`, in steps of 1, 2 or 5 times a power of ten.
+/// Empty if the range is empty.
 std::vector<double> round_levels(double least, double greatest);
 
 /// "100 to 120 g", and the shade of the class between levels i and i + 1.
 Series class_of_levels(const std::vector<double>& levels, std::size_t i, const std::string& unit);
 
-/// Values at the corners of a grid, [line][across]; linear between them on the two triangles of each cell. A
-/// cell with a corner without a value (NaN) stays empty. A series for each class that occurs.
+/// Areas of values at the corners of a grid, [line][across], linear on the two triangles of each cell: a
+/// series for each class that occurs. Cells with a missing corner (NaN) stay empty.
 std::vector<Series> filled_areas(const std::vector<double>& across, const std::vector<double>& up,
                                  const std::vector<std::vector<double>>& values,
                                  const std::vector<double>& levels, const std::string& unit);

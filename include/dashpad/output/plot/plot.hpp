@@ -34,14 +34,14 @@ struct Series {
   std::vector<double> x = {};   ///< as many as y; unused by horizontal lines
   std::vector<double> y = {};   ///< unused by vertical lines
   std::vector<double> y2 = {};  ///< bands only: as many as y
-  /// Turn 0 is blue, 1 vermilion, and so on. Give a band, its line and its points the same. By default the
-  /// next one that is free; the same label has the same turn in all panels. Vertical and horizontal lines are
-  /// grey without it.
+  /// The index of the colour: 0 is blue, 1 vermilion, and so on. A band, its line and its points should have
+  /// the same. By default it is the next free one; series with the same label share it in all panels. Lines
+  /// across are grey without it.
   std::optional<std::size_t> palette_index = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
-  /// Written to the right of the panel in place of the label, beside where the line ends, however many such
-  /// labels there are; they make room for each other.
+  /// A label at the right of the panel, beside the end of the line, instead of `label`. Such labels make room
+  /// for each other.
   std::string end_label = {};
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;   ///< a line with pale edges, visible on areas of any colour
@@ -81,10 +81,10 @@ struct Panel {
   }
 };
 
-/// Panels one below the other, with one legend below the last for what the panels do not name: lines have
-/// their labels at their ends where these are few and short, lines across on themselves. Texts are shown as
-/// they are, character by character; control characters become spaces, what is not UTF-8 the replacement
-/// character, and what is too long is cut, but for title and source, which go on in the next line.
+/// Panels one below the other, with one legend for what they do not name themselves: a few short labels stand
+/// at the ends of lines, and lines across have their names on them. Texts are shown literally. Control
+/// characters become spaces, invalid UTF-8 the replacement character. Long texts are cut, but title and
+/// source continue on further lines.
 struct Plot {
   std::string title = {};
   std::vector<Panel> panels = {};
@@ -103,9 +103,9 @@ enum class PictureFormat { svg, png, pdf };
 /// The format by the extension of a file name, in either case. None for other extensions.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 
-/// The bytes of the picture file. The same plot gives the same SVG everywhere, and the same PNG and PDF where
-/// fonts and libraries are the same. Throws std::invalid_argument if there is nothing to draw, or if columns
-/// or limits do not fit together; std::runtime_error if a PNG or PDF cannot be made.
+/// The bytes of the picture file. The same plot always gives the same SVG, and the same PNG and PDF with the
+/// same fonts and libraries. Throws std::invalid_argument if there is nothing to draw or columns or limits do
+/// not fit together, and std::runtime_error if a PNG or PDF cannot be made.
 std::string picture(const Plot& plot, PictureFormat format);
 
 }  // namespace dashpad::output
