@@ -34,8 +34,8 @@ struct AssessmentReport {
   std::string file = {};  ///< case file
 };
 
-/// The reservation for another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s, the
-/// verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
+/// The reservation about another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s,
+/// the verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
 Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& standard,
                   const ImpactCase& given, const UnitSystem& units);
 
@@ -43,8 +43,8 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
 Document assessment_document(const AssessmentReport& report, const UnitSystem& units,
                              Pictures pictures = Pictures::left_out);
 
-/// Several assessments as a test plan, case by case, each case by the same standards in the same order: a row
-/// a case, a column a standard, the one farthest beyond its limit first; then each as a whole.
+/// Several assessments as a test plan: a table with a row for each case and a column for each standard,
+/// beginning with the worst, then each in full. All cases must have the same standards in the same order.
 Document test_plan_document(const std::vector<AssessmentReport>& reports, const UnitSystem& units,
                             Pictures pictures = Pictures::left_out);
 

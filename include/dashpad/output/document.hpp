@@ -106,8 +106,8 @@ enum class Pictures { left_out, drawn };
 /// columns that do not fit together, and for bars not between 0 and 1.
 std::string to_html(const Document& document);
 
-/// Plain text of at most 100 columns, as far as the words allow: answer, subject, warnings, figures, then the
-/// sections that are seen with that detail. Plots and bars are left out.
+/// The document as plain text of at most 100 columns: answer, subject, warnings, figures, then the sections
+/// shown with that detail. Plots and bars are left out.
 std::string to_terminal(const Document& document, Detail detail);
 
 /// The document as Markdown, without plots and drawings.

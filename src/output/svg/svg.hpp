@@ -40,8 +40,8 @@ std::vector<std::string> lines_within(std::string_view text, double size, double
 
 /// Red, green and blue, from 0 to 255.
 using Colour = std::array<double, 3>;
-/// "#rrggbb" on a scale with these colours at equal distances, two or more; `share`: from 0, at the first, to
-/// 1.
+/// A colour, "#rrggbb", on a scale of two or more colours at equal distances; `share` is 0 at the first, 1 at
+/// the last.
 std::string colour_on_scale(std::span<const Colour> stops, double share);
 
 // Elements, each with its class and in a line of its own.

@@ -61,8 +61,7 @@ std::string pad_text(const Pad& pad, const UnitSystem& units) {
                      pad.layers.size() == 1 ? "layer" : "layers", text);
 }
 
-/// `, cut to 0.01 m2, under a sheet of 4 kg/m2, struck before to a depth of 12 mm,`; empty of a pad that is
-/// none of it
+/// The condition of a pad: `, cut to 0.01 m2, under a sheet of 4 kg/m2,`; empty without any.
 std::string condition_text(const Pad& pad, const UnitSystem& units) {
   std::string text;
   if (pad.area) text += ", cut to " + brief_quantity(*pad.area, "m2", units);

@@ -211,8 +211,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
 
 namespace {
 
-/// Factors that are correlated with one before them: the product with the Cholesky factor takes their draws
-/// out of their strata.
+/// Factors correlated with an earlier one: the Cholesky factor moves their draws out of their strata.
 std::string unstratified_factors(const study::Study& study) {
   std::vector<bool> is_later(study.factors.size());
   for (const study::Correlation& pair : study.correlations)

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_lines_drawn = 8;
 std::string four_digits(double value);
 /// The same of a value that is infinite where the pad bottomed out on a rigid support: those words then.
 std::string four_digits_or_struck(double value);
-/// "12.3 (11.9 to 12.8)", "12.3 (below 13)" for a bound at one side only; without brackets where there is no
-/// interval. An infinite value is "bottomed out".
+/// An estimate with its interval: "12.3 (11.9 to 12.8)", "12.3 (below 13)"; no brackets without an interval.
+/// An infinite value is "bottomed out".
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);
@@ -49,8 +49,8 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units);
 
-/// "thickness of the pad" of pad.thickness, "plateau stress of the foam" of pad.curve.plateau_stress; a key
-/// that is no quantity of a case stays as it is.
+/// The words for a key: "plateau stress of the foam" for pad.curve.plateau_stress; other keys stay as they
+/// are.
 std::string factor_words(const std::string& key);
 
 /// The same, to begin a text with: "Thickness of the pad".
