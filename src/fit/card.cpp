@@ -62,12 +62,6 @@ double rounded_outwards(double value, double side) {
   return rounded_to(near + side * value * std::pow(10, 1 - card_digits), card_digits);
 }
 
-/// Whether a fitted number is one of the base curve, whose tested range the old one was.
-bool refits_curve(const Fit& fit) {
-  return std::ranges::any_of(fit.unknowns,
-                             [](const Unknown& unknown) { return unknown.key.starts_with("pad.curve."); });
-}
-
 void take_rate(FittedRange& range, double rate) {
   range.lowest_rate = std::min(range.lowest_rate, rate);
   range.highest_rate = std::max(range.highest_rate, rate);
@@ -95,7 +89,10 @@ std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double>
   FittedRange range = range_of_tests(fit);
   const bool is_tested = range.highest_strain > 0;
   const Material& base = fit.base.pad.material;
-  const bool keeps_own = !is_tested || !refits_curve(fit);
+  // The range of the card belongs to its curve.
+  const bool keeps_own = !is_tested || std::ranges::none_of(fit.unknowns, [](const Unknown& unknown) {
+    return unknown.key.starts_with("pad.curve.");
+  });
   if (const auto own = range_of(base); own && is_stated(base) && keeps_own) {
     range.highest_strain = std::max(range.highest_strain, own->highest_strain);
     take_rate(range, own->lowest_rate);

@@ -126,11 +126,17 @@ PosteriorAxes posterior_of(const Fit& fit, const Problem& problem, const Solved&
   return posterior;
 }
 
-/// The range of a foam parameter that lies between 0 and 1.
-std::optional<ValueRange> share_range(const FitReport& report, const std::string& key, double value) {
+/// The result for a parameter of the foam; null if it is no unknown.
+const FittedUnknown* find_parameter(const FitReport& report, const std::string& key) {
   const auto found =
       std::ranges::find(report.unknowns, pad_prefix + "parameters." + key, &FittedUnknown::key);
-  if (found == report.unknowns.end()) return std::nullopt;
+  return found == report.unknowns.end() ? nullptr : &*found;
+}
+
+/// The range of a foam parameter that lies between 0 and 1.
+std::optional<ValueRange> share_range(const FitReport& report, const std::string& key, double value) {
+  const FittedUnknown* const found = find_parameter(report, key);
+  if (found == nullptr) return std::nullopt;
   return ValueRange{std::min(rounded_to(found->low.value_or(0), card_digits), value),
                     std::max(rounded_to(found->high.value_or(1), card_digits), value)};
 }
@@ -165,10 +171,8 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
   else if (assumes_recoil(fit))
     of.recoil = whole;
   // If the interval has both ends, the axes contain its uncertainty already.
-  const auto sought =
-      std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);
-  const bool is_in_axes =
-      sought != report.unknowns.end() && sought->is_identified() && sought->standard_error;
+  const FittedUnknown* const sought = find_parameter(report, "unloading_factor");
+  const bool is_in_axes = sought && sought->is_identified() && sought->standard_error;
   if (foam->unloading_curve || is_in_axes)
     of.unloading_factor.reset();
   else if (const auto range = share_range(report, "unloading_factor", foam->unloading_factor))

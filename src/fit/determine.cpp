@@ -20,17 +20,12 @@ constexpr double margin_of_starts = 0.02;
 /// Relative difference of misfits that count as the same.
 constexpr double same_misfit = 1e-3;
 
-std::vector<double> first_start(const Problem& problem) {
-  std::vector<double> x;
-  for (const Coordinate& coordinate : problem.coordinates)
-    x.push_back(std::clamp(coordinate.place(coordinate.start), 0.0, 1.0));
-  return x;
-}
-
 /// The given start, then points of a scrambled Sobol design that make a material. Offsets start at 0.
 std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& problem,
                                            const LeastSquares& residuals) {
-  std::vector<std::vector<double>> starts{first_start(problem)};
+  std::vector<std::vector<double>> starts(1);
+  for (const Coordinate& coordinate : problem.coordinates)
+    starts.front().push_back(std::clamp(coordinate.place(coordinate.start), 0.0, 1.0));
   const study::Sobol design(fit.unknowns.size(), fit.seed);
   std::vector<double> r(residuals.residuals);
   const auto wanted = static_cast<std::size_t>(fit.starts);

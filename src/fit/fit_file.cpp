@@ -42,12 +42,6 @@ void collect_unknowns(const TomlNode& table, const std::string& prefix, std::vec
   }
 }
 
-/// "log" where both bounds are positive and more than a factor 10 apart, if nothing is said.
-bool read_is_logarithmic(TableReader& table, const Unknown& unknown) {
-  if (!table.has("scale")) return unknown.lowest > 0 && unknown.highest > 10 * unknown.lowest;
-  return table.choice("scale", {"log", "linear"}) == "log";
-}
-
 void read_bounds(TableReader& table, Unknown& unknown) {
   unknown.lowest = unknown.highest = no_value;
   const TomlNode* bounds = table.array("bounds");
@@ -76,7 +70,8 @@ Unknown read_unknown(TableReader& table, const CaseQuantity& quantity, const Imp
     unknown.prior->deviation = value_or_share(*prior, "deviation", unknown.unit, unknown.prior->mean);
     prior->refuse_others();
   }
-  unknown.is_logarithmic = read_is_logarithmic(table, unknown);
+  unknown.is_logarithmic = table.has("scale") ? table.choice("scale", {"log", "linear"}) == "log"
+                                              : unknown.lowest > 0 && unknown.highest > 10 * unknown.lowest;
   table.refuse_others();
   return unknown;
 }

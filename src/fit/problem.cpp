@@ -59,26 +59,15 @@ Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::o
 /// its noise.
 constexpr double max_shift = 0.25;
 
-Coordinate shift_of(const MeasuredDeceleration& pulse, std::size_t impact) {
-  Coordinate shift;
-  shift.key = fmt::format("impacts[{}].pulse.shift", impact + 1);
-  shift.unit = "s";
-  shift.lowest = -max_shift * pulse.half_peak_width;
-  shift.highest = max_shift * pulse.half_peak_width;
-  shift.is_nuisance = true;
-  return shift;
-}
-
-/// A shift of the force zero by up to half of the largest stress.
-Coordinate offset_of(const Block& block, std::size_t test) {
-  const double most = std::ranges::max(block.measured) / 2;
-  Coordinate offset;
-  offset.key = fmt::format("tests[{}].offset", test + 1);
-  offset.unit = "Pa";
-  offset.lowest = -most;
-  offset.highest = most;
-  offset.is_nuisance = true;
-  return offset;
+/// A coordinate of a measurement, from -`most` to `most`.
+Coordinate nuisance(const std::string& key, const char* unit, double most) {
+  Coordinate coordinate;
+  coordinate.key = key;
+  coordinate.unit = unit;
+  coordinate.lowest = -most;
+  coordinate.highest = most;
+  coordinate.is_nuisance = true;
+  return coordinate;
 }
 
 /// The base curve has to rise between these places by this share of its mean rise, with a deviation that no
@@ -193,7 +182,8 @@ Problem problem_of(const Fit& fit, int runs) {
     Block block = block_of(fit, fit.tests[i]);
     if (fit.tests[i].has_offset) {
       block.offset = problem.coordinates.size();
-      problem.coordinates.push_back(offset_of(block, i));
+      problem.coordinates.push_back(
+          nuisance(fmt::format("tests[{}].offset", i + 1), "Pa", std::ranges::max(block.measured) / 2));
     }
     add(std::move(block));
   }
@@ -205,7 +195,8 @@ Problem problem_of(const Fit& fit, int runs) {
     std::optional<std::size_t> shift;
     if (impact.pulse) {
       shift = problem.coordinates.size();
-      problem.coordinates.push_back(shift_of(*impact.pulse, i));
+      problem.coordinates.push_back(nuisance(fmt::format("impacts[{}].pulse.shift", i + 1), "s",
+                                             max_shift * impact.pulse->half_peak_width));
     }
     add(block_of(fit, impact, runs, shift, shift ? &problem.coordinates.back() : nullptr));
   }

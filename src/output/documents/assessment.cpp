@@ -169,14 +169,7 @@ std::string verdict_words(const injury::CriterionResult& result, const UnitSyste
   return words + (result.reason.empty() ? "" : ": " + one_line(result.reason));
 }
 
-std::vector<ValueRow> criteria(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
-  std::vector<ValueRow> rows;
-  for (const injury::CriterionResult& result : report.assessment.results)
-    rows.push_back(criterion_row(result, units, detail));
-  return rows;
-}
-
-/// Figures to judge the impact by whatever the standard limits.
+/// The criteria, then other figures to judge the impact by.
 std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
   std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
   const char* const on_strain = report.assessed.pad.layers.empty()
@@ -196,7 +189,9 @@ std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSyste
                     .remark = member == &injury::KeyFigures::peak_strain ? on_strain : ""});
   }
   add_intervals(rows, report.solution.summary, units);
-  return rows;
+  std::vector<ValueRow> all = criterion_rows(report.assessment.results, units, detail);
+  std::ranges::move(rows, std::back_inserter(all));
+  return all;
 }
 
 /// The interval of each criterion with its largest source.
@@ -228,8 +223,6 @@ std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& un
 Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
   const injury::Standard& standard = report.standard;
-  std::vector<ValueRow> figures = criteria(report, units, Detail::main);
-  for (ValueRow& row : figures_of(report, units, Detail::main)) figures.push_back(std::move(row));
   const std::string title = one_line(report.assessed.title);
   Document document{
       .title = title,
@@ -237,7 +230,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
                    .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
                    .subject = {fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
                                title.empty() ? "" : "The case: " + title},
-                   .figures = std::move(figures)},
+                   .figures = figures_of(report, units, Detail::main)},
       .is_one_impact = true};
   document.warnings = by_severity(assessment.reservations);
   const Replaced replaced = replaced_in(report, units);
@@ -251,10 +244,8 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   brief.push_back(replaced.kept);
   brief.push_back(sources_of(standard));
   if (!standard.note.empty()) brief.push_back(one_line(standard.note));
-  std::vector<ValueRow> rows = criteria(report, units, Detail::all);
-  for (ValueRow& row : figures_of(report, units, Detail::all)) rows.push_back(std::move(row));
   document.sections = {{.seen = Seen::in_brief, .paragraphs = std::move(brief)},
-                       {.heading = "Figures", .rows = {{"", std::move(rows)}}}};
+                       {.heading = "Figures", .rows = {{"", figures_of(report, units, Detail::all)}}}};
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
     for (const injury::CriterionResult& result : assessment.results)
@@ -327,6 +318,13 @@ ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& 
     if (row.share) row.share_range = {interval->low / criterion.limit, interval->high / criterion.limit};
   }
   return row;
+}
+
+std::vector<ValueRow> criterion_rows(const std::vector<injury::CriterionResult>& results,
+                                     const UnitSystem& units, Detail detail) {
+  std::vector<ValueRow> rows;
+  for (const injury::CriterionResult& result : results) rows.push_back(criterion_row(result, units, detail));
+  return rows;
 }
 
 std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResult>& results,

@@ -33,6 +33,8 @@ std::string margin_words(const injury::CriterionResult& result, const UnitSystem
 
 /// Value, limit and verdict; the error only where that may decide, or is asked for.
 ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail);
+std::vector<ValueRow> criterion_rows(const std::vector<injury::CriterionResult>& results,
+                                     const UnitSystem& units, Detail detail);
 
 /// A line across at each limit that is an acceleration, g.
 std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResult>& results,

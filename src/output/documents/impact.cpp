@@ -58,16 +58,13 @@ Tone tone_of(const ImpactReport& report) {
   return is_cut(summary) || is_guess(summary) ? Tone::doubtful : Tone::plain;
 }
 
-/// The largest error that needs no remark: ten times the tolerance, or half a per cent, which four digits
-/// hardly show.
-double unremarkable(double tolerance) { return std::max(10 * tolerance, 5e-3); }
-
-/// Takes the errors off the rows that they do not matter to, and says how large they are.
+/// Removes the errors that need no remark from the rows, and says how large they are.
 std::string take_errors(std::vector<ValueRow>& rows, const Summary& summary) {
+  const double unremarkable = std::max(10 * summary.tolerance, 5e-3);  // hardly seen in four digits
   double largest = 0;
   bool some_left = false;
   for (ValueRow& row : rows) {
-    if (row.error && *row.error <= unremarkable(summary.tolerance)) {
+    if (row.error && *row.error <= unremarkable) {
       largest = std::max(largest, *row.error);
       row.error.reset();
     }

@@ -151,9 +151,7 @@ std::vector<std::string> subject_of(const injury::PulseReport& report, const Uni
 std::vector<ValueRow> rows_with_limits(const injury::PulseReport& report, const UnitSystem& units,
                                        Detail detail) {
   std::vector<ValueRow> rows;
-  if (report.limits)
-    for (const injury::CriterionResult& result : report.limits->results)
-      rows.push_back(criterion_row(result, units, detail));
+  if (report.limits) rows = criterion_rows(report.limits->results, units, detail);
   const std::size_t limited = rows.size();
   for (ValueRow& row : rows_of(report, units, detail)) {
     const auto is_it = [&](const ValueRow& other) { return other.label == row.label; };

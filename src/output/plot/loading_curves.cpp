@@ -129,12 +129,6 @@ double highest_shown(const laboratory::LoadingCurve& curve, double used) {
   return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
 }
 
-/// The value of highest_shown() for a series.
-double fast_stress_shown(const Series& fast) {
-  const double half = fast.y[fast.y.size() / 2];
-  return std::min(fast.y.back(), steepest * half);
-}
-
 /// The curve at the highest rate of the impact, up to the strain that was reached. None for a foam without a
 /// rate effect, or if the impact was not faster than the tests.
 std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& foam, double slowest,
@@ -189,7 +183,8 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   std::string source =
       fmt::format("{}: first loading{}", one_line(material.name), rate_words_of(material, rate));
   if (std::optional<Series> fast = curve_at_rate(material, foam, rate, units)) {
-    panel.y.high = std::max(*panel.y.high, 1.05 * fast_stress_shown(*fast));
+    const double shown = std::min(fast->y.back(), steepest * fast->y[fast->y.size() / 2]);
+    panel.y.high = std::max(*panel.y.high, 1.05 * shown);
     panel.series.push_back(*std::move(fast));
     source += ", and at the highest rate of this impact";
   }

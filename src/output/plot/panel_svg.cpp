@@ -16,9 +16,6 @@ constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_titl
 constexpr double below_numbers = 20, below_panel = 17;  // distances from the axis and from the title
 constexpr std::size_t max_y_labels = 7;
 
-/// The largest number of labels on the x axis.
-std::size_t max_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
-
 /// The height of the axes, px. Narrow plots are less high, but not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
 
@@ -139,7 +136,7 @@ bool is_named_by_axis(const PanelDrawing& drawing, const Panel& panel) {
 PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width)
     : panel(&panel_to_draw),
       drawing(&drawing_of_panel),
-      x_labels(max_x_labels(plot_width)),
+      x_labels(plot_width < 480 ? 7 : 9),
       scale{.x = range_of(panel->x, drawing->x, x_labels),
             .y = range_of(panel->y, drawing->y, max_y_labels),
             .size = {.width = 0, .height = height_of_axes(plot_width)}},

@@ -26,12 +26,6 @@ std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
                      brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
 }
 
-std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
-  return fmt::format("The pad bottoms out after {} with {} left",
-                     brief_quantity(bottomed.time, "s", units, 3),
-                     brief_quantity(bottomed.velocity, "m/s", units, 3));
-}
-
 /// Force over displacement and penetration.
 Panel loop_panel(const Solution& solution, const UnitSystem& units) {
   Panel panel{.title = title_of_loops(solution.summary, units),
@@ -104,8 +98,10 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
                          const UnitSystem& units) {
   const std::string name = result_quantity("deceleration").title;
   Panel panel{.title = name, .x = axis_of("time", units), .y = axis_of("deceleration", units)};
-  if (bottomed_on_rigid_support(solution.summary))
-    panel.title = bottoming_words(*solution.summary.bottomed, units);
+  if (const auto& bottomed = solution.summary.bottomed; bottomed_on_rigid_support(solution.summary))
+    panel.title = fmt::format("The pad bottoms out after {} with {} left",
+                              brief_quantity(bottomed->time, "s", units, 3),
+                              brief_quantity(bottomed->velocity, "m/s", units, 3));
   else if (injury)
     panel.title = "The deceleration " + peak_words(*injury);
   std::vector<double> deceleration;
