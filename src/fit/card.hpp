@@ -66,9 +66,6 @@ bool assumes_recoil(const Fit& fit);
 /// was measured; and if there are enough data.
 void seek_recoil(Fit& fit);
 
-/// Fills the report with the minimum, its uncertainty and the measurements, but not with times.
-void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report);
-
 // How the material meets the measurements, fitted and held out (theory.md, section 6).
 
 /// The comparison with a test at the points that count. `values` are those of the unknowns, `offset` is in
@@ -114,8 +111,6 @@ struct PredictedFigure {
 std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& problem, const Solved& solved,
                                                int runs, Session& session,
                                                std::atomic<std::size_t>& evaluations);
-
-inline constexpr std::size_t max_left_out = 8;
 
 /// The standard deviations of what the law misses (theory.md). `predicted` are impacts that were not fitted;
 /// the `fitted` ones count if there are none. Nothing without impacts.

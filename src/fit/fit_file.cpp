@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <map>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/fit/fit.hpp"
@@ -20,6 +21,9 @@ using input::TableReader;
 using input::TomlNode;
 
 namespace {
+
+/// The lines of the keys that broken rules may name.
+using Lines = std::map<std::string, int>;
 
 struct UnknownEntry {
   std::string key;
@@ -162,8 +166,7 @@ void leave_neighbours_to_law(Fit& fit) {
   if (std::ranges::none_of(fit.impacts, &ImpactMeasurement::states_neighbours)) fit.base.pad.neighbours = 0;
 }
 
-}  // namespace
-
+/// Reads [unknowns]. Without a sound base, names of the law are taken on trust.
 void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
   const auto table = top.table("unknowns");
   if (!table) return;
@@ -189,6 +192,8 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
     }
   }
 }
+
+}  // namespace
 
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
   const input::Reading<input::TomlFile> toml = input::read_toml(file);

@@ -1,8 +1,6 @@
 #pragma once
-/// The tables of a fit file, each read by a function of its own.
+/// Reading the tables and values of a fit file.
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +10,7 @@
 
 namespace dashpad::fit {
 
-/// The lines of the keys that broken rules may name.
-using Lines = std::map<std::string, int>;
-
-/// [unknowns]. Without a sound base, names of the law are taken on trust.
-void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& lines);
-/// The pulse of an impact: {file = ..., deviation = ...}. Nothing after a fault.
-std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
-                                               std::vector<input::InputFile>& files);
-/// Read one of [[tests]] or [[impacts]] and add the files that it names to `files`.
+/// Read one of [[tests]] or [[impacts]], and add the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
 ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& folders,

@@ -136,6 +136,37 @@ std::vector<double> times_at(double rate, const std::vector<double>& strain) {
   return times;
 }
 
+/// Reads the pulse of an impact, {file = ..., deviation = ...}; none after a fault.
+std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::Folders& folders,
+                                               std::vector<input::InputFile>& files) {
+  const std::string name = table.text("file");
+  const input::PulseCsvOptions options = read_pulse_columns(table);
+  const std::optional<injury::PulseFilter> filter = read_filter(table);
+  std::optional<MeasuredDeceleration> pulse;
+  if (!name.empty()) {
+    const std::filesystem::path file = folders.of_file / name;
+    files.push_back({"the measurements", file});
+    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
+        injury::MeasuredPulse& measured = read->measured;
+        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
+        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
+        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
+        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
+                       : deceleration_of(processed);
+        pulse->file = name;
+        pulse->filter = filter;
+      } catch (const std::invalid_argument& error) {
+        table.fault("file", error.what());
+      }
+  }
+  const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
+  if (pulse) pulse->impact = impact;
+  const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
+  if (pulse) pulse->deviation = value;
+  table.refuse_others();
+  return pulse;
+}
+
 }  // namespace
 
 MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet) {
@@ -172,36 +203,6 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
     result.deceleration.push_back(shape.side * measured.acceleration[i]);
   }
   return result;
-}
-
-std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::Folders& folders,
-                                               std::vector<input::InputFile>& files) {
-  const std::string name = table.text("file");
-  const input::PulseCsvOptions options = read_pulse_columns(table);
-  const std::optional<injury::PulseFilter> filter = read_filter(table);
-  std::optional<MeasuredDeceleration> pulse;
-  if (!name.empty()) {
-    const std::filesystem::path file = folders.of_file / name;
-    files.push_back({"the measurements", file});
-    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
-        injury::MeasuredPulse& measured = read->measured;
-        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
-        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
-        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
-                       : deceleration_of(processed);
-        pulse->file = name;
-        pulse->filter = filter;
-      } catch (const std::invalid_argument& error) {
-        table.fault("file", error.what());
-      }
-  }
-  const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
-  if (pulse) pulse->impact = impact;
-  const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
-  if (pulse) pulse->deviation = value;
-  table.refuse_others();
-  return pulse;
 }
 
 ImpactMeasurement read_impact(TableReader& table, const input::Folders& folders,

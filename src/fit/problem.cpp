@@ -97,6 +97,59 @@ Material material_of(ImpactCase base, const std::vector<LawSetter>& setters, std
   return std::move(base.pad.material);
 }
 
+struct TestPath {
+  laboratory::StrainHistory history;
+  /// The number of pieces that lead to each point of the test; 0 for the start, at stress 0.
+  std::vector<std::size_t> pieces_to;
+};
+
+/// A path straight through the points, with strains below 0 as 0. If the first strain is above 0, it leads
+/// there at the mean rate of the test.
+TestPath path_of(const MaterialMeasurement& test) {
+  TestPath path;
+  double strain = 0;
+  const auto go = [&](double to, double duration) {
+    if (duration > 0) path.history.pieces.push_back({duration, strain, (to - strain) / duration, 0});
+    if (duration > 0) strain = to;
+    path.pieces_to.push_back(path.history.pieces.size());
+  };
+  const double first = std::max(test.strain.front(), 0.0);
+  go(first, first > 0 ? first / mean_rate_of(test) : 0);
+  for (std::size_t i = 1; i < test.strain.size(); ++i)
+    go(std::max(test.strain[i], 0.0), test.time[i] - test.time[i - 1]);
+  return path;
+}
+
+/// A block that keeps the base curve of a foam rising; none for a law whose curves are not formulas.
+std::optional<Block> rule_of_rising(const Fit& fit) {
+  const FoamCurves* const curves = foam_curves(fit.base.pad.material.law);
+  if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
+  Block block;
+  block.is_rule = true;
+  block.measured.assign(places_of_rule, 0);
+  block.deviation.assign(places_of_rule, deviation_of_rule);
+  block.predict = [base = fit.base, setters = law_setters(fit)](std::span<const double> values,
+                                                                std::span<double> predicted) {
+    const Material material = material_of(base, setters, values);
+    std::visit(
+        [&]<class Form>(const Form& form) {
+          if constexpr (!std::is_same_v<Form, TableCurve>) {
+            const auto count = static_cast<double>(predicted.size());
+            const double mean_rise = form.stress(form.highest_strain) / count;
+            double before = 0;
+            for (std::size_t i = 0; i < predicted.size(); ++i) {
+              const double stress = form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
+              predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
+              before = stress;
+            }
+          }
+        },
+        foam_curves(material.law)->base);
+    return true;
+  };
+  return block;
+}
+
 }  // namespace
 
 std::size_t Problem::points() const {
@@ -213,50 +266,6 @@ double mean_rate_of(const MaterialMeasurement& test) {
       time += test.time[i] - test.time[i - 1];
     }
   return time > 0 ? way / time : 0;
-}
-
-TestPath path_of(const MaterialMeasurement& test) {
-  TestPath path;
-  double strain = 0;
-  const auto go = [&](double to, double duration) {
-    if (duration > 0) path.history.pieces.push_back({duration, strain, (to - strain) / duration, 0});
-    if (duration > 0) strain = to;
-    path.pieces_to.push_back(path.history.pieces.size());
-  };
-  const double first = std::max(test.strain.front(), 0.0);
-  go(first, first > 0 ? first / mean_rate_of(test) : 0);
-  for (std::size_t i = 1; i < test.strain.size(); ++i)
-    go(std::max(test.strain[i], 0.0), test.time[i] - test.time[i - 1]);
-  return path;
-}
-
-std::optional<Block> rule_of_rising(const Fit& fit) {
-  const FoamCurves* const curves = foam_curves(fit.base.pad.material.law);
-  if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
-  Block block;
-  block.is_rule = true;
-  block.measured.assign(places_of_rule, 0);
-  block.deviation.assign(places_of_rule, deviation_of_rule);
-  block.predict = [base = fit.base, setters = law_setters(fit)](std::span<const double> values,
-                                                                std::span<double> predicted) {
-    const Material material = material_of(base, setters, values);
-    std::visit(
-        [&]<class Form>(const Form& form) {
-          if constexpr (!std::is_same_v<Form, TableCurve>) {
-            const auto count = static_cast<double>(predicted.size());
-            const double mean_rise = form.stress(form.highest_strain) / count;
-            double before = 0;
-            for (std::size_t i = 0; i < predicted.size(); ++i) {
-              const double stress = form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
-              predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
-              before = stress;
-            }
-          }
-        },
-        foam_curves(material.law)->base);
-    return true;
-  };
-  return block;
 }
 
 Material material_with(const Fit& fit, std::span<const double> values) {

@@ -107,9 +107,6 @@ Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
 Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::size_t shift,
                    double lowest, double highest);
 
-/// A block that keeps the base curve of a foam rising; none for a law whose curves are not formulas.
-std::optional<Block> rule_of_rising(const Fit& fit);
-
 /// Whether the model admits nothing beyond that bound of an unknown.
 bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
 
@@ -123,16 +120,6 @@ ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::s
 /// The acceleration as a smooth curve through the steps of the solver, since a polyline would jump when their
 /// number changes. None if the pulse was cut off or is not finite.
 std::optional<Pulse> smooth_pulse(const Solution& solution);
-
-struct TestPath {
-  laboratory::StrainHistory history;
-  /// The number of pieces that lead to each point of the test; 0 for the start, at stress 0.
-  std::vector<std::size_t> pieces_to;
-};
-
-/// A path straight through the points, with strains below 0 as 0. If the first strain is above 0, it leads
-/// there at the mean rate of the test.
-TestPath path_of(const MaterialMeasurement& test);
 
 /// Mean magnitude of the strain rate while the strain moves, 1/s.
 double mean_rate_of(const MaterialMeasurement& test);

@@ -136,8 +136,7 @@ void judge_card(FitReport& report) {
                                broken.front().value, broken.front().rule);
 }
 
-}  // namespace
-
+/// Fills the report with the minimum, its uncertainty and the measurements, but not with times.
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
@@ -165,6 +164,8 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   report.material.uncertainty = uncertainty_of(fit, problem, solved, report, report.material);
   report.fitted_case = fitted_case_of(fit, values);
 }
+
+}  // namespace
 
 FitReport run_fit(const Fit& fit, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();

@@ -180,16 +180,6 @@ std::string wrapped(std::string_view line, std::size_t indent) {
   return text + rest;
 }
 
-std::string wrapped_lines(std::string_view text) {
-  std::string result;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    result += wrapped(text.substr(begin, end - begin), 2) + "\n";
-    begin = end + 1;
-  }
-  return result;
-}
-
 std::string fingerprint(const std::vector<std::string>& texts) {
   std::uint64_t hash = 14695981039346656037U;
   const auto add = [&hash](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U; };

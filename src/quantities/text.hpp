@@ -68,8 +68,6 @@ void replace_all(std::string& text, std::string_view old, std::string_view fresh
 /// Breaks a line at blanks into lines of at most 100 columns, if the words allow, and indents all but the
 /// first.
 std::string wrapped(std::string_view line, std::size_t indent);
-/// The same with each line of a text, by two columns.
-std::string wrapped_lines(std::string_view text);
 
 /// A fingerprint that detects changes of texts: FNV-1a of the texts and of where each ends, as 16 hexadecimal
 /// digits.

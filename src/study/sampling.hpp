@@ -191,9 +191,4 @@ using Matrix = std::vector<std::vector<double>>;
 /// C is not positive definite.
 std::optional<Matrix> root_of_correlations(const Study& study);
 
-/// Rules of the case that a study breaks, under keys such as "factors.impactor.speed": at all combinations of
-/// levels, up to 100,000, or else at each level with the first of the others, and at the ends of each
-/// distribution with the others at their medians. The factors must be sound.
-std::vector<Violation> case_violations(const Study& study);
-
 }  // namespace dashpad::study

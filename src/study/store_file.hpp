@@ -123,9 +123,6 @@ struct StoreHeading {
 
 StoreHeading heading_of(const Study& study);
 
-/// "0.1.0 (0123456789ab)" of this program.
-std::string this_program();
-
 /// Whether there is nothing in the file yet: it is new, or its making was cut short.
 bool is_empty(const Database& database);
 
@@ -185,8 +182,5 @@ struct Store::File {
     return std::min(heading.batch_size, heading.rows - batch * heading.batch_size);
   }
 };
-
-/// Checks the list of batches against itself and against the rows. Returns the number of rows done.
-std::uint64_t count_rows(const Database& database, const StoreHeading& heading);
 
 }  // namespace dashpad::study

@@ -120,10 +120,8 @@ void check_units(const Database& database, const StoreHeading& heading) {
 
 }  // namespace
 
-std::string this_program() { return fmt::format("{} ({})", version(), build_facts().git_commit); }
-
 StoreHeading heading_of(const Study& study) {
-  StoreHeading heading{.program = this_program(),
+  StoreHeading heading{.program = fmt::format("{} ({})", version(), build_facts().git_commit),
                        .text = study.text,
                        .resolved = resolved_text(study),
                        .rows = Design{study}.rows(),

@@ -62,6 +62,24 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
   if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
 }
 
+/// Checks the list of batches against itself and against the rows. Returns the number of rows done.
+std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
+  Statement noted{database,
+                  "SELECT total(rows), coalesce(min(batch), 0), coalesce(max(batch), 0) FROM batches"};
+  noted.next();
+  const double expected = noted.number(0);
+  if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
+    database.damaged("a batch that the study does not have");
+  Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
+  stored.next();
+  const std::uint64_t rows = stored.count(0, heading.rows);
+  if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
+    database.damaged("a row that the study does not have");
+  if (static_cast<double>(rows) != expected)
+    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
+  return rows;
+}
+
 /// Rows of two programs are never mixed: they may differ in the last digits, or by a mended fault.
 std::string of_another_program(const Database& database, const StoreHeading& stored,
                                const StoreHeading& wanted) {
@@ -182,23 +200,6 @@ WriterLock::~WriterLock() {
 }
 
 WriterLock::WriterLock(WriterLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
-  Statement noted{database,
-                  "SELECT total(rows), coalesce(min(batch), 0), coalesce(max(batch), 0) FROM batches"};
-  noted.next();
-  const double expected = noted.number(0);
-  if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
-    database.damaged("a batch that the study does not have");
-  Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
-  stored.next();
-  const std::uint64_t rows = stored.count(0, heading.rows);
-  if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
-    database.damaged("a row that the study does not have");
-  if (static_cast<double>(rows) != expected)
-    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
-  return rows;
-}
 
 Store Store::open_for(const Study& study, const fs::path& file) {
   StoreHeading heading = heading_of(study);

@@ -31,10 +31,6 @@ std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& rep
 /// "The case predicts a peak 12 % above that of the measured pulse, 8 % later; HIC15 is 31 % higher."
 std::string comparison_answer(const PulseComparisonReport& report);
 
-/// The warnings of the case and of the pulse, a line each.
-std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
-                                                 const UnitSystem& units);
-
 /// A figure a row: measured, computed, difference, its share of the measured, error of the computed.
 Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units);
 

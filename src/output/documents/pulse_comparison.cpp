@@ -119,6 +119,23 @@ std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const Uni
   return rows;
 }
 
+/// The warnings of the case and of the pulse, a line each.
+std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
+                                                 const UnitSystem& units) {
+  std::vector<std::string> lines;
+  if (is_onset_doubtful(report.comparison))
+    lines.push_back(fmt::format(
+        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
+        "{}; "
+        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
+        100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
+        brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
+  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
+  for (const std::string& line : warnings(report.solution.summary, units))
+    lines.push_back(line + " (the case)");
+  return lines;
+}
+
 }  // namespace
 
 std::string comparison_answer(const PulseComparisonReport& report) {
@@ -138,22 +155,6 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
     text += " But it strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
   return text;
-}
-
-std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
-                                                 const UnitSystem& units) {
-  std::vector<std::string> lines;
-  if (is_onset_doubtful(report.comparison))
-    lines.push_back(fmt::format(
-        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
-        "{}; "
-        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
-        100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
-        brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
-  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
-  for (const std::string& line : warnings(report.solution.summary, units))
-    lines.push_back(line + " (the case)");
-  return lines;
 }
 
 Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units) {

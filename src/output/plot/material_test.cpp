@@ -30,13 +30,12 @@ struct OfRun {
 OfRun strain_of_column() {
   return {{.label = "Strain", .low = 0}, [](const MaterialTestRun& run) { return run.column.strain; }};
 }
-OfRun strain_of_cushion() {
-  return {{.label = "Strain", .low = 0}, [](const MaterialTestRun& run) { return run.cushion.strain; }};
+/// A pure number of the first loading.
+OfRun of_cushion(const char* label, Values laboratory::CushionCurve::*values) {
+  return {{.label = label, .low = 0}, [values](const MaterialTestRun& run) { return run.cushion.*values; }};
 }
-OfRun efficiency() {
-  return {{.label = "Efficiency", .low = 0},
-          [](const MaterialTestRun& run) { return run.cushion.efficiency; }};
-}
+OfRun strain_of_cushion() { return of_cushion("Strain", &laboratory::CushionCurve::strain); }
+OfRun efficiency() { return of_cushion("Efficiency", &laboratory::CushionCurve::efficiency); }
 OfRun stress_of_column(const UnitSystem& units) {
   return {axis_with_unit("Stress", "Pa", units),
           [&](const MaterialTestRun& run) { return values_in(units, run.column.stress, "Pa"); }};
@@ -124,9 +123,8 @@ Panel efficiency_over_strain(const MaterialTestReport& report) {
 }
 
 Panel ideality_over_strain(const MaterialTestReport& report) {
-  const OfRun ideality{{.label = "Ideality", .low = 0},
-                       [](const MaterialTestRun& run) { return run.cushion.ideality; }};
-  return panel_of_runs(report, "Ideality over strain", strain_of_cushion(), ideality);
+  return panel_of_runs(report, "Ideality over strain", strain_of_cushion(),
+                       of_cushion("Ideality", &laboratory::CushionCurve::ideality));
 }
 
 Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem& units) {
