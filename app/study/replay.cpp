@@ -77,7 +77,7 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   }
   result.options = study.options;
   if (result.impact.blows) result.blows = solve_blows(result.impact, result.options);
-  study::read_responses(result.solution, study.responses, result.again);
+  study::ResponseReader{study.responses}(result.solution, result.again);
   return result;
 }
 

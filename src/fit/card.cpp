@@ -26,8 +26,7 @@ std::string rms_words(const MetTest& test) {
 /// "3 figures; pulse drop.csv, rms 2.1 % of its peak".
 std::string impact_words(const ImpactMeasurement& impact, const FitReport& report) {
   std::string words;
-  if (!impact.figures.empty())
-    words = fmt::format("{} figure{}", impact.figures.size(), impact.figures.size() == 1 ? "" : "s");
+  if (!impact.figures.empty()) words = plural(impact.figures.size(), "figure");
   if (!impact.pulse) return words;
   words += fmt::format("{}pulse {}", words.empty() ? "" : "; ", impact.pulse->file);
   for (const MetPulse& met : report.pulses)
@@ -39,20 +38,16 @@ std::string impact_words(const ImpactMeasurement& impact, const FitReport& repor
 }
 
 std::string origin_of(const Fit& fit, const FitReport& report) {
-  std::string origin = "dashpad fit to ";
-  std::string separator;
-  for (const MetTest& test : report.tests) {
-    if (test.is_held_out) continue;
-    origin += fmt::format("{}{} ({} points; rms {} of the largest stress)", separator, test.file, test.points,
-                          rms_words(test));
-    separator = "; ";
-  }
-  for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
-    origin += fmt::format("{}{} ({})", separator, impact.file, impact_words(impact, report));
-    separator = "; ";
-  }
-  origin += fmt::format("; misfit {:.3g} per degree of freedom{}", report.misfit_per_degree(),
-                        report.noise_is_stated ? "" : ", by construction: the noise was not stated");
+  std::vector<std::string> parts;
+  for (const MetTest& test : fitted(report.tests))
+    parts.push_back(
+        fmt::format("{} ({} points; rms {} of the largest stress)", test.file, test.points, rms_words(test)));
+  for (const ImpactMeasurement& impact : fitted(fit.impacts))
+    parts.push_back(fmt::format("{} ({})", impact.file, impact_words(impact, report)));
+  std::string origin =
+      fmt::format("dashpad fit to {}; misfit {:.3g} per degree of freedom{}", fmt::join(parts, "; "),
+                  report.misfit_per_degree(),
+                  report.noise_is_stated ? "" : ", by construction: the noise was not stated");
   const Material& base = fit.base.pad.material;
   if (is_stated(base) && !base.source.empty() && !base.name.empty())
     origin += fmt::format("; the rest from {}: {}", base.name, base.source);
@@ -65,12 +60,6 @@ double rounded_outwards(double value, double side) {
   const double near = rounded_to(value, card_digits);
   if (side * (value - near) <= dust * value) return near;
   return rounded_to(near + side * value * std::pow(10, 1 - card_digits), card_digits);
-}
-
-/// Whether a fitted number is one of the base curve, whose tested range the old one was.
-bool refits_curve(const Fit& fit) {
-  return std::ranges::any_of(fit.unknowns,
-                             [](const Unknown& unknown) { return unknown.key.starts_with("pad.curve."); });
 }
 
 void take_rate(FittedRange& range, double rate) {
@@ -91,16 +80,19 @@ FittedRange range_of_tests(const Fit& fit) {
   return range;
 }
 
-/// What was tested, never what the model reached: tests say up to which strain, and impacts, whose forces
-/// were measured, at which rates. Without tests the strain is what the card says that the fit started from;
-/// then that of a curve that the file gave. One rate counts for half a decade on either side. Absent where
-/// nobody says a strain.
+/// The tested range, never what the model reached. Tests give the strains; impacts, whose forces were
+/// measured, give rates. Without tests the strain is that of the card from which the fit started, else that
+/// of a curve in the fit file. A single rate covers half a decade on either side. Absent if no strain is
+/// known.
 std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double> values,
                                          const Material& material) {
   FittedRange range = range_of_tests(fit);
   const bool is_tested = range.highest_strain > 0;
   const Material& base = fit.base.pad.material;
-  const bool keeps_own = !is_tested || !refits_curve(fit);
+  // The range of the card belongs to its curve.
+  const bool keeps_own = !is_tested || std::ranges::none_of(fit.unknowns, [](const Unknown& unknown) {
+    return unknown.key.starts_with("pad.curve.");
+  });
   if (const auto own = range_of(base); own && is_stated(base) && keeps_own) {
     range.highest_strain = std::max(range.highest_strain, own->highest_strain);
     take_rate(range, own->lowest_rate);
@@ -136,8 +128,8 @@ void round_stresses(Of& owner) {
         parameter.set(owner, rounded_to(parameter.of(owner), card_digits));
 }
 
-/// With the card_digits that are written; as it is where it then would break a rule, as a table whose
-/// neighbours are nearly equal.
+/// The law with its stresses rounded to card_digits; unchanged if the rounded law would break a rule, as a
+/// table with nearly equal neighbours might.
 PadLaw rounded(const PadLaw& exact) {
   PadLaw result = exact;
   std::visit(
@@ -157,9 +149,8 @@ PadLaw rounded(const PadLaw& exact) {
 /// Whether what neighbouring columns do in impacts is in the numbers of the law.
 bool rests_on_strikes(const Fit& fit) {
   return rests_on_impacts_alone(fit) && !seeks(fit, "pad.neighbours") &&
-         std::ranges::all_of(fit.impacts, [](const ImpactMeasurement& impact_measurement) {
-           return impact_measurement.impact.pad.neighbours == 0;
-         });
+         std::ranges::all_of(
+             fit.impacts, [](const ImpactMeasurement& impact) { return impact.impact.pad.neighbours == 0; });
 }
 
 }  // namespace
@@ -200,8 +191,7 @@ std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double>
   FittedCase found{fit.base, fit.options};
   if (!fit.has_case) {
     const ImpactMeasurement& first = *std::ranges::find_if(
-        fit.impacts,
-        [](const ImpactMeasurement& impact_measurement) { return !impact_measurement.is_held_out; });
+        fit.impacts, [](const ImpactMeasurement& impact) { return !impact.is_held_out; });
     found = {first.impact, first.options};
   }
   const std::vector<double> written = written_values(fit, values);

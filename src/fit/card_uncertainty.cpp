@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/study/study.hpp"
@@ -17,11 +16,10 @@ namespace {
 const std::string pad_prefix = "pad.";
 const std::string scale_of_pad = "pad.scale";
 
-/// Both ends of a principal axis: coordinates one standard deviation down and up it, as far as the bounds
-/// let.
+/// The ends of a principal axis: coordinates one standard deviation down and up, within the bounds.
 struct Axis {
   std::vector<double> minus, plus;
-  double effect = 0;  ///< on what was fitted, squared
+  double effect = 0;  ///< squared effect on the fitted figures
 };
 
 /// The coordinates that go into the card and are not at a bound.
@@ -55,8 +53,8 @@ std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& 
   return axes;
 }
 
-/// Peak, HIC and rebound of the fitted impacts, or without impacts the stresses of the fitted tests; each
-/// over its size. Empty where they cannot be computed.
+/// Peak, HIC and rebound of the fitted impacts, or else the stresses of the fitted tests, each over its size.
+/// Empty if they cannot be computed.
 std::vector<double> fitted_figures(const Fit& fit, std::span<const double> values) {
   std::vector<double> all;
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
@@ -128,22 +126,19 @@ PosteriorAxes posterior_of(const Fit& fit, const Problem& problem, const Solved&
   return posterior;
 }
 
-/// Of a parameter of a foam that lies between 0 and 1.
-std::optional<ValueRange> share_range(const FitReport& report, const std::string& key, double value) {
+/// The result for a parameter of the foam; null if it is no unknown.
+const FittedUnknown* find_parameter(const FitReport& report, const std::string& key) {
   const auto found =
       std::ranges::find(report.unknowns, pad_prefix + "parameters." + key, &FittedUnknown::key);
-  if (found == report.unknowns.end()) return std::nullopt;
-  return ValueRange{std::min(rounded_to(found->low.value_or(0), card_digits), value),
-                    std::max(rounded_to(found->high.value_or(1), card_digits), value)};
+  return found == report.unknowns.end() ? nullptr : &*found;
 }
 
-bool has_table(const PadLaw& law) {
-  return std::visit(
-      []<class Law>(const Law& held) {
-        if constexpr (SharesSlip<Law>) return std::holds_alternative<TableCurve>(held.curves.base);
-        return false;
-      },
-      law);
+/// The range of a foam parameter that lies between 0 and 1.
+std::optional<ValueRange> share_range(const FitReport& report, const std::string& key, double value) {
+  const FittedUnknown* const found = find_parameter(report, key);
+  if (found == nullptr) return std::nullopt;
+  return ValueRange{std::min(rounded_to(found->low.value_or(0), card_digits), value),
+                    std::max(rounded_to(found->high.value_or(1), card_digits), value)};
 }
 
 }  // namespace
@@ -158,10 +153,11 @@ PadLaw law_with(const Fit& fit, std::span<const double> values) {
 dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, const Solved& solved,
                                     const FitReport& report, const Material& card) {
   dashpad::Uncertainty of = fit.base.pad.material.uncertainty;
-  // They were those of other numbers.
+  // The old misfit belongs to other numbers.
   of.misfit.reset();
   of.posterior = posterior_of(fit, problem, solved);
-  if (seeks(fit, scale_of_pad) && has_table(card.law)) {
+  const FoamCurves* const curves = foam_curves(card.law);
+  if (seeks(fit, scale_of_pad) && curves && std::holds_alternative<TableCurve>(curves->base)) {
     const auto scale = std::ranges::find(report.unknowns, scale_of_pad, &FittedUnknown::key);
     if (scale->standard_error)
       of.scatter = std::min(
@@ -174,21 +170,14 @@ dashpad::Uncertainty uncertainty_of(const Fit& fit, const Problem& problem, cons
     of.recoil = range;
   else if (assumes_recoil(fit))
     of.recoil = whole;
-  const bool has_way_back = std::ranges::any_of(report.tests,
-                                                [](const MetTest& test) {
-                                                  return !test.is_held_out && test.rms_unloading.has_value();
-                                                }) ||
-                            has_fitted(fit.impacts);
-  // What is known to both sides is in the axes already.
-  const auto sought =
-      std::ranges::find(report.unknowns, "pad.parameters.unloading_factor", &FittedUnknown::key);
-  const bool is_in_axes =
-      sought != report.unknowns.end() && sought->is_identified() && sought->standard_error;
+  // If the interval has both ends, the axes contain its uncertainty already.
+  const FittedUnknown* const sought = find_parameter(report, "unloading_factor");
+  const bool is_in_axes = sought && sought->is_identified() && sought->standard_error;
   if (foam->unloading_curve || is_in_axes)
     of.unloading_factor.reset();
   else if (const auto range = share_range(report, "unloading_factor", foam->unloading_factor))
     of.unloading_factor = range;
-  else if (!has_way_back && !of.unloading_factor)
+  else if (!shows_way_back(fit, report) && !of.unloading_factor)
     of.unloading_factor = whole;
   return of;
 }

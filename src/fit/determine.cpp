@@ -20,17 +20,12 @@ constexpr double margin_of_starts = 0.02;
 /// Relative difference of misfits that count as the same.
 constexpr double same_misfit = 1e-3;
 
-std::vector<double> first_start(const Problem& problem) {
-  std::vector<double> x;
-  for (const Coordinate& coordinate : problem.coordinates)
-    x.push_back(std::clamp(coordinate.place(coordinate.start), 0.0, 1.0));
-  return x;
-}
-
 /// The given start, then points of a scrambled Sobol design that make a material. Offsets start at 0.
 std::vector<std::vector<double>> starts_of(const Fit& fit, const Problem& problem,
                                            const LeastSquares& residuals) {
-  std::vector<std::vector<double>> starts{first_start(problem)};
+  std::vector<std::vector<double>> starts(1);
+  for (const Coordinate& coordinate : problem.coordinates)
+    starts.front().push_back(std::clamp(coordinate.place(coordinate.start), 0.0, 1.0));
   const study::Sobol design(fit.unknowns.size(), fit.seed);
   std::vector<double> r(residuals.residuals);
   const auto wanted = static_cast<std::size_t>(fit.starts);
@@ -48,8 +43,8 @@ constexpr double threshold_of_95 = 3.841458820694124;
 /// Better minima that profiles may meet before the search is given up.
 constexpr int max_better = 5;
 
-/// Noise that nobody stated: one share of the largest stress for all such tests, from what the fit leaves.
-/// Refits where that changes the weights.
+/// Estimates the noise that nobody stated, one share of the largest stress for all such tests, from the
+/// misfit; refits if that changes the weights.
 void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& minimum) {
   std::size_t unstated = 0;
   for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();
@@ -72,7 +67,7 @@ void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& mi
   }
 }
 
-/// Of the misfit, at the ends of an interval.
+/// The rise of the misfit at the ends of an interval.
 double threshold_of(const FitReport& report) {
   if (report.noise_is_stated || report.degrees_of_freedom < 1) return threshold_of_95;
   const double t = uncertainty::student_95(report.degrees_of_freedom);

@@ -1,6 +1,5 @@
 #pragma once
-/// Least squares, how sure a minimum is, and the way from the starts to the best minimum: with the wish to
-/// stop, the progress, and what is kept of finished pieces of work.
+/// Least squares, the uncertainty of a minimum, and the search from the starts to the best minimum.
 
 #include <atomic>
 #include <cstddef>
@@ -20,27 +19,27 @@
 
 namespace dashpad::fit {
 
-// Least squares within bounds, the derivatives that go with it, and profile likelihood: how far a coordinate
-// can go until the misfit, the others refitted, has risen by a threshold.
+// Least squares within bounds, their derivatives, and profile likelihood: how far a coordinate can move until
+// the misfit, with the others refitted, has risen by a threshold.
 
 /// Residuals over coordinates in [0, 1]; false where they cannot be evaluated. Several threads call it.
 struct LeastSquares {
   std::size_t unknowns = 0;
   std::size_t residuals = 0;
-  double step = 1e-4;  ///< of a coordinate, for derivatives
+  double step = 1e-4;  ///< step of a coordinate for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
-  /// Residuals take impacts, which are exact to some 1e-4: differences by several threads, and no search goes
-  /// on below what that moves.
+  /// Whether residuals need impacts, which are exact to some 1e-4: then differences use several threads, and
+  /// searches end earlier.
   bool takes_impacts = false;
-  /// Coordinates that settle() puts where they are best unless they are held, at no cost: they are not
-  /// searched for. Empty: none.
+  /// Coordinates that settle() sets to their best values at no cost, unless they are held. They are not
+  /// searched for. Empty if there are none.
   std::vector<bool> settles = {};
   std::function<bool(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals)>
       settle = {};
 };
 
-/// d residual / d x, a row a residual: central differences, at a bound one-sided ones of second order. False
-/// where the residuals cannot be evaluated.
+/// The derivatives d residual / d x, a row per residual: central differences, or one-sided ones of second
+/// order at a bound. False if the residuals cannot be evaluated.
 bool derivatives(const LeastSquares& problem, std::span<const double> x, std::span<double> into);
 
 struct Minimum {
@@ -51,17 +50,18 @@ struct Minimum {
   bool is_sound = false;  ///< converged, or out of iterations with a misfit that is not below the least one
 };
 
-/// Relative change of the misfit at which a search has converged: for a comparison, and for the result; with
-/// impacts, whose noise in it is up to 1e-4, not below that and a tenth of it.
+/// The relative change of the misfit at which a search has converged: for comparisons, and for the result.
+/// With impacts, whose misfit has a noise of up to 1e-4, they are at least that and a tenth of it.
 inline constexpr double coarse = 1e-6, fine = 1e-10;
 inline constexpr int max_iterations = 300;
 
-/// From a start, by Levenberg-Marquardt within [0, 1]. Coordinates that are `held` (empty: none) stay.
+/// Searches from a start by the method of Levenberg and Marquardt, within [0, 1]. Coordinates that are `held`
+/// stay; if it is empty, none is.
 Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
                  const std::vector<bool>& held = {}, int iterations = max_iterations);
 
 struct ProfileEnd {
-  /// Absent where the misfit does not rise so far within the bounds, or within what makes a material.
+  /// Absent if the misfit does not rise so far within the bounds, or within the range of valid materials.
   std::optional<double> x;
   bool is_rough = false;  ///< the refits ran out before it was as exact as asked for
   /// A better minimum, if one was met on the way.
@@ -70,17 +70,19 @@ struct ProfileEnd {
 
 struct ProfileRequest {
   std::size_t coordinate = 0;
-  int side = 1;                        ///< 1 upwards, -1 downwards
-  double threshold = 3.84;             ///< of the misfit
-  double guess = 0.1;                  ///< of the distance
-  std::vector<double> direction = {};  ///< of all coordinates, for a first guess of the others; 1 for its own
+  int side = 1;             ///< 1 upwards, -1 downwards
+  double threshold = 3.84;  ///< rise of the misfit
+  double guess = 0.1;       ///< first guess of the distance
+  std::vector<double> direction =
+      {};  ///< change of all coordinates along the profile, for first guesses; 1 for its own
 };
 
-/// From a minimum, to half a per cent of the distance; with impacts, to two per cent. Some ten refits, each
-/// with the others from where the curvature at the minimum expects them.
+/// Searches from a minimum for the end of an interval, to half a per cent of the distance, or to two per cent
+/// with impacts. It takes about ten refits, each beginning where the curvature at the minimum predicts the
+/// other coordinates.
 ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const ProfileRequest& request);
 
-// How sure a minimum is, from the derivatives of the residuals there.
+// The uncertainty of a minimum from the derivatives of the residuals there.
 //
 // With J the derivatives and r the residuals over their deviations, the errors of the coordinates have the
 // covariance
@@ -90,7 +92,8 @@ ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const Pr
 // w_k = n / n_eff is 1 for independent errors, and (1 + rho) / (1 - rho) for errors along a curve whose
 // neighbours are correlated by rho: the fit weighs them as if they were independent.
 //
-// What follows from it for predictions, and draws from the Laplace approximation of a posterior.
+// From the covariance follow the uncertainty of predictions and draws from the Laplace approximation of the
+// posterior.
 
 /// Eigenvalues of a symmetric matrix, rising, and their directions of length 1.
 struct PrincipalAxes {
@@ -105,8 +108,8 @@ struct PrincipalAxes {
 /// `matrix` holds `size` rows of `size` numbers.
 [[nodiscard]] PrincipalAxes principal_axes(std::span<const double> matrix, std::size_t size);
 
-/// Of a covariance of coordinates from 0 to 1, the standard deviation along an axis. A direction of which the
-/// data say nothing counts as even between the bounds.
+/// The standard deviation along an axis of a covariance of coordinates in [0, 1]. Along a direction that the
+/// data do not determine the distribution is uniform between the bounds.
 [[nodiscard]] double deviation_along(const PrincipalAxes& axes, std::size_t k);
 
 /// Lag-1 correlation of residuals along a curve, and how many independent ones they are worth.
@@ -117,43 +120,45 @@ struct Autocorrelation {
 Autocorrelation autocorrelation_of(std::span<const double> residuals);
 
 struct Uncertainty {
-  /// Of each coordinate; absent at a bound, and where a move across the bounds is within the noise.
+  /// The standard error of each coordinate; absent at a bound, and where the noise exceeds a move across the
+  /// bounds.
   std::vector<std::optional<double>> error;
-  std::vector<double> widening;    ///< of its variance, by correlated residuals
+  std::vector<double> widening;    ///< factor on its variance from correlated residuals
   std::vector<double> covariance;  ///< row by row; rows of coordinates at a bound are 0
   std::vector<std::pair<std::size_t, std::size_t>> strongly_correlated;
-  std::vector<double> correlations;  ///< of these
+  std::vector<double> correlations;  ///< correlations of these pairs
   std::vector<std::vector<std::size_t>> flat_directions;
-  std::vector<double> precision;        ///< of all coordinates, row by row: inverse of the covariance
-  std::vector<double> gradient;         ///< of half the misfit over the scale
-  std::vector<Autocorrelation> blocks;  ///< of the curve of each
+  std::vector<double> precision;        ///< inverse covariance of all coordinates, row by row
+  std::vector<double> gradient;         ///< gradient of half the misfit over the scale
+  std::vector<Autocorrelation> blocks;  ///< autocorrelation along the curve of each block
 };
 
-/// At a minimum. `scale` multiplies variances. False where the derivatives cannot be evaluated.
+/// Finds the uncertainty at a minimum. `scale` multiplies variances. False if the derivatives cannot be
+/// evaluated.
 bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std::span<const double> x,
                       double scale, Uncertainty& into);
 
 bool is_at_bound(double x);
 
-/// Standard deviations of the figures of an impact at the minimum `x`: of each the root of the sum of squared
-/// half differences between one standard deviation up and down each principal axis of the covariance. A
-/// direction of which the data say nothing counts as even between the bounds. Absent where the figure is
-/// missing there.
+/// Standard deviations of the figures of an impact at the minimum `x`: the root of the sum of squared half
+/// differences between both ends of each principal axis of the covariance. Along directions that the data do
+/// not determine the distribution is uniform between the bounds. Absent if the figure is missing there.
 std::vector<std::optional<double>> prediction_deviations(const Fit& fit, const ImpactMeasurement& impact,
                                                          const Problem& problem, std::span<const double> x,
                                                          const Uncertainty& uncertainty);
 
-/// Normal about a minimum in [0, 1]^n with this precision (row by row) and gradient there, cut off at the
-/// bounds. Coordinates of which the data say nothing are even between their bounds. By hit and run along the
-/// eigenvectors of the precision.
+/// Draws from a normal distribution about a minimum in [0, 1]^n with this precision (row by row) and
+/// gradient, cut off at the bounds, by hit and run along the eigenvectors of the precision. Coordinates that
+/// the data do not determine are uniform between their bounds.
 std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
                                                 std::span<const double> precision,
                                                 std::span<const double> gradient, std::size_t count,
                                                 std::uint64_t seed);
 
-// From the starts to the best minimum, and what goes along while that runs.
+// The search from the starts to the best minimum, and the session in which it runs.
 
-/// For several threads.
+/// The session of a fit: the request to stop, the progress, and the finished pieces of work. Safe for several
+/// threads.
 class Session {
  public:
   /// Reads what is kept. Throws as check_state() does.
@@ -165,8 +170,8 @@ class Session {
   /// A kind of work begins, in so many pieces.
   void begin(const char* what, std::size_t pieces);
 
-  /// The piece of that name: kept from before, or computed now and kept. The names of a fit are the same each
-  /// time, and pieces depend on nothing but the fit and the pieces before.
+  /// The piece of that name, kept from before or computed and kept now. The names of a fit are always the
+  /// same, and pieces depend only on the fit and on earlier pieces.
   Minimum piece(const std::string& name, const std::function<Minimum()>& compute);
   ProfileEnd piece(const std::string& name, const std::function<ProfileEnd()>& compute);
 
@@ -177,7 +182,7 @@ class Session {
   void finished(const std::string& name, const std::string& text);
 
   const RunOptions& options_;
-  mutable std::mutex mutex_;  ///< of all that follows
+  mutable std::mutex mutex_;  ///< guards all members below
   std::map<std::string, std::string> kept_;
   const char* what_ = "";
   std::size_t done_ = 0, pieces_ = 0;
@@ -194,11 +199,11 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
 struct Solved {
   Minimum minimum;
   Uncertainty uncertainty;
-  std::vector<ProfileEnd> below, above;  ///< of each coordinate
+  std::vector<ProfileEnd> below, above;  ///< ends for each coordinate
 };
 
-/// From a minimum to the best one that profiles from there meet, with its profiles; report.converged says
-/// whether it is one. Noise that nobody stated is put into the problem.
+/// Proceeds from a minimum to the best one that its profiles meet, with the profiles there; report.converged
+/// tells whether it is a minimum. Noise that is not stated is estimated and put into the problem.
 Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimum, Session& session,
                  FitReport& report);
 

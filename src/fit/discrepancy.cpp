@@ -15,7 +15,8 @@ namespace {
 
 /// Formulas with few numbers meet the loops of real foams within 1 to 2 % of the largest stress (fits.md).
 constexpr double surest_stress = 0.02;
-constexpr double worth_of_surest = 2;  ///< impacts
+constexpr std::size_t max_left_out = 8;  ///< groups of fitted impacts that are left out in turn
+constexpr double worth_of_surest = 2;    ///< impacts
 
 /// Shares by which figures of a kind were missed, without what their measurement and the unknowns explain.
 struct Missed {
@@ -38,7 +39,7 @@ Missed missed(std::span<const PredictedFigure> all, FigureKind kind) {
 double deviation_of(const Missed& missed, double surest, bool is_predicted) {
   const double all = worth_of_surest + missed.count;
   const double mean = (worth_of_surest * surest * surest + missed.squares) / all;
-  // What was fitted says that the law is no better than that, not that it is as good.
+  // Fitted impacts show that the law is no better than this, not that it is as good.
   const double square = is_predicted ? mean : std::max(mean, surest * surest);
   const double t = uncertainty::student_95(is_predicted ? all : worth_of_surest);
   return std::min(std::sqrt(square) * t / uncertainty::two_sided_95, 1.0);
@@ -82,9 +83,9 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
   const auto take = [&](std::size_t i, std::span<const double> values) {
     ImpactMeasurement asked = fit.impacts[i];
     asked.figures.clear();
-    for (const ImpactComparison& impact_comparison : compared(fit, fit.impacts[i], values)) {
-      found[i].push_back({impact_comparison});
-      asked.figures.push_back({impact_comparison.figure, impact_comparison.measured, 1});
+    for (const ImpactComparison& comparison : compared(fit, fit.impacts[i], values)) {
+      found[i].push_back({comparison});
+      asked.figures.push_back({comparison.figure, comparison.measured, 1});
     }
     const auto own = prediction_deviations(fit, asked, problem, x, solved.uncertainty);
     for (std::size_t k = 0; k < own.size(); ++k)
@@ -123,7 +124,8 @@ std::optional<double> nose_over_pad_of(const Fit& fit, double alike) {
                           std::holds_alternative<Ellipsoid>(impact.impactor.nose) ||
                           std::holds_alternative<Rod>(impact.impactor.nose);
     if (!is_round || !impact.pad.layers.empty() || impact.pad.area) return std::nullopt;
-    const double ratio = sections_of(impact).width / impact.pad.thickness;  // of the curvature at the tip
+    const double ratio =
+        sections_of(impact).width / impact.pad.thickness;  // ratio for the radius of curvature at the tip
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }

@@ -119,7 +119,7 @@ bool is_of_the_rate(const std::string& key) {
          key == "pad.parameters.rate_exponent";
 }
 
-/// One rate says nothing about a rate effect.
+/// Tests at a single rate do not determine a rate effect.
 void check_rates(const Fit& fit, Broken& broken) {
   double lowest = infinite;
   double highest = 0;

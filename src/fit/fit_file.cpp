@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-
-#include <fmt/format.h>
+#include <map>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/fit/fit.hpp"
@@ -23,6 +22,9 @@ using input::TomlNode;
 
 namespace {
 
+/// The lines of the keys that broken rules may name.
+using Lines = std::map<std::string, int>;
+
 struct UnknownEntry {
   std::string key;
   const TomlNode* node;
@@ -32,23 +34,16 @@ struct UnknownEntry {
 void collect_unknowns(const TomlNode& table, const std::string& prefix, std::vector<UnknownEntry>& entries) {
   for (const TomlNode& child : table.children) {
     const std::string key = prefix + child.key;
-    const bool holds_tables = child.kind == TomlNode::Kind::table && !child.children.empty() &&
-                              std::ranges::all_of(child.children,
-                                                  [](const TomlNode& toml_node) {
-                                                    return toml_node.kind == TomlNode::Kind::table;
-                                                  }) &&
-                              child.child("prior") == nullptr;
+    const bool holds_tables =
+        child.kind == TomlNode::Kind::table && !child.children.empty() &&
+        std::ranges::all_of(child.children,
+                            [](const TomlNode& node) { return node.kind == TomlNode::Kind::table; }) &&
+        child.child("prior") == nullptr;
     if (holds_tables)
       collect_unknowns(child, key + ".", entries);
     else
       entries.push_back({key, &child});
   }
-}
-
-/// "log" where both bounds are positive and more than a factor 10 apart, if nothing is said.
-bool read_is_logarithmic(TableReader& table, const Unknown& unknown) {
-  if (!table.has("scale")) return unknown.lowest > 0 && unknown.highest > 10 * unknown.lowest;
-  return table.choice("scale", {"log", "linear"}) == "log";
 }
 
 void read_bounds(TableReader& table, Unknown& unknown) {
@@ -79,7 +74,8 @@ Unknown read_unknown(TableReader& table, const CaseQuantity& quantity, const Imp
     unknown.prior->deviation = value_or_share(*prior, "deviation", unknown.unit, unknown.prior->mean);
     prior->refuse_others();
   }
-  unknown.is_logarithmic = read_is_logarithmic(table, unknown);
+  unknown.is_logarithmic = table.has("scale") ? table.choice("scale", {"log", "linear"}) == "log"
+                                              : unknown.lowest > 0 && unknown.highest > 10 * unknown.lowest;
   table.refuse_others();
   return unknown;
 }
@@ -161,8 +157,8 @@ void add_broken_rules(const std::vector<Violation>& broken, const TomlNode& root
   }
 }
 
-/// Impacts alone tell the law and what neighbouring columns do as one: unless a case says otherwise, it is
-/// all in the law, and the card says so.
+/// Impacts alone do not separate the law from the effect of neighbouring columns. Unless a case says
+/// otherwise, the law takes all of it, and the card says so.
 void leave_neighbours_to_law(Fit& fit) {
   if (seeks(fit, "pad.neighbours") || !rests_on_impacts_alone(fit)) return;
   for (ImpactMeasurement& impact : fit.impacts)
@@ -170,8 +166,7 @@ void leave_neighbours_to_law(Fit& fit) {
   if (std::ranges::none_of(fit.impacts, &ImpactMeasurement::states_neighbours)) fit.base.pad.neighbours = 0;
 }
 
-}  // namespace
-
+/// Reads [unknowns]. Without a sound base, names of the law are taken on trust.
 void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
   const auto table = top.table("unknowns");
   if (!table) return;
@@ -198,6 +193,8 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
   }
 }
 
+}  // namespace
+
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
   const input::Reading<input::TomlFile> toml = input::read_toml(file);
   if (!toml) return toml.faults();
@@ -222,7 +219,7 @@ input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::f
   top.refuse_others();
   if (has_base) fit.recoil_is_stated = states_recoil(root, of_base);
   if (faults.size() == 0) seek_recoil(fit);
-  // What follows from several entries is judged where each is sound.
+  // Rules between entries are checked only if each entry is sound.
   if (faults.size() == 0) add_broken_rules(violations(fit), root, lines, faults);
   return faults.reading(std::move(result));
 }

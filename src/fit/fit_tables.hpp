@@ -1,8 +1,6 @@
 #pragma once
-/// The tables of a fit file, each read by a function of its own.
+/// Reading the tables and values of a fit file.
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +10,7 @@
 
 namespace dashpad::fit {
 
-/// Where what a broken rule is about stands, by its key.
-using Lines = std::map<std::string, int>;
-
-/// [unknowns]. Without a sound base, names of the law are taken on trust.
-void read_unknowns(input::TableReader& top, bool has_base, Fit& fit, Lines& lines);
-/// The pulse of an impact: {file = ..., deviation = ...}. Nothing after a fault.
-std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
-                                               std::vector<input::InputFile>& files);
-/// One of [[tests]] and [[impacts]]; the files that they name are added to `files`.
+/// Read one of [[tests]] or [[impacts]], and add the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
 ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& folders,
@@ -28,8 +18,8 @@ ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& f
 
 // Values. SI; NaN after a fault.
 
-/// A pure number is written without quotes, an acceleration as "3 g" or "30 m/s2": in files g is the gram,
-/// but of an acceleration it is standard gravity.
+/// A value: pure numbers stand without quotes. In an acceleration, "3 g", g is standard gravity; elsewhere in
+/// files it is the gram.
 double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults);
 double value_in(input::TableReader& table, const std::string& key, const std::string& unit);

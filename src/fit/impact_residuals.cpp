@@ -13,19 +13,19 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::fit {
 
 namespace {
 
-/// A curve through points, smooth where they are: what is read off between the steps of the solver must not
-/// jump when their number changes, as it does with the unknowns.
+/// A smooth curve through points, 0 outside. What is read between the steps of the solver must not jump when
+/// their number changes with the unknowns.
 ///
-/// Cubics with the values at the points, and the slopes there of the parabolas through three neighbours. 0
-/// outside.
+/// It consists of cubics with the values at the points and the slopes of parabolas through three neighbours.
 class SmoothCurve {
  public:
-  /// Two points or more, at increasing times.
+  /// Needs two points or more, at increasing times.
   SmoothCurve(std::vector<double> time, std::vector<double> value)
       : time_(std::move(time)), value_(std::move(value)), slope_(time_.size()) {
     const std::size_t last = time_.size() - 1;
@@ -44,7 +44,7 @@ class SmoothCurve {
     return within(static_cast<std::size_t>(next - time_.begin()) - 1, time);
   }
 
-  /// When the curve first reaches a level; the first time where it is there already or never comes there.
+  /// The time when the curve first reaches a level; the first time if it begins there or never reaches it.
   [[nodiscard]] double first_at(double level) const {
     const auto first = std::ranges::find_if(value_, [&](double value) { return value >= level; });
     if (first == value_.begin() || first == value_.end()) return time_.front();
@@ -68,11 +68,12 @@ class SmoothCurve {
   std::vector<double> time_, value_, slope_;
 };
 
-constexpr int points_per_step = 4;  ///< of the curve through the steps of the solver
+constexpr int points_per_step = 4;  ///< points of the smooth curve per step of the solver
 
 using Setter = std::function<void(ImpactCase&, double)>;
 
-/// How each unknown gets into an impact. Throws std::invalid_argument where that has no such quantity.
+/// Functions that set the unknowns of an impact. Throws std::invalid_argument if the impact has no such
+/// quantity.
 std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
   std::vector<Setter> setters;
   const CaseQuantities quantities = quantities_of(impact);
@@ -84,33 +85,23 @@ std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const Im
   return setters;
 }
 
-double figure_of(const Pulse& pulse, ImpactFigure figure) {
-  constexpr double three_milliseconds = 3e-3;
+/// A figure of the solution, SI; `no_figure` where it has none, such as a peak force where the pad bottoms
+/// out.
+double figure_in(const Solution& solution, ImpactFigure figure) {
+  const ResultQuantity* const quantity = name_of(figure).quantity;
+  if (quantity->part != Part::pulse)
+    return std::ranges::find(summary_quantities(), quantity, &SummaryQuantity::quantity)
+        ->of(solution.summary)
+        .value;
+  const std::optional<Pulse> pulse = smooth_pulse(solution);
+  if (!pulse) return no_figure;
   switch (figure) {
-    case ImpactFigure::hic15: return injury::hic(pulse, injury::hic15_window).value;
-    case ImpactFigure::hic36: return injury::hic(pulse, 36e-3).value;
-    case ImpactFigure::hic_unlimited: return injury::hic(pulse, injury::unlimited_window).value;
-    case ImpactFigure::clip_3ms: return injury::contiguous_clip(pulse, three_milliseconds).level;
-    case ImpactFigure::cumulative_3ms: return injury::cumulative_clip(pulse, three_milliseconds).level;
-    case ImpactFigure::velocity_change: return injury::velocity_change(pulse);
-    default: return no_figure;
-  }
-}
-
-std::optional<double> figure_in(const Solution& solution, ImpactFigure figure) {
-  const Summary& summary = solution.summary;
-  switch (figure) {
-    case ImpactFigure::peak_force: return summary.peak_force;
-    case ImpactFigure::peak_acceleration: return summary.peak_acceleration;
-    case ImpactFigure::time_of_peak: return summary.time_of_peak_force;
-    case ImpactFigure::rebound_speed: return summary.rebound_speed;
-    case ImpactFigure::peak_penetration: return summary.peak_penetration;
-    case ImpactFigure::contact_time:
-      if (summary.contact_end) return summary.contact_end->time;
-      return std::nullopt;
-    default:
-      if (const std::optional<Pulse> pulse = smooth_pulse(solution)) return figure_of(*pulse, figure);
-      return std::nullopt;
+    case ImpactFigure::hic15: return injury::hic(*pulse, injury::hic15_window).value;
+    case ImpactFigure::hic36: return injury::hic(*pulse, injury::hic36_window).value;
+    case ImpactFigure::hic_unlimited: return injury::hic(*pulse, injury::unlimited_window).value;
+    case ImpactFigure::clip_3ms: return injury::contiguous_clip(*pulse, injury::usual_clip).level;
+    case ImpactFigure::cumulative_3ms: return injury::cumulative_clip(*pulse, injury::usual_clip).level;
+    default: return injury::velocity_change(*pulse);
   }
 }
 
@@ -133,7 +124,8 @@ struct ComputedPulse {
   SmoothCurve curve;
   double onset = 0;
 
-  /// At a time since the measured onset; nothing before first contact and after the end of contact.
+  /// The deceleration at a time since the measured onset; 0 before first contact and after the end of
+  /// contact.
   [[nodiscard]] double at(double time, double shift) const { return curve.at(onset + time - shift); }
 };
 
@@ -159,9 +151,9 @@ std::optional<ComputedPulse> computed_pulse(const Solution& solution, const Meas
   return ComputedPulse{std::move(curve), onset};
 }
 
-/// The shift between two with which a computed pulse meets the measured one best. Where a pulse has an edge,
-/// as at the turning point of a foam with a rate effect, the misfit has a dent for each sample that passes
-/// it: all of them are looked at, on chords, and the best two searched.
+/// The shift within bounds at which a computed pulse meets the measured one best. An edge of a pulse, as at
+/// the turning point of a foam with a rate effect, makes a dent in the misfit for each sample that passes it;
+/// so all dents are examined, on chords, and the best two are refined.
 double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& measured, double lowest,
                   double highest) {
   constexpr double looks_per_sample = 3;
@@ -176,28 +168,24 @@ double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& mea
   const double begin = time.front() - highest, fine = look / 2;
   std::vector<double> chords;
   for (double t = begin; t <= time.back() - lowest + 2 * fine; t += fine) chords.push_back(computed.at(t, 0));
-  const auto misses_by_chords = [&](double shift) {
+  const auto misses_of = [&](const auto& deceleration_at) {
     double squares = 0;
     for (std::size_t i = 0; i < time.size(); ++i) {
-      const double at = std::max((time[i] - shift - begin) / fine, 0.0);
-      const auto k = std::min(static_cast<std::size_t>(at), chords.size() - 2);
-      const double off =
-          chords[k] + (at - static_cast<double>(k)) * (chords[k + 1] - chords[k]) - measured.deceleration[i];
+      const double off = deceleration_at(time[i]) - measured.deceleration[i];
       squares += off * off;
     }
     return squares;
   };
   const auto misses = [&](double place) {
-    double squares = 0;
-    for (std::size_t i = 0; i < time.size(); ++i) {
-      const double off = computed.at(time[i], std::lerp(lowest, highest, place)) - measured.deceleration[i];
-      squares += off * off;
-    }
-    return squares;
+    return misses_of([&](double t) { return computed.at(t, std::lerp(lowest, highest, place)); });
   };
-  std::vector<double> looked(static_cast<std::size_t>(looks) + 1);
-  for (std::size_t i = 0; i < looked.size(); ++i)
-    looked[i] = misses_by_chords(lowest + look * static_cast<double>(i));
+  std::vector<double> looked;
+  for (int i = 0; i <= looks; ++i)
+    looked.push_back(misses_of([&](double t) {
+      const double at = std::max((t - (lowest + look * i) - begin) / fine, 0.0);
+      const auto k = std::min(static_cast<std::size_t>(at), chords.size() - 2);
+      return chords[k] + (at - static_cast<double>(k)) * (chords[k + 1] - chords[k]);
+    }));
   std::vector<std::size_t> dents;
   for (std::size_t i = 0; i < looked.size(); ++i)
     if ((i == 0 || looked[i] <= looked[i - 1]) && (i + 1 == looked.size() || looked[i] < looked[i + 1]))
@@ -238,10 +226,8 @@ class ImpactPrediction {
       ImpactCase with_values = impact_;
       for (std::size_t i = 0; i < setters_.size(); ++i) setters_[i](with_values, values[i]);
       const Solution& solution = solvers_->local().solve(with_values, options_);
-      for (std::size_t i = 0; i < figures_.size(); ++i) {
-        // None, such as a peak force where the pad bottoms out, is no number.
-        predicted[i] = figure_in(solution, figures_[i].figure).value_or(no_figure);
-      }
+      for (std::size_t i = 0; i < figures_.size(); ++i)
+        predicted[i] = figure_in(solution, figures_[i].figure);
       if (!pulse_) return true;
       const std::optional<ComputedPulse> computed = computed_pulse(solution, *pulse_);
       if (!computed) return false;
@@ -269,28 +255,27 @@ class ImpactPrediction {
 const std::vector<ImpactFigureName>& impact_figure_names() {
   static const std::vector<ImpactFigureName> names = [] {
     std::vector<ImpactFigureName> all;
-    const auto add = [&](ImpactFigure figure, const char* key, const char* quantity = nullptr) {
-      all.push_back({figure, key, &result_quantity(quantity ? quantity : key)});
-    };
-    add(ImpactFigure::peak_force, "peak_force");
-    add(ImpactFigure::peak_acceleration, "peak_acceleration");
-    add(ImpactFigure::time_of_peak, "time_of_peak", "time_to_peak_force");
-    add(ImpactFigure::rebound_speed, "rebound_speed");
-    add(ImpactFigure::peak_penetration, "peak_penetration");
-    add(ImpactFigure::contact_time, "contact_time", "contact_end");
-    add(ImpactFigure::hic15, "hic15");
-    add(ImpactFigure::hic36, "hic36");
-    add(ImpactFigure::hic_unlimited, "hic_unlimited");
-    add(ImpactFigure::clip_3ms, "clip_3ms");
-    add(ImpactFigure::cumulative_3ms, "cumulative_3ms");
-    add(ImpactFigure::velocity_change, "velocity_change");
+    // The order is that of ImpactFigure.
+    for (const auto& [key, quantity] : {std::pair{"peak_force", "peak_force"},
+                                        {"peak_acceleration", "peak_acceleration"},
+                                        {"time_of_peak", "time_to_peak_force"},
+                                        {"rebound_speed", "rebound_speed"},
+                                        {"peak_penetration", "peak_penetration"},
+                                        {"contact_time", "contact_end"},
+                                        {"hic15", "hic15"},
+                                        {"hic36", "hic36"},
+                                        {"hic_unlimited", "hic_unlimited"},
+                                        {"clip_3ms", "clip_3ms"},
+                                        {"cumulative_3ms", "cumulative_3ms"},
+                                        {"velocity_change", "velocity_change"}})
+      all.push_back({static_cast<ImpactFigure>(all.size()), key, &result_quantity(quantity)});
     return all;
   }();
   return names;
 }
 
 const ImpactFigureName& name_of(ImpactFigure figure) {
-  return *std::ranges::find(impact_figure_names(), figure, &ImpactFigureName::figure);
+  return impact_figure_names().at(static_cast<std::size_t>(figure));
 }
 
 std::optional<Pulse> smooth_pulse(const Solution& solution) {

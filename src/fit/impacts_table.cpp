@@ -22,10 +22,6 @@ namespace dashpad::fit {
 
 using input::Presence;
 using input::TableReader;
-
-using input::Presence;
-
-using input::TableReader;
 using input::TomlNode;
 
 double value_of(const TomlNode& node, const std::string& key, const std::string& unit,
@@ -47,9 +43,6 @@ double value_or_share(TableReader& table, const std::string& key, const std::str
   const bool is_share = node && node->kind == TomlNode::Kind::text && node->text.ends_with('%');
   return is_share ? table.quantity(key, "1") * std::abs(whole) : value_in(table, key, unit);
 }
-
-using input::TableReader;
-using input::TomlNode;
 
 namespace {
 
@@ -121,13 +114,12 @@ void read_range(TableReader& table, MaterialMeasurement& test) {
   if (!table.has("range")) return;
   const TomlNode* range = table.array("range");
   if (!range) return;
-  const bool sound = range->children.size() == 2 &&
-                     std::ranges::all_of(range->children,
-                                         [](const TomlNode& toml_node) {
-                                           return toml_node.kind == TomlNode::Kind::number;
-                                         }) &&
-                     range->children[0].number < range->children[1].number &&
-                     range->children[0].number >= 0 && range->children[1].number <= 1;
+  const bool sound =
+      range->children.size() == 2 &&
+      std::ranges::all_of(range->children,
+                          [](const TomlNode& node) { return node.kind == TomlNode::Kind::number; }) &&
+      range->children[0].number < range->children[1].number && range->children[0].number >= 0 &&
+      range->children[1].number <= 1;
   if (!sound) {
     table.fault("range", "must be two strains from 0 to 1, the lower one first, such as [0, 0.5]");
     return;
@@ -142,6 +134,37 @@ std::vector<double> times_at(double rate, const std::vector<double>& strain) {
   for (std::size_t i = 1; i < strain.size(); ++i)
     times.push_back(times.back() + std::abs(strain[i] - strain[i - 1]) / rate);
   return times;
+}
+
+/// Reads the pulse of an impact, {file = ..., deviation = ...}; none after a fault.
+std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::Folders& folders,
+                                               std::vector<input::InputFile>& files) {
+  const std::string name = table.text("file");
+  const input::PulseCsvOptions options = read_pulse_columns(table);
+  const std::optional<injury::PulseFilter> filter = read_filter(table);
+  std::optional<MeasuredDeceleration> pulse;
+  if (!name.empty()) {
+    const std::filesystem::path file = folders.of_file / name;
+    files.push_back({"the measurements", file});
+    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
+        injury::MeasuredPulse& measured = read->measured;
+        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
+        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
+        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
+        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
+                       : deceleration_of(processed);
+        pulse->file = name;
+        pulse->filter = filter;
+      } catch (const std::invalid_argument& error) {
+        table.fault("file", error.what());
+      }
+  }
+  const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
+  if (pulse) pulse->impact = impact;
+  const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
+  if (pulse) pulse->deviation = value;
+  table.refuse_others();
+  return pulse;
 }
 
 }  // namespace
@@ -180,36 +203,6 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
     result.deceleration.push_back(shape.side * measured.acceleration[i]);
   }
   return result;
-}
-
-std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::Folders& folders,
-                                               std::vector<input::InputFile>& files) {
-  const std::string name = table.text("file");
-  const input::PulseCsvOptions options = read_pulse_columns(table);
-  const std::optional<injury::PulseFilter> filter = read_filter(table);
-  std::optional<MeasuredDeceleration> pulse;
-  if (!name.empty()) {
-    const std::filesystem::path file = folders.of_file / name;
-    files.push_back({"the measurements", file});
-    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
-        injury::MeasuredPulse& measured = read->measured;
-        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
-        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
-        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
-                       : deceleration_of(processed);
-        pulse->file = name;
-        pulse->filter = filter;
-      } catch (const std::invalid_argument& error) {
-        table.fault("file", error.what());
-      }
-  }
-  const std::optional<injury::MeasuredImpact> impact = read_impact_of_pulse(table);
-  if (pulse) pulse->impact = impact;
-  const double value = value_or_share(table, "deviation", "m/s2", pulse ? pulse->peak : 1);
-  if (pulse) pulse->deviation = value;
-  table.refuse_others();
-  return pulse;
 }
 
 ImpactMeasurement read_impact(TableReader& table, const input::Folders& folders,

@@ -1,9 +1,7 @@
 #include "fit/card.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/metrics.hpp"
@@ -73,14 +71,14 @@ std::vector<Loop> loops_of(const MetTest& test, double offset, const std::vector
   return loops;
 }
 
-/// By the velocity change less the speed, and less what gravity adds while the sensor, in free fall at zero,
-/// feels the pad.
+/// The rebound speed: the velocity change less the impact speed and less what gravity adds while the sensor,
+/// which reads zero in free fall, feels the pad.
 std::optional<double> rebound_of(const MeasuredDeceleration& pulse, const Impactor& impactor) {
   const double rebound = pulse.velocity_change - impactor.speed - impactor.gravity * pulse.time.back();
   return rebound > 0 && rebound <= impactor.speed ? std::optional{rebound} : std::nullopt;
 }
 
-/// What the impact computes, filtered as the measured pulse was.
+/// Figures of the computed impact, with the filter of the measured pulse.
 struct Computed {
   std::optional<double> peak, hic, rebound;
 };
@@ -157,7 +155,7 @@ MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<cons
 
 std::vector<MetFigure> met_figures(const Fit& fit, const ImpactMeasurement& impact,
                                    std::span<const double> values) {
-  // Without the pulse: one that is missing must not hide the figures.
+  // The pulse is left out, since without a whole pulse the figures would be missing, too.
   ImpactMeasurement alone = impact;
   alone.pulse.reset();
   std::vector<double> computed(impact.figures.size());
@@ -216,7 +214,7 @@ std::vector<ImpactComparison> compared(const Fit& fit, const ImpactMeasurement& 
   }
   const auto is_there = [&](ImpactFigure figure) {
     return std::ranges::any_of(
-        all, [&](const ImpactComparison& impact_comparison) { return impact_comparison.figure == figure; });
+        all, [&](const ImpactComparison& comparison) { return comparison.figure == figure; });
   };
   for (const MetFigure& met : met_figures(fit, impact, values))
     if (met.measured > 0 && kind_of(met.figure) && !is_there(met.figure))

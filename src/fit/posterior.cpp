@@ -1,8 +1,7 @@
-// What follows from the covariance of a minimum: predictions and draws.
+// Predictions and draws from the covariance of a minimum.
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -18,7 +17,7 @@ constexpr int runs_of_prediction = 4;
 
 /// Sweeps over all directions between two draws: without bounds one would do.
 constexpr int sweeps_between_draws = 20;
-constexpr double flat_curvature = 1e-9;  ///< of a direction, over a move across the bounds
+constexpr double flat_curvature = 1e-9;  ///< curvature of a flat direction, over a move across the bounds
 
 /// A number from exp(-curvature t^2 / 2 - slope t), low <= t <= high, at a fraction of its distribution.
 double draw_along(double curvature, double slope, double low, double high, double fraction) {
@@ -117,7 +116,7 @@ std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
   const Eigen::Map<const Eigen::VectorXd> centre(minimum.data(), n);
   Eigen::MatrixXd P = Eigen::Map<const Eigen::MatrixXd>(precision.data(), n, n);  // symmetric
   Eigen::VectorXd g = Eigen::Map<const Eigen::VectorXd>(gradient.data(), n);
-  if (!P.allFinite() || !g.allFinite()) {  // nothing is known but the bounds
+  if (!P.allFinite() || !g.allFinite()) {  // only the bounds are known
     P.setZero();
     g.setZero();
   }

@@ -17,8 +17,8 @@ namespace {
 
 /// Share of the largest stress that an unstated noise is taken to be, until the misfit tells.
 constexpr double first_guess_of_noise = 0.01;
-/// Steps for derivatives, of coordinates. Material tests are exact to rounding or to a quadrature of 1e-9;
-/// figures of impacts by a fixed number of runs to some 5e-5, since the number of steps changes.
+/// Steps of coordinates for derivatives. Material tests are exact to 1e-9 or better; figures of impacts with
+/// a fixed number of runs are exact to some 5e-5, since the number of steps varies.
 constexpr double step_with_tests = 1e-4;
 constexpr double step_with_impacts = 1e-2;
 
@@ -55,39 +55,28 @@ Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::o
   return block;
 }
 
-/// The trigger of a measured pulse is as good as its noise: it may be off by this share of the time for which
-/// the pulse is above half its peak.
+/// The largest shift of a pulse, as a share of the time above half its peak: its trigger is only as good as
+/// its noise.
 constexpr double max_shift = 0.25;
 
-Coordinate shift_of(const MeasuredDeceleration& pulse, std::size_t impact) {
-  Coordinate shift;
-  shift.key = fmt::format("impacts[{}].pulse.shift", impact + 1);
-  shift.unit = "s";
-  shift.lowest = -max_shift * pulse.half_peak_width;
-  shift.highest = max_shift * pulse.half_peak_width;
-  shift.is_nuisance = true;
-  return shift;
+/// A coordinate of a measurement, from -`most` to `most`.
+Coordinate nuisance(const std::string& key, const char* unit, double most) {
+  Coordinate coordinate;
+  coordinate.key = key;
+  coordinate.unit = unit;
+  coordinate.lowest = -most;
+  coordinate.highest = most;
+  coordinate.is_nuisance = true;
+  return coordinate;
 }
 
-/// A shift of the force zero by up to half of the largest stress.
-Coordinate offset_of(const Block& block, std::size_t test) {
-  const double most = std::ranges::max(block.measured) / 2;
-  Coordinate offset;
-  offset.key = fmt::format("tests[{}].offset", test + 1);
-  offset.unit = "Pa";
-  offset.lowest = -most;
-  offset.highest = most;
-  offset.is_nuisance = true;
-  return offset;
-}
-
-/// The base curve has to rise from place to place by this share of its mean rise, to within a deviation that
-/// no data can move: a material whose curve falls is none.
+/// The base curve has to rise between these places by this share of its mean rise, with a deviation that no
+/// data outweigh.
 constexpr std::size_t places_of_rule = 100;
 constexpr double min_rise = 0.01;
 constexpr double deviation_of_rule = 1e-4;
 
-/// How an unknown of the law gets into a case, by its place among the unknowns.
+/// The index of an unknown of the law, and a function that sets it in a case.
 struct LawSetter {
   std::size_t place;
   std::function<void(ImpactCase&, double)> set;
@@ -101,6 +90,64 @@ std::vector<LawSetter> law_setters(const Fit& fit) {
       setters.push_back({static_cast<std::size_t>(found - fit.unknowns.begin()), quantity.set});
   }
   return setters;
+}
+
+Material material_of(ImpactCase base, const std::vector<LawSetter>& setters, std::span<const double> values) {
+  for (const LawSetter& setter : setters) setter.set(base, values[setter.place]);
+  return std::move(base.pad.material);
+}
+
+struct TestPath {
+  laboratory::StrainHistory history;
+  /// The number of pieces that lead to each point of the test; 0 for the start, at stress 0.
+  std::vector<std::size_t> pieces_to;
+};
+
+/// A path straight through the points, with strains below 0 as 0. If the first strain is above 0, it leads
+/// there at the mean rate of the test.
+TestPath path_of(const MaterialMeasurement& test) {
+  TestPath path;
+  double strain = 0;
+  const auto go = [&](double to, double duration) {
+    if (duration > 0) path.history.pieces.push_back({duration, strain, (to - strain) / duration, 0});
+    if (duration > 0) strain = to;
+    path.pieces_to.push_back(path.history.pieces.size());
+  };
+  const double first = std::max(test.strain.front(), 0.0);
+  go(first, first > 0 ? first / mean_rate_of(test) : 0);
+  for (std::size_t i = 1; i < test.strain.size(); ++i)
+    go(std::max(test.strain[i], 0.0), test.time[i] - test.time[i - 1]);
+  return path;
+}
+
+/// A block that keeps the base curve of a foam rising; none for a law whose curves are not formulas.
+std::optional<Block> rule_of_rising(const Fit& fit) {
+  const FoamCurves* const curves = foam_curves(fit.base.pad.material.law);
+  if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
+  Block block;
+  block.is_rule = true;
+  block.measured.assign(places_of_rule, 0);
+  block.deviation.assign(places_of_rule, deviation_of_rule);
+  block.predict = [base = fit.base, setters = law_setters(fit)](std::span<const double> values,
+                                                                std::span<double> predicted) {
+    const Material material = material_of(base, setters, values);
+    std::visit(
+        [&]<class Form>(const Form& form) {
+          if constexpr (!std::is_same_v<Form, TableCurve>) {
+            const auto count = static_cast<double>(predicted.size());
+            const double mean_rise = form.stress(form.highest_strain) / count;
+            double before = 0;
+            for (std::size_t i = 0; i < predicted.size(); ++i) {
+              const double stress = form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
+              predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
+              before = stress;
+            }
+          }
+        },
+        foam_curves(material.law)->base);
+    return true;
+  };
+  return block;
 }
 
 }  // namespace
@@ -188,7 +235,8 @@ Problem problem_of(const Fit& fit, int runs) {
     Block block = block_of(fit, fit.tests[i]);
     if (fit.tests[i].has_offset) {
       block.offset = problem.coordinates.size();
-      problem.coordinates.push_back(offset_of(block, i));
+      problem.coordinates.push_back(
+          nuisance(fmt::format("tests[{}].offset", i + 1), "Pa", std::ranges::max(block.measured) / 2));
     }
     add(std::move(block));
   }
@@ -200,7 +248,8 @@ Problem problem_of(const Fit& fit, int runs) {
     std::optional<std::size_t> shift;
     if (impact.pulse) {
       shift = problem.coordinates.size();
-      problem.coordinates.push_back(shift_of(*impact.pulse, i));
+      problem.coordinates.push_back(nuisance(fmt::format("impacts[{}].pulse.shift", i + 1), "s",
+                                             max_shift * impact.pulse->half_peak_width));
     }
     add(block_of(fit, impact, runs, shift, shift ? &problem.coordinates.back() : nullptr));
   }
@@ -219,66 +268,8 @@ double mean_rate_of(const MaterialMeasurement& test) {
   return time > 0 ? way / time : 0;
 }
 
-TestPath path_of(const MaterialMeasurement& test) {
-  TestPath path;
-  double strain = 0;
-  const auto go = [&](double to, double duration) {
-    if (duration > 0) path.history.pieces.push_back({duration, strain, (to - strain) / duration, 0});
-    if (duration > 0) strain = to;
-    path.pieces_to.push_back(path.history.pieces.size());
-  };
-  const double first = std::max(test.strain.front(), 0.0);
-  go(first, first > 0 ? first / mean_rate_of(test) : 0);
-  for (std::size_t i = 1; i < test.strain.size(); ++i)
-    go(std::max(test.strain[i], 0.0), test.time[i] - test.time[i - 1]);
-  return path;
-}
-
-std::optional<Block> rule_of_rising(const Fit& fit) {
-  const FoamCurves* const curves = std::visit(
-      []<class Law>(const Law& law) -> const FoamCurves* {
-        if constexpr (SharesSlip<Law>) return &law.curves;
-        return nullptr;
-      },
-      fit.base.pad.material.law);
-  if (curves == nullptr || std::holds_alternative<TableCurve>(curves->base)) return std::nullopt;
-  Block block;
-  block.is_rule = true;
-  block.measured.assign(places_of_rule, 0);
-  block.deviation.assign(places_of_rule, deviation_of_rule);
-  block.predict = [base = fit.base, setters = law_setters(fit)](std::span<const double> values,
-                                                                std::span<double> predicted) {
-    ImpactCase impact = base;
-    for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
-    std::visit(
-        [&]<class Law>(const Law& law) {
-          if constexpr (SharesSlip<Law>)
-            std::visit(
-                [&]<class Form>(const Form& form) {
-                  if constexpr (!std::is_same_v<Form, TableCurve>) {
-                    const auto count = static_cast<double>(predicted.size());
-                    const double mean_rise = form.stress(form.highest_strain) / count;
-                    double before = 0;
-                    for (std::size_t i = 0; i < predicted.size(); ++i) {
-                      const double stress =
-                          form.stress(form.highest_strain * static_cast<double>(i + 1) / count);
-                      predicted[i] = std::max(min_rise - (stress - before) / mean_rise, 0.0);
-                      before = stress;
-                    }
-                  }
-                },
-                law.curves.base);
-        },
-        impact.pad.material.law);
-    return true;
-  };
-  return block;
-}
-
 Material material_with(const Fit& fit, std::span<const double> values) {
-  ImpactCase impact = fit.base;
-  for (const LawSetter& setter : law_setters(fit)) setter.set(impact, values[setter.place]);
-  return impact.pad.material;
+  return material_of(fit.base, law_setters(fit), values);
 }
 
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
@@ -290,9 +281,8 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
   return [base = fit.base, setters = law_setters(fit), history = std::move(path.history),
           pieces = std::move(pieces),
           memos = std::make_shared<Memos>()](std::span<const double> values, std::span<double> predicted) {
-    ImpactCase impact = base;
-    for (const LawSetter& setter : setters) setter.set(impact, values[setter.place]);
-    const PadLaw& law = impact.pad.material.law;
+    const Material material = material_of(base, setters, values);
+    const PadLaw& law = material.law;
     // A foam's numbers are within their bounds, and rule_of_rising() sees to its curve.
     if (!std::holds_alternative<Foam>(law) && !violations(law).empty()) return false;
     const std::vector<double> stress = laboratory::stress_at_ends(law, history, &memos->local());

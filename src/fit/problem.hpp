@@ -46,26 +46,26 @@ struct Coordinate {
 /// A predicted figure that an impact does not have.
 inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
-/// Predicts from the values of all coordinates, SI. False where they make no material that can be tested. A
-/// figure that an impact does not have is `no_figure`.
+/// Predicts from the values of all coordinates, SI. False if they make no material that can be tested. Absent
+/// figures are `no_figure`.
 using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
 
-/// The same with a pulse that comes later by the shift with which it meets the measured one best. That is
-/// put into the values; it costs no impact.
+/// The same with the shift at which the pulse meets the measured one best. The shift is put into the values;
+/// it costs no impact.
 using Settle = std::function<bool(std::span<double> values, std::span<double> predicted)>;
 
-/// One source of data.
+/// A source of data with its residuals.
 struct Block {
-  std::size_t first = 0;  ///< of its residuals
+  std::size_t first = 0;  ///< index of its first residual
   std::vector<double> measured;
   std::vector<double> deviation;
   std::optional<std::size_t> offset;  ///< the coordinate that is added to what is predicted
   Predict predict;
-  /// From this residual on they follow each other along a curve: a test, or the pulse of an impact behind its
-  /// figures. Absent: none does.
+  /// The first residual from which on the data follow a curve: that of a test, or of a pulse behind the
+  /// figures of its impact. Absent if none does.
   std::optional<std::size_t> curve;
   std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
-  Settle settle;                     ///< where there is a shift
+  Settle settle;                     ///< present if there is a shift
   bool noise_is_stated = true;
   bool is_impact = false;
   /// No data: what keeps a base curve rising, as a material must.
@@ -77,11 +77,11 @@ struct Block {
 struct Problem {
   std::vector<Coordinate> coordinates;
   std::vector<Block> blocks;
-  double derivative_step = 1e-4;  ///< of a coordinate, for central differences
+  double derivative_step = 1e-4;  ///< step of a coordinate for central differences
 
   [[nodiscard]] std::size_t points() const;  ///< measured numbers
   [[nodiscard]] std::size_t priors() const;
-  [[nodiscard]] std::size_t residuals() const;  ///< of all blocks, then priors
+  [[nodiscard]] std::size_t residuals() const;  ///< number of residuals: of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.
   bool evaluate(std::span<const double> x, std::span<double> residuals) const;
   /// The same with the best shift of each pulse whose shift is not held, which is put into `x`.
@@ -90,24 +90,22 @@ struct Problem {
   [[nodiscard]] std::vector<double> values(std::span<const double> x) const;
 };
 
-/// How many coordinates it has: unknowns, offsets and shifts.
+/// The number of coordinates: unknowns, offsets and shifts.
 std::size_t coordinate_count(const Fit& fit);
 
 /// `runs`: of the solver, for each impact.
 Problem problem_of(const Fit& fit, int runs);
 
-/// What predicts the points of a test that count, from the values of the unknowns.
+/// A function that predicts the points of a test that count from the values of the unknowns.
 Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
-/// What predicts the figures of an impact, then its pulse: by `runs` runs, or to the tolerance of the case
-/// with 0. The pulse has the onset of the measured one, or comes later by the coordinate `shift`.
+/// A function that predicts the figures of an impact, then its pulse, with `runs` runs of the solver, or to
+/// the tolerance of the case if `runs` is 0. The pulse begins at the measured onset, or later by the
+/// coordinate `shift`.
 Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
                       std::optional<std::size_t> shift = {});
 /// The same with the best shift between these bounds, s.
 Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::size_t shift,
                    double lowest, double highest);
-
-/// What keeps the base curve of a foam rising; nothing for a law whose curves are no formulas.
-std::optional<Block> rule_of_rising(const Fit& fit);
 
 /// Whether the model admits nothing beyond that bound of an unknown.
 bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
@@ -116,22 +114,12 @@ bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound);
 Material material_with(const Fit& fit, std::span<const double> values);
 
 /// The impact of a measurement with the material of the fit and these values of the unknowns. Throws
-/// std::invalid_argument where it has no such quantity, or they make a support that cannot exist.
+/// std::invalid_argument if the impact lacks a quantity or the values make an impossible support.
 ImpactCase impact_with(const Fit& fit, const ImpactMeasurement& measured, std::span<const double> values);
 
-/// The acceleration by a curve through the steps of the solver: a polyline through them would jump when their
-/// number changes. Nothing where the pulse was cut off or is not finite.
+/// The acceleration as a smooth curve through the steps of the solver, since a polyline would jump when their
+/// number changes. None if the pulse was cut off or is not finite.
 std::optional<Pulse> smooth_pulse(const Solution& solution);
-
-struct TestPath {
-  laboratory::StrainHistory history;
-  /// For each point of the test how many pieces lead to it; 0: it is the start, at stress 0.
-  std::vector<std::size_t> pieces_to;
-};
-
-/// Straight through the points, strains below 0 as 0. A test whose first strain is above 0 is led there from
-/// 0 at the mean rate of the test.
-TestPath path_of(const MaterialMeasurement& test);
 
 /// Mean magnitude of the strain rate while the strain moves, 1/s.
 double mean_rate_of(const MaterialMeasurement& test);

@@ -6,14 +6,14 @@
 namespace dashpad::fit {
 namespace {
 
-/// Of the root of the rise over the threshold; with impacts each refit costs hundreds of them.
+/// The accuracy of the root of the rise over the threshold. With impacts each refit costs hundreds of them.
 constexpr double close_enough = 5e-3, close_enough_with_impacts = 2e-2;
 constexpr int max_refits = 40, max_refits_with_impacts = 12;
-constexpr int iterations_with_impacts = 12;  ///< of a refit
+constexpr int iterations_with_impacts = 12;  ///< iterations of a refit
 /// A guess beyond this share of the room is tried at the bound first: most ends there are open.
 constexpr double near_bound = 0.6;
-constexpr double min_distance = 1e-7;  ///< of a coordinate
-constexpr double better_by = 1e-2;     ///< of the threshold
+constexpr double min_distance = 1e-7;  ///< least distance of a coordinate
+constexpr double better_by = 1e-2;     ///< share of the threshold
 
 /// Root of the rise of the misfit over the threshold: nearly even in the distance.
 struct Rise {
@@ -35,7 +35,7 @@ class Profiler {
     ProfileEnd end;
     if (room < min_distance) return end;
     Rise low;
-    std::optional<Rise> high;  // without a root: there is no material
+    std::optional<Rise> high;  // without a root if there is no material
     bool barrier = false;
     double distance = std::clamp(request_.guess, min_distance, room);
     if (distance > near_bound * room) distance = room;
@@ -78,12 +78,12 @@ class Profiler {
     return low.distance + width * std::clamp(straight, 0.05, 0.95);
   }
 
-  /// With impacts a refit that ran out of iterations counts: its misfit is a little high.
+  /// With impacts a refit that ran out of iterations counts; its misfit is slightly too high.
   [[nodiscard]] bool is_good(const Minimum& refit) const {
     return problem_.takes_impacts ? refit.is_sound : refit.converged;
   }
 
-  /// Nothing where no material was found.
+  /// The root of the rise at a distance; none if no material was found there.
   std::optional<double> rise_at(double distance) {
     const double place = std::clamp(minimum_.x[request_.coordinate] + request_.side * distance, 0.0, 1.0);
     std::vector<double> guess = minimum_.x;

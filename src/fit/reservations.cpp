@@ -1,4 +1,4 @@
-// What a user of a fitted foam has to keep in mind, and the recoil that nobody stated.
+// Reservations about a fitted foam, and the recoil that nobody stated.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 constexpr const char* key_of_recoil = "pad.parameters.recoil";
 /// A test at more than this many times the rate of the base curve has stress that the rate added.
 constexpr double clearly_faster = 2;
-/// Of the largest strain: what a test has to come back for a way back.
+/// The share of the largest strain by which a test must come back to count as unloaded.
 constexpr double min_way_back = 0.1;
 
 const TomlNode* in(const TomlNode* table, const char* key) { return table ? table->child(key) : nullptr; }
@@ -33,10 +33,10 @@ const FoamCurves* curves_with_rate(const Fit& fit) {
 
 bool shows_recoil(const ImpactMeasurement& impact) {
   return !impact.is_held_out &&
-         (impact.pulse || std::ranges::any_of(impact.figures, [](const MeasuredFigure& measured_figure) {
-            return measured_figure.figure == ImpactFigure::rebound_speed ||
-                   measured_figure.figure == ImpactFigure::contact_time ||
-                   measured_figure.figure == ImpactFigure::velocity_change;
+         (impact.pulse || std::ranges::any_of(impact.figures, [](const MeasuredFigure& figure) {
+            return figure.figure == ImpactFigure::rebound_speed ||
+                   figure.figure == ImpactFigure::contact_time ||
+                   figure.figure == ImpactFigure::velocity_change;
           }));
 }
 
@@ -48,21 +48,20 @@ bool shows_recoil(const MaterialMeasurement& test, double slowest_rate) {
 
 using Sentences = std::vector<std::string>;
 
-std::string value_words(const FittedUnknown& fitted_unknown, double value) {
-  return brief_quantity(value, fitted_unknown.unit, plain_si(), 4);
+std::string value_words(const FittedUnknown& unknown, double value) {
+  return brief_quantity(value, unknown.unit, plain_si(), 4);
 }
 
 void add_open_unknowns(const FitReport& report, Sentences& all) {
-  for (const FittedUnknown& fitted_unknown : report.unknowns) {
-    if (fitted_unknown.is_nuisance) continue;
-    if (fitted_unknown.wants_beyond())
-      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", fitted_unknown.key,
-                                fitted_unknown.is_at_lowest ? "lower" : "upper",
-                                value_words(fitted_unknown, fitted_unknown.value)));
-    else if (!fitted_unknown.is_identified())
-      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.",
-                                fitted_unknown.key,
-                                fitted_unknown.open() == "both" ? "on both sides" : fitted_unknown.open()));
+  for (const FittedUnknown& unknown : report.unknowns) {
+    if (unknown.is_nuisance) continue;
+    if (unknown.wants_beyond())
+      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", unknown.key,
+                                unknown.is_at_lowest ? "lower" : "upper",
+                                value_words(unknown, unknown.value)));
+    else if (!unknown.is_identified())
+      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
+                                unknown.open() == "both" ? "on both sides" : unknown.open()));
   }
 }
 
@@ -74,7 +73,7 @@ void add_doubts(const FitReport& report, Sentences& all) {
   if (report.starts_at_best == 0)
     all.emplace_back(
         "No start of the search came to this fit, which was met on the way: there may be a better one.");
-  // Of good data chi-squared scatters by the root of twice its degrees of freedom.
+  // For sound data, chi-squared scatters by the root of twice its degrees of freedom.
   const double most = 1 + 3 * std::sqrt(2 / std::max(report.degrees_of_freedom, 1.0));
   if (report.noise_is_stated && report.misfit_per_degree() > most)
     all.push_back(fmt::format(
@@ -82,16 +81,16 @@ void add_doubts(const FitReport& report, Sentences& all) {
         report.misfit_per_degree()));
 }
 
-constexpr double worth_saying = 0.05;  ///< of the measured figure
+constexpr double worth_saying = 0.05;  ///< share of the measured figure
 
 /// The largest miss of each figure of the impacts.
 void add_misses(const FitReport& report, Sentences& all) {
   for (const ImpactFigureName& name : impact_figure_names()) {
     const ImpactComparison* worst = nullptr;
-    for (const ImpactComparison& impact_comparison : report.comparison)
-      if (impact_comparison.figure == name.figure && impact_comparison.share() &&
-          (!worst || std::abs(*impact_comparison.share()) > std::abs(*worst->share())))
-        worst = &impact_comparison;
+    for (const ImpactComparison& comparison : report.comparison)
+      if (comparison.figure == name.figure && comparison.share() &&
+          (!worst || std::abs(*comparison.share()) > std::abs(*worst->share())))
+        worst = &comparison;
     if (worst && std::abs(*worst->share()) > worth_saying)
       all.push_back(fmt::format("Of {} the {} by the model is {} % {} what was measured.", worst->file,
                                 title_in_sentence(*name.quantity), brief(100 * std::abs(*worst->share()), 2),
@@ -101,35 +100,31 @@ void add_misses(const FitReport& report, Sentences& all) {
 
 /// Pulses of other impacts than the cases beside them.
 void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) {
-  for (const ImpactMeasurement& impact_measurement : fit.impacts) {
-    if (!impact_measurement.pulse) continue;
-    const Impactor impactor = impact_with(fit, impact_measurement, values).impactor;
-    if (impact_measurement.pulse->impact &&
-        injury::unlike_speeds(*impact_measurement.pulse->impact, {.speed = impactor.speed}))
+  for (const ImpactMeasurement& impact : fit.impacts) {
+    if (!impact.pulse) continue;
+    const Impactor impactor = impact_with(fit, impact, values).impactor;
+    if (impact.pulse->impact && injury::unlike_speeds(*impact.pulse->impact, {.speed = impactor.speed}))
       all.push_back(fmt::format("{} strikes at {} m/s, and the impact of its pulse {} at {} m/s.",
-                                impact_measurement.file, brief(impactor.speed, 4),
-                                impact_measurement.pulse->file,
-                                brief(impact_measurement.pulse->impact->speed, 4)));
-    const double change =
-        impact_measurement.pulse->velocity_change - impactor.gravity * impact_measurement.pulse->time.back();
+                                impact.file, brief(impactor.speed, 4), impact.pulse->file,
+                                brief(impact.pulse->impact->speed, 4)));
+    const double change = impact.pulse->velocity_change - impactor.gravity * impact.pulse->time.back();
     if (change < (1 - worth_saying) * impactor.speed || change > (1 + worth_saying) * 2 * impactor.speed)
       all.push_back(fmt::format(
           "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot: "
           "another height, a wrong scale or an offset of the sensor.",
-          impact_measurement.pulse->file, brief(change, 4), brief(impactor.speed, 4),
-          impact_measurement.file));
+          impact.pulse->file, brief(change, 4), brief(impactor.speed, 4), impact.file));
   }
 }
 
-/// What the impacts were met with, beside the card.
+/// Values beside those of the card with which the impacts were met.
 void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
   bool is_scaled = false;
-  for (const FittedUnknown& fitted_unknown : report.unknowns) {
-    if (fitted_unknown.is_nuisance) continue;
-    is_scaled = is_scaled || fitted_unknown.key == "pad.scale";
-    if (!is_of_card(fitted_unknown.key))
-      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.",
-                                fitted_unknown.key, value_words(fitted_unknown, fitted_unknown.value)));
+  for (const FittedUnknown& unknown : report.unknowns) {
+    if (unknown.is_nuisance) continue;
+    is_scaled = is_scaled || unknown.key == "pad.scale";
+    if (!is_of_card(unknown.key))
+      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.", unknown.key,
+                                value_words(unknown, unknown.value)));
   }
   if (is_scaled && has_fitted(fit.tests))
     all.emplace_back(
@@ -140,7 +135,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
                                 *test.offset / 1000));
 }
 
-/// Where the card says that it was tested, if no compression test says so.
+/// The source of the tested range if no compression test gives it.
 void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
   const bool has_tests = has_fitted(fit.tests);
   const Material& base = fit.base.pad.material;
@@ -172,14 +167,19 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
 
 bool states_recoil(const TomlNode& fit_file, const std::vector<input::InputFile>& files) {
   if (in(in(fit_file.child("pad"), "parameters"), "recoil")) return true;
-  return std::ranges::any_of(files, [](const input::InputFile& input_file) {
-    if (input_file.file.extension() != ".toml") return false;
-    const input::Reading<input::TomlFile> toml = input::read_toml(input_file.file);
+  return std::ranges::any_of(files, [](const input::InputFile& file) {
+    if (file.file.extension() != ".toml") return false;
+    const input::Reading<input::TomlFile> toml = input::read_toml(file.file);
     if (!toml) return false;
-    const TomlNode* const pad =
-        input_file.kind == "the material card" ? &toml->root : toml->root.child("pad");
+    const TomlNode* const pad = file.kind == "the material card" ? &toml->root : toml->root.child("pad");
     return in(in(pad, "parameters"), "recoil") && !in(toml->root.child("uncertainty"), "recoil");
   });
+}
+
+bool shows_way_back(const Fit& fit, const FitReport& report) {
+  return has_fitted(fit.impacts) || std::ranges::any_of(report.tests, [](const MetTest& test) {
+           return !test.is_held_out && test.rms_unloading.has_value();
+         });
 }
 
 bool assumes_recoil(const Fit& fit) {
@@ -205,10 +205,7 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   add_speeds(fit, values, all);
   add_misses(report, all);
   add_company(fit, report, all);
-  const bool unloads = std::ranges::any_of(
-      report.tests, [](const MetTest& test) { return !test.is_held_out && test.rms_unloading.has_value(); });
-  if (!unloads && !has_fitted(fit.impacts))
-    all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the way back is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
         "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "

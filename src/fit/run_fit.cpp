@@ -44,7 +44,7 @@ FittedUnknown unknown_of(const Fit& fit, const Problem& problem, const Solved& s
   return found;
 }
 
-/// How each test, figure and pulse is met.
+/// Compares the model with each test, figure and pulse.
 void describe_measurements(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
   const std::vector<double> values = problem.values(solved.minimum.x);
@@ -85,8 +85,8 @@ constexpr int first_runs = 3, max_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double max_off = 0.1;
 
-/// Whether the figures and pulses of all fitted impacts, by a fixed number of runs, are those of the full
-/// tolerance: each figure, and pulses in the mean square.
+/// Whether a fixed number of runs gives the figures and pulses of all fitted impacts as exactly as the full
+/// tolerance.
 bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double> values, int runs) {
   auto block = std::ranges::find_if(problem.blocks, &Block::is_impact);
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {
@@ -116,7 +116,7 @@ void throw_if_broken(const Fit& fit) {
   throw std::invalid_argument(message);
 }
 
-/// What a card says of impacts that the law was not fitted to.
+/// Puts the misfit of impacts to which the law was not fitted into the card.
 void find_misfit(const Fit& fit, const Problem& problem, const Solved& solved, Session& session,
                  std::atomic<std::size_t>& evaluations, FitReport& report) {
   const std::vector<PredictedFigure> predicted =
@@ -136,8 +136,7 @@ void judge_card(FitReport& report) {
                                broken.front().value, broken.front().rule);
 }
 
-}  // namespace
-
+/// Fills the report with the minimum, its uncertainty and the measurements, but not with times.
 void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitReport& report) {
   const Uncertainty& uncertainty = solved.uncertainty;
   for (std::size_t i = 0; i < problem.coordinates.size(); ++i)
@@ -166,6 +165,8 @@ void describe(const Fit& fit, const Problem& problem, const Solved& solved, FitR
   report.fitted_case = fitted_case_of(fit, values);
 }
 
+}  // namespace
+
 FitReport run_fit(const Fit& fit, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   throw_if_broken(fit);
@@ -178,7 +179,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
     report.solver_runs = runs;
     Problem problem = problem_of(fit, runs);
     const LeastSquares residuals = least_squares_of(problem, session, evaluations);
-    // More runs move the minimum a little: there is no need to search again.
+    // More runs move the minimum only a little, so that no new search is needed.
     if (runs <= first_runs) minimum = search(fit, problem, residuals, session, report);
     if (minimum.converged) minimum = minimise(residuals, minimum.x);
     session.throw_if_stopped();

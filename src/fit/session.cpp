@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view format_of_state = "dashpad fit state 3";
-/// Of a thousand searches for dozens of unknowns it has a hundredth of that.
+/// The state of a thousand searches for dozens of unknowns takes a hundredth of this.
 constexpr std::size_t largest_state = std::size_t{64} << 20;  // bytes
 constexpr std::size_t longest_reason = 1000;
 
@@ -31,13 +31,13 @@ json json_of(const Minimum& minimum) {
           {"is_sound", minimum.is_sound}};
 }
 
-json json_of(const ProfileEnd& profile_end) {
-  return {{"x", profile_end.x ? json(*profile_end.x) : json()},
-          {"is_rough", profile_end.is_rough},
-          {"better", profile_end.better ? json_of(*profile_end.better) : json()}};
+json json_of(const ProfileEnd& end) {
+  return {{"x", end.x ? json(*end.x) : json()},
+          {"is_rough", end.is_rough},
+          {"better", end.better ? json_of(*end.better) : json()}};
 }
 
-/// What is wrong with a file that is read back.
+/// A fault of a state file that was read back.
 class Damage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -85,16 +85,16 @@ void take(const json& from, std::size_t, std::size_t unknowns, ProfileEnd& resul
 void check_piece(const std::string& name, const json& piece, std::size_t unknowns) {
   ProfileEnd end;
   if (name.find(", end ") != std::string::npos) return take(piece, unknowns, unknowns, end);
-  // Without an impact that is left out its clock is no unknown.
+  // If an impact is left out, the shift of its pulse is no unknown.
   take(piece, name.starts_with("start ") ? unknowns : 1, unknowns, end.better.emplace());
 }
 
 /// Numbers that were changed by hand may be as plausible as those that were found.
 std::string sum_of(const json& pieces) { return fingerprint({pieces.dump()}); }
 
-/// Throws std::runtime_error for what is no state of this fit.
+/// Throws std::runtime_error if the file is not a state of this fit.
 std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& options) {
-  std::error_code error;  // what cannot be looked at is refused as it is read
+  std::error_code error;  // a file that cannot be examined fails when it is read
   if (options.state.empty() ||
       std::filesystem::status(options.state, error).type() == std::filesystem::file_type::not_found)
     return {};
@@ -128,7 +128,7 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
   return pieces;
 }
 
-/// Beside the file first, so that a crash leaves the old or the new one.
+/// Writes to a second file first, so that a crash leaves either the old or the new state.
 void write_state(const RunOptions& options, const std::map<std::string, std::string>& kept) {
   json pieces = json::object();
   for (const auto& [name, text] : kept) pieces[name] = json::parse(text);

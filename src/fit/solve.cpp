@@ -14,10 +14,11 @@ namespace {
 
 /// Relative change of the coordinates at which a fit has converged: far below what noise moves.
 constexpr double min_change_of_place = 1e-9;
-/// With impacts: of the coordinates, and of the misfit towards a coarse and a fine minimum.
+/// The same with impacts: changes of the coordinates, and of the misfit on the way to a coarse and to a fine
+/// minimum.
 constexpr double min_change_with_impacts = 1e-5, coarse_with_impacts = 1e-4, fine_with_impacts = 1e-5;
-/// Up to this step, and with impacts, one-sided differences are good enough on the way to a coarse minimum,
-/// at half the evaluations.
+/// The largest step for one-sided differences. With such steps, and with impacts, they suffice on the way to
+/// a coarse minimum, at half the evaluations.
 constexpr double longest_one_sided = 1e-3;
 
 using ResidualsAt = std::function<bool(std::span<double> x, std::span<double> residuals)>;
@@ -38,7 +39,7 @@ bool column(const LeastSquares& problem, const ResidualsAt& residuals_at, std::s
     for (std::size_t k = 0; k < into.size(); ++k) into[k] = (one[k] - two[k]) / (2 * h);
     return true;
   }
-  // At a bound, or where the model ends.
+  // At a bound, or at the end of valid materials, differences are one-sided.
   std::vector<double> here(problem.residuals);
   if (!evaluate(at, here)) return false;
   for (const double side : {1.0, -1.0}) {
@@ -68,7 +69,8 @@ bool fill_columns(const LeastSquares& problem, std::size_t count, double* matrix
   std::atomic<bool> is_sound = true;
   const auto fill = [&](std::size_t i) {
     std::vector<double> one(problem.residuals);
-    // All of them, whoever comes first: how much is evaluated must not depend on the threads.
+    // All columns are evaluated, even after a failure, so that the number of evaluations does not depend on
+    // the threads.
     if (!column(i, std::span<double>(one)))
       is_sound = false;
     else
@@ -84,7 +86,7 @@ bool fill_columns(const LeastSquares& problem, std::size_t count, double* matrix
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 
-/// One search: Levenberg and Marquardt's method, whose steps keep the bounds.
+/// A search by the method of Levenberg and Marquardt whose steps keep within the bounds.
 class Search {
  public:
   Search(const LeastSquares& problem, Minimum& minimum, double tolerance, std::vector<bool> held)
@@ -125,7 +127,7 @@ class Search {
     return problem_.settle ? problem_.settle(x, held_, residuals) : problem_.evaluate(x, residuals);
   }
 
-  /// One step that makes the misfit smaller, or what ends the search.
+  /// Makes one step that reduces the misfit, or ends the search.
   void iterate() {
     if (!is_fresh_ && !is_updated_ && !differentiate())
       return stop("a step beside the place makes no material");
@@ -237,8 +239,8 @@ class Search {
     return step;
   }
 
-  static constexpr double min_gain = 1e-4;  ///< of a step, actual over expected
-  static constexpr double good_gain = 0.3;  ///< how far from 1 it may be for an update
+  static constexpr double min_gain = 1e-4;  ///< least ratio of actual to expected gain of a step
+  static constexpr double good_gain = 0.3;  ///< largest difference of that ratio from 1 that allows an update
   static constexpr double min_scale = 1e-6;
 
   const LeastSquares& problem_;

@@ -18,7 +18,7 @@ constexpr double min_share = 0.3;
 constexpr double min_eigenvalue = 1e-11;
 
 struct Curvature {
-  Eigen::VectorXd values;  ///< of J'J, not below least_eigenvalue of the largest
+  Eigen::VectorXd values;  ///< eigenvalues of J'J, at least min_eigenvalue times the largest
   Matrix vectors;
   Matrix inverse;
 };
@@ -73,7 +73,7 @@ Autocorrelation autocorrelation_of(std::span<const double> residuals) {
     if (i > 0) products += residuals[i] * residuals[i - 1];
   }
   Autocorrelation of{squares > 0 ? std::min(products / squares, 0.999) : 0, n};
-  // Of independent residuals rho scatters by 1 / sqrt(n).
+  // The correlation rho of independent residuals scatters by 1 / sqrt(n).
   if (of.rho > 2 / std::sqrt(n)) of.effective_points = std::max(n * (1 - of.rho) / (1 + of.rho), 1.0);
   return of;
 }
@@ -88,7 +88,7 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
   if (!derivatives(residuals, x, {jacobian.data(), static_cast<std::size_t>(jacobian.size())})) return false;
 
   into = {};
-  Matrix widened = jacobian.transpose() * jacobian;  // with the weights of the blocks
+  Matrix widened = jacobian.transpose() * jacobian;  // will include the weights of the blocks
   const Matrix hessian = widened;
   for (const Block& block : problem.blocks) {
     const auto first = static_cast<Eigen::Index>(block.first),
@@ -131,7 +131,7 @@ bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std
     find_flat_directions(curvature, free, scale, into);
     find_correlations(covariance, free, into);
   }
-  // For the sample: all coordinates, with one widening for all of them.
+  // Draws use all coordinates, with one widening for all of them.
   const double mean_widening = widened.trace() / std::max(hessian.trace(), 1e-300);
   const Matrix precision = hessian / (scale * mean_widening);
   into.precision.assign(precision.data(), precision.data() + precision.size());

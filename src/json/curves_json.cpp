@@ -87,20 +87,12 @@ FoamCurves curves_of(const Json& json) {
 }  // namespace
 
 Json curves_json(const PadLaw& law) {
-  return std::visit(
-      []<class Law>(const Law& law) -> Json {
-        if constexpr (SharesSlip<Law>) {
-          Json json{{"curve", base_json(law.curves)},
-                    {"rate", effect_json(law.curves.rate_effect)},
-                    {"unloading", nullptr}};
-          if constexpr (requires { law.unloading_curve; })
-            if (law.unloading_curve) json["unloading"] = points_json(*law.unloading_curve);
-          return json;
-        } else {
-          return nullptr;
-        }
-      },
-      law);
+  const FoamCurves* const curves = foam_curves(law);
+  if (curves == nullptr) return nullptr;
+  const auto* const foam = std::get_if<Foam>(&law);
+  return {{"curve", base_json(*curves)},
+          {"rate", effect_json(curves->rate_effect)},
+          {"unloading", foam ? made_of(foam->unloading_curve, points_json) : Json(nullptr)}};
 }
 
 void set_curves(PadLaw& law, const Json& json) {

@@ -6,8 +6,7 @@
 
 namespace dashpad {
 
-/// With the entries "curve", "rate" and "unloading", the last of which may be null; null for a law without
-/// curves.
+/// The entries "curve", "rate" and "unloading", the last of which may be null; null for a law without curves.
 Json curves_json(const PadLaw& law);
 
 /// Reads them back. Throws what nlohmann::json throws, or std::runtime_error, where something is missing.

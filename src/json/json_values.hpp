@@ -1,5 +1,5 @@
 #pragma once
-/// What every JSON that Dashpad writes has in common.
+/// Functions and entries that all JSON of Dashpad shares.
 
 #include <cmath>
 #include <optional>
@@ -14,11 +14,11 @@ namespace dashpad {
 
 using Json = nlohmann::ordered_json;
 
-/// Null where it is not finite.
+/// The number, or null if it is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-/// Null where it is absent, too.
+/// The number, or null if it is absent or not finite.
 inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
-/// Null where it is not `present`.
+/// The number, or null if it is not `present`.
 inline Json number_if(bool present, double value) { return present ? number(value) : Json(nullptr); }
 inline Json numbers(const std::vector<double>& values) {
   Json array = Json::array();
@@ -34,12 +34,12 @@ Json array_of(const List& list, const Make& make) {
   return array;
 }
 
-/// Null where it is absent, or else what is made of it.
+/// The value converted by `make`, or null if it is absent.
 template <class Value, class Make>
 Json made_of(const std::optional<Value>& value, const Make& make) {
   return value ? Json(make(*value)) : Json(nullptr);
 }
-/// Null where it is empty.
+/// The text, or null if it is empty.
 inline Json text_if_any(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// The program that made it.
@@ -47,14 +47,13 @@ inline Json program_json() {
   return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};
 }
 
-/// With a line break at the end. Text that is not UTF-8 must not stop a result: the offending bytes are
-/// replaced.
+/// The text with a line break at its end. Bytes that are not UTF-8 are replaced, so that no text can prevent
+/// a result.
 inline std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The layout of all results that the command writes as JSON: a greater number where a key has gone, or means
-/// something else.
+/// The layout of all JSON results; it increases when a key is removed or changes its meaning.
 constexpr int result_format = 3;
 
 /// A result, with its format before everything else.

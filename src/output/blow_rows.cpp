@@ -17,23 +17,16 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double peak_in_g(const BlowResult& blow_result) {
-  return blow_result.summary.peak_acceleration.value_or(none) / standard_gravity;
+double peak_in_g(const BlowResult& blow) {
+  return blow.summary.peak_acceleration.value_or(none) / standard_gravity;
 }
-double hic15(const BlowResult& blow_result) {
-  return blow_result.injury ? blow_result.injury->hic15.value : none;
-}
+double hic15(const BlowResult& blow) { return blow.injury ? blow.injury->hic15.value : none; }
 
 /// " from 35.81 to 61.2 g (+70.9 %)"
 std::string change(double from, double to, const std::string& unit) {
   const double tenths = std::round(1000 * (to / from - 1));
   return fmt::format(" from {} to {}{} ({:+.1f} %)", significant(from, 4), significant(to, 4), unit,
                      tenths == 0 ? 0.0 : tenths / 10);
-}
-
-bool is_as_the_first(const BlowResult& first, const BlowResult& other) {
-  return first.earlier_penetration == other.earlier_penetration &&
-         first.summary.peak_force == other.summary.peak_force;
 }
 
 std::string why_alike(const PadLaw& law) {
@@ -61,7 +54,8 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   const BlowResult& last = blows.back();
   const int asked = first.summary.blows;
   if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
-  if (is_as_the_first(first, last))
+  if (first.earlier_penetration == last.earlier_penetration &&
+      first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
   std::string text = fmt::format("From blow 1 to blow {} the peak acceleration goes", blows.size());
   if (std::isnan(peak_in_g(last)))
@@ -82,7 +76,7 @@ std::vector<std::string> reservations(const std::vector<BlowResult>& blows) {
       list += (list.empty() ? "" : ", ") + std::to_string(blow.summary.blow);
     }
   }
-  // Those of the last stand with its figures.
+  // The flags of the last blow are listed with its figures.
   for (const Flag& flag : flags(blows.back().summary)) blows_with.erase(flag.name);
   std::vector<std::string> lines;
   for (const auto& [name, list] : blows_with)
@@ -105,12 +99,12 @@ Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows,
                    header("penetration", length.unit),
                    "% of pad",
                    header("energy_absorbed_fraction", "%")};
-  for (const BlowResult& blow_result : blows) {
-    const Summary& summary = blow_result.summary;
+  for (const BlowResult& blow : blows) {
+    const Summary& summary = blow.summary;
     const auto shown = [&](double value) { return std::isnan(value) ? "none" : significant(value, digits); };
     table.rows.push_back({std::to_string(summary.blow),
                           shown(acceleration.scale * summary.peak_acceleration.value_or(none)),
-                          shown(hic15(blow_result)), shown(force.scale * summary.peak_force.value_or(none)),
+                          shown(hic15(blow)), shown(force.scale * summary.peak_force.value_or(none)),
                           shown(length.scale * summary.peak_penetration),
                           shown(100 * summary.peak_penetration / impact.pad.thickness),
                           shown(100 * summary.energy_absorbed_fraction)});

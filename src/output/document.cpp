@@ -19,7 +19,7 @@ bool take(std::string_view& text, std::string_view part) {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// Of the text that is left: as many of those letters as stand at its beginning.
+/// Takes the characters at the front of `text` that are among `letters`.
 std::string_view take_any_of(std::string_view& text, std::string_view letters) {
   const std::string_view taken = text.substr(0, text.find_first_not_of(letters));
   text.remove_prefix(taken.size());
@@ -34,7 +34,7 @@ void take_signs(std::string_view& text) {
   }
 }
 
-/// Also with an exponent, a deviation or a unit: one word.
+/// Whether the text is one number, perhaps with an exponent, a deviation or a unit of one word.
 bool is_number(std::string_view text) {
   take_signs(text);
   take(text, ".");
@@ -69,15 +69,13 @@ bool is_column_of_numbers(const Table& table, std::size_t column) {
   return has_number;
 }
 
-std::string shown_value(const ValueRow& row) {
-  return row.unit.empty() ? row.value : row.value + " " + row.unit;
-}
+std::string shown_value(const ValueRow& row) { return with_unit(row.value, row.unit); }
 
 std::string shown_error(double error) { return error < 1e-6 ? "< 0.0001 %" : percentage(error); }
 
 std::string words_beside(const ValueRow& row) {
   std::string text = row.interval.empty() ? "" : row.interval + " at 95 %";
-  // What the limit comes to is said by colour and sign already.
+  // Colour and sign already say what the comparison with the limit comes to.
   const std::string& last = row.limit.empty() ? row.remark : row.limit;
   return text + (text.empty() || last.empty() ? "" : "; ") + last;
 }

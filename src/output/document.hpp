@@ -1,5 +1,5 @@
 #pragma once
-/// What the writers of documents share.
+/// Functions that the writers of documents share.
 
 #include <cstddef>
 #include <string>
@@ -24,8 +24,15 @@ std::string words_beside(const ValueRow& row);
 /// The rows as a table, with the columns that any of them has something for.
 Table table_of(const RowGroup& group);
 
-/// All tables of a section, those of its rows first.
+/// All tables of a section, beginning with those of its rows.
 std::vector<Table> tables_of(const Section& section);
+
+/// The table in GitHub's Markdown.
+std::string markdown(const Table& table);
+
+/// The table for a terminal of 100 columns; the texts of its widest columns continue on further lines if
+/// necessary.
+std::string plain_text(const Table& table);
 
 /// "  Peak force             5757 N      5100 to 6400 N    ± 0.2 %  remark", at most 100 columns wide;
 /// without room for what no row has.
@@ -43,7 +50,7 @@ std::vector<std::string> by_severity(std::vector<Flag> flags);
 /// Length of the words in capitals that a warning begins with: "PULSE CUT".
 std::size_t capitals_in_front(std::string_view text);
 
-/// More are no longer the few that matter.
+/// The number of figures that a page shows large; with more, none of them stands out.
 inline constexpr std::size_t max_key_figures = 6;
 
 /// Whether a section is shown where people see that much.
@@ -52,7 +59,7 @@ bool is_seen(const Section& section, Detail detail);
 /// "12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2"; or what says that there is none: "-", "none".
 bool is_number_or_none(const std::string& cell);
 
-/// All cells are, and one at least is a number.
+/// Whether each cell of the column is a number or says that there is none, and at least one is a number.
 bool is_column_of_numbers(const Table& table, std::size_t column);
 
 }  // namespace dashpad::output

@@ -32,7 +32,7 @@ std::string part_of_pad(double penetration, double thickness, int digits) {
                                  : fmt::format("{} % of the pad", significant(100 * (1 - left), digits));
 }
 
-/// What a reader would otherwise take for a finding.
+/// A note that an elastic rebound is an assumption, not a finding.
 std::string loss_words(const Pad& pad) {
   const auto is_free = [](const Material& material) {
     const auto* const foam = std::get_if<Foam>(&material.law);
@@ -84,41 +84,37 @@ void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summ
 /// 0 for what is 0 up to rounding, compared with the whole.
 double without_rounding(double part, double whole) { return std::abs(part) < 1e-9 * whole ? 0 : part; }
 
-ValueRow row_of(const ResultQuantity& result_quantity, double value, const UnitSystem& units, int digits) {
-  const bool is_share = result_quantity.key == std::string_view{"energy_absorbed_fraction"};
-  const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(result_quantity.si_unit, units);
+ValueRow row_of(const ResultQuantity& quantity, double value, const UnitSystem& units, int digits) {
+  const bool is_share = quantity.key == std::string_view{"energy_absorbed_fraction"};
+  const ScaledUnit shown = is_share ? ScaledUnit{100, "%"} : shown_as(quantity.si_unit, units);
   if (is_share) value = without_rounding(value, 1);
-  return {.key = result_quantity.key,
-          .label = result_quantity.title,
+  return {.key = quantity.key,
+          .label = quantity.title,
           .value = significant(shown.scale * value, digits),
           .unit = shown.unit};
 }
 
-/// What the text shows, those that a designer asks for first on top.
+/// The rows of a summary in the order of the text, beginning with those that designers ask for first.
 const std::vector<const SummaryQuantity*>& rows_of_summary() {
   static const std::vector<const SummaryQuantity*> all = [] {
     std::vector<const SummaryQuantity*> rows;
-    for (const SummaryQuantity& summary_quantity : summary_quantities())
-      if (summary_quantity.quantity->role.row > 0) rows.push_back(&summary_quantity);
-    std::ranges::sort(rows, {}, [](const SummaryQuantity* summary_quantity) {
-      return summary_quantity->quantity->role.row;
-    });
+    for (const SummaryQuantity& entry : summary_quantities())
+      if (entry.quantity->role.row > 0) rows.push_back(&entry);
+    std::ranges::sort(rows, {}, [](const SummaryQuantity* entry) { return entry->quantity->role.row; });
     return rows;
   }();
   return all;
 }
 
 /// `length` is that of the pulse, s.
-std::string remark_on(const injury::InjuryValue& injury_value, double length, const UnitSystem& units,
-                      int digits) {
-  const std::string key = injury_value.quantity->key;
+std::string remark_on(const injury::InjuryValue& figure, double length, const UnitSystem& units, int digits) {
+  const std::string key = figure.quantity->key;
   if (key == "hic_d") return "from HIC36";
   if (key == "severity_index") return "Gadd";
-  if (injury_value.time)
-    return "at " + brief_quantity(without_rounding(*injury_value.time, length), "s", units, digits);
+  if (figure.time) return "at " + brief_quantity(without_rounding(*figure.time, length), "s", units, digits);
   const std::string kind = key == "clip_3ms" ? "in one stretch" : key == "cumulative_3ms" ? "in all" : "";
-  if (!injury_value.begin || (*injury_value.end <= *injury_value.begin && !kind.empty())) return kind;
-  return (kind.empty() ? "" : kind + ", ") + stretch(*injury_value.begin, *injury_value.end, units, digits);
+  if (!figure.begin || (*figure.end <= *figure.begin && !kind.empty())) return kind;
+  return (kind.empty() ? "" : kind + ", ") + stretch(*figure.begin, *figure.end, units, digits);
 }
 
 /// Whether two searches have found one window: as far as people can see, and beyond rounding.
@@ -135,7 +131,7 @@ std::string tolerance_text(const Summary& summary) {
                                : "without meeting the tolerance of " + tolerance;
 }
 
-/// Of a run that went through.
+/// The end of a completed run.
 std::string end_of_contact(const Summary& summary) {
   if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
     return "The impactor left the pad and goes on, more slowly than the body behind it.";
@@ -181,18 +177,18 @@ std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summ
   for (const SummaryQuantity* entry : rows_of_summary()) {
     const ResultQuantity& quantity = *entry->quantity;
     const std::string key = quantity.key;
-    const EstimatedValue estimated_value = entry->of(summary);
+    const EstimatedValue estimate = entry->of(summary);
     if (detail == Detail::main &&
         (!quantity.role.is_main || (key == "peak_motion" && impact.support.is_rigid())))
       continue;
-    if (key == "peak_force" && std::isnan(estimated_value.value))
+    if (key == "peak_force" && std::isnan(estimate.value))
       rows.push_back({.key = key,
                       .label = quantity.title,
                       .value = "none",
                       .remark = "not finite once the pad is fully compressed"});
-    if (std::isnan(estimated_value.value)) continue;
-    rows.push_back(row_of(quantity, estimated_value.value, units, digits));
-    if (quantity.has_estimate()) rows.back().error = estimated_value.error;
+    if (std::isnan(estimate.value)) continue;
+    rows.push_back(row_of(quantity, estimate.value, units, digits));
+    if (quantity.has_estimate()) rows.back().error = estimate.error;
     rows.back().remark = remark_on(key, impact, summary, units, digits);
   }
   add_layers(rows, impact.pad, summary, digits);
@@ -207,22 +203,22 @@ std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const Uni
   const auto values = injury::injury_values(figures);
   const double length = figures.hic_unlimited.end - figures.hic_unlimited.begin;
   std::string same;
-  for (const injury::InjuryValue& injury_value : values) {
-    const ResultQuantity& quantity = *injury_value.quantity;
+  for (const injury::InjuryValue& figure : values) {
+    const ResultQuantity& quantity = *figure.quantity;
     if (detail == Detail::main && !quantity.role.is_main) continue;
-    // Of a pulse that is shorter than the clip.
-    if (detail == Detail::main && injury_value.value == 0 && std::string_view{quantity.key}.ends_with("_3ms"))
+    // A pulse shorter than 3 ms has no clip.
+    if (detail == Detail::main && figure.value == 0 && std::string_view{quantity.key}.ends_with("_3ms"))
       continue;
-    if (detail == Detail::main && before != nullptr && is_same(injury_value, *before)) {
+    if (detail == Detail::main && before != nullptr && is_same(figure, *before)) {
       same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
-      rows.back().remark = stretch(*injury_value.begin, *injury_value.end, units, digits) + "; also " + same;
+      rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; also " + same;
       continue;
     }
     same.clear();
-    before = &injury_value;
-    rows.push_back(row_of(quantity, injury_value.value, units, digits));
-    if (injury_value.error > 0) rows.back().error = injury_value.error;
-    rows.back().remark = remark_on(injury_value, length, units, digits);
+    before = &figure;
+    rows.push_back(row_of(quantity, figure.value, units, digits));
+    if (figure.error > 0) rows.back().error = figure.error;
+    rows.back().remark = remark_on(figure, length, units, digits);
   }
   return rows;
 }

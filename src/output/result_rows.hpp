@@ -11,18 +11,16 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/impact.hpp"
-#include "dashpad/output/text/table.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "output/document.hpp"
-#include "output/text/table.hpp"
 
 namespace dashpad::output {
 
-/// How it ended, in one sentence.
+/// The outcome of the impact in one sentence.
 std::string outcome(const Summary& summary);
 
-/// What to beware of, each beginning with a word in capitals: the flags of
-/// dashpad/impact/flags.hpp, with moments in the units of the reader.
+/// The flags of a summary (dashpad/impact/flags.hpp), each beginning with a word in capitals, with moments in
+/// the reader's units.
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units);
 
 /// Every figure of the impact; none if nothing was run.
@@ -41,14 +39,14 @@ std::vector<ValueRow> main_rows(const ImpactCase& impact, const Summary& summary
 std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary& summary,
                                         const UnitSystem& units);
 
-/// The numbers behind the numbers: "to a tolerance of 0.01 %: 120 steps, contact force in closed form, 3
-/// runs, 1.2 ms".
+/// How the result was computed: "to a tolerance of 0.01 %: 120 steps, contact force in closed form, 3 runs,
+/// 1.2 ms".
 std::string numbers_text(const Summary& summary);
 
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
 std::string stretch(double begin, double end, const UnitSystem& units, int digits);
 
-/// How the peaks grow from the first blow to the last; why they do not where the pad recovers.
+/// The growth of the peaks from the first to the last blow, or why they do not grow.
 std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>& blows);
 
 /// A row a blow.
@@ -58,27 +56,26 @@ Table blow_table(const ImpactCase& impact, const std::vector<BlowResult>& blows,
 /// The flags of blows before the last that the last does not have, and which blows have them: a line each.
 std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 
-/// "980 to 1010", "34.1 to 38.2 g"; "231 g or more" where there is no bound. Three digits, and as many as it
-/// takes to tell the ends apart.
+/// A range: "980 to 1010", "34.1 to 38.2 g"; "231 g or more" without an upper bound. It has three digits, or
+/// as many as tell its ends apart.
 std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
-/// Of a figure as a whole.
-std::string interval_words(const FigureInterval& figure_interval, const UnitSystem& units);
+/// The interval of a figure from all sources together.
+std::string interval_words(const FigureInterval& interval, const UnitSystem& units);
 
 /// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
-std::vector<std::string> source_words(const FigureInterval& figure_interval, const Intervals& intervals,
+std::vector<std::string> source_words(const FigureInterval& interval, const Intervals& intervals,
                                       const UnitSystem& units);
 
-/// Beside each row its interval, where it has one.
+/// Adds intervals to the rows whose figures have them.
 void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units);
 
-/// A figure a row, those that are asked for first: with all that is not known together, then with each source
-/// alone.
+/// A table with a row for each figure: its interval from all sources together, then from each source alone.
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked = {});
 /// The sources in words, and why one gives no interval.
 std::string source_paragraph(const Intervals& intervals);
 
-/// The interval of the figure that is asked for first, by what it is, and what is in none; a paragraph each,
-/// none without intervals.
+/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each; none
+/// without intervals.
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,6 +1,6 @@
 #pragma once
-/// std::from_chars of a double, also where the standard library reads integers only, as libc++ 19 does: there
-/// fast_float reads, which is what libstdc++ reads with.
+/// std::from_chars for a double. If the standard library lacks it, as libc++ 19 does, fast_float takes its
+/// place, which libstdc++ uses, too.
 
 #include <charconv>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Which numbers readers take: what no foam, pad or sensor has is a slip of the pen or of a unit, and would
-/// only overflow further on.
+/// Bounds for values that are read. Values that no foam, pad or sensor has are typing errors, and would
+/// overflow later.
 
 #include <string>
 #include <string_view>
@@ -15,11 +15,11 @@ struct Magnitudes {
   [[nodiscard]] bool admit(double value) const;
 };
 
-/// Of what is stated in a file or an option, in any dimension: those of the parameters of laws.
+/// The bounds for values stated in a file or an option, in any dimension: those of the parameters of laws.
 inline constexpr Magnitudes stated_magnitudes{1e-15, 1e15};
 
-/// Of what a test measures: the most that a sample may be, and the least that its peak, its step or a
-/// quantity on the command line may be. Wide: a factor of a thousand or more beyond any test.
+/// The bounds for measured values: the largest value of a sample, and the least peak, step or quantity on the
+/// command line. They are wide, by a factor of a thousand or more beyond any test.
 Magnitudes measured_magnitudes(std::string_view si_unit);
 
 /// The rule that a value beyond the bounds breaks; "" within them.

@@ -17,8 +17,8 @@ namespace {
 /// A dimension that Dashpad meets: how people call it, and which units they use.
 struct Dimension {
   std::string_view si_unit;
-  std::string_view name;                       ///< with its article: "a speed"
-  std::array<std::string_view, 4> examples{};  ///< of units, the best known first; may end early
+  std::string_view name;                       ///< name with its article: "a speed"
+  std::array<std::string_view, 4> examples{};  ///< units, the best known first; may end early
 };
 
 constexpr Dimension dimensions[] = {
@@ -56,7 +56,7 @@ struct NumberAndUnit {
   double number = 0;
   std::string number_text;
   std::string unit;
-  std::string rule = {};  ///< that the text breaks; "" if none
+  std::string rule = {};  ///< rule that the text breaks; "" if none
 };
 
 NumberAndUnit breaks(std::string rule) { return {0, "", "", std::move(rule)}; }
@@ -134,7 +134,7 @@ std::string unknown_unit(const std::string& unit, const Dimension& wanted) {
                      other_capitals(unit, wanted));
 }
 
-/// What 1 of the unit is in SI.
+/// The value of 1 unit in SI.
 SiValue factor_of(const std::string& unit, const Dimension& wanted) {
   const std::string si_unit(wanted.si_unit);
   const auto [match, factor] = unit_factor(unit, si_unit);

@@ -15,13 +15,14 @@ namespace dashpad {
 
 namespace {
 
-/// As many whole digits or more, but not so many that an exponent is easier to read.
+/// Whether a number has that many digits before its point, but not so many that an exponent is easier to
+/// read.
 bool is_long(double value, int digits) {
   return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
 }
 
-/// Bytes of a UTF-8 character at the start of `text` that a terminal obeys instead of showing it: the C1
-/// controls, line separators, and what changes the direction of writing. 0 if there is none.
+/// The length in bytes of a UTF-8 character at the front of `text` that a terminal obeys instead of showing:
+/// C1 controls, line separators, and changes of the writing direction. 0 if there is none.
 std::size_t unseen(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
   if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
@@ -31,8 +32,8 @@ std::size_t unseen(std::string_view text) {
   return byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9 ? 3 : 0;
 }
 
-/// Without what a terminal obeys instead of showing it, but for `kept`. Bytes that are no UTF-8 become `odd`,
-/// or stay where that is empty.
+/// The text without characters that a terminal obeys instead of showing them, except those in `kept`. Bytes
+/// that are not UTF-8 become `odd`, or stay if that is empty.
 std::string shown_text(std::string_view text, std::string_view kept, std::string_view odd) {
   std::string shown;
   while (!text.empty()) {
@@ -76,10 +77,13 @@ ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units) {
   return shown;
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : number + " " + unit;
+}
+
 std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits) {
   const ScaledUnit shown = shown_as(si_unit, units);
-  const std::string number = brief(shown.scale * value, digits);
-  return shown.unit.empty() ? number : number + " " + shown.unit;
+  return with_unit(brief(shown.scale * value, digits), shown.unit);
 }
 
 std::string percentage(double fraction) {
@@ -95,7 +99,7 @@ std::string shown_unit(const std::string& unit) {
 }
 
 double rounded_to(double value, int digits) {
-  // Not std::stod, which takes a number below 2.2e-308 for an error.
+  // std::stod would report a number below 2.2e-308 as an error.
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
@@ -107,6 +111,10 @@ std::size_t width_of(std::string_view text) {
 void replace_all(std::string& text, std::string_view old, std::string_view fresh) {
   for (auto place = text.find(old); place != std::string::npos; place = text.find(old, place + fresh.size()))
     text.replace(place, old.size(), fresh);
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string with_article(const std::string& words) {
@@ -170,16 +178,6 @@ std::string wrapped(std::string_view line, std::size_t indent) {
     rest.replace(0, blank + 1, margin);
   }
   return text + rest;
-}
-
-std::string wrapped_lines(std::string_view text) {
-  std::string result;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    result += wrapped(text.substr(begin, end - begin), 2) + "\n";
-    begin = end + 1;
-  }
-  return result;
 }
 
 std::string fingerprint(const std::vector<std::string>& texts) {

@@ -10,8 +10,8 @@
 
 namespace dashpad {
 
-/// Significant digits, trailing zeros kept: "8.9408", "5768.8"; whole numbers are not cut: "123457". "none"
-/// if not finite.
+/// The number with significant digits and trailing zeros: "8.9408", "5768.8". Whole numbers keep all digits:
+/// "123457". "none" if it is not finite.
 std::string significant(double value, int digits = 5);
 
 /// The same without trailing zeros: "25.4".
@@ -22,6 +22,9 @@ std::string plain_number(double value);
 
 /// The unit in which people see an SI unit: g for accelerations, "" for pure numbers, "in·lbf" for in.lbf.
 ScaledUnit shown_as(const std::string& si_unit, const UnitSystem& units);
+
+/// A number and its unit, which may be empty: "25.4 mm".
+std::string with_unit(const std::string& number, const std::string& unit);
 
 /// An SI value as people see it, with its unit, brief: "25.4 mm", "80 g". Pure numbers have no unit.
 std::string brief_quantity(double value, const std::string& si_unit, const UnitSystem& units, int digits = 5);
@@ -38,20 +41,23 @@ double rounded_to(double value, int digits);
 /// UTF-8 characters, which is what a column of a terminal holds: units have a · and a ³.
 std::size_t width_of(std::string_view text);
 
+/// "1 figure", "2 figures".
+std::string plural(std::size_t count, const std::string& noun);
+
 /// "a sphere", "an ellipsoid".
 std::string with_article(const std::string& words);
 
 /// Bytes of the UTF-8 character at the front of `text`; 0 if there is none (RFC 3629).
 std::size_t character_length(std::string_view text);
 
-/// Text from a file, safe for a terminal: line breaks and other control characters become spaces, as does
-/// what changes the direction of writing.
+/// Text made safe for one line of a terminal: line breaks, other control characters and changes of the
+/// writing direction become spaces.
 std::string one_line(std::string_view text);
-/// The same of a text of several lines, which keeps its line breaks and tabs; bytes that are no
-/// UTF-8 become U+FFFD.
+/// The same for text of several lines, which keeps line breaks and tabs; bytes that are not UTF-8 become
+/// U+FFFD.
 std::string without_controls(std::string_view text);
 
-/// What a message quotes of a name: at most `most` bytes and "...", never half a character.
+/// A name as a message quotes it: at most `most` bytes, then "...", never half a character.
 std::string quoted_part(std::string_view text, std::size_t most = 60);
 /// A message in which no word is longer than a message can be of use: of such a word the beginning.
 std::string without_endless_words(std::string_view line);
@@ -59,14 +65,12 @@ std::string without_endless_words(std::string_view line);
 /// Every place of `old`, from left to right; what took its place is not looked at again.
 void replace_all(std::string& text, std::string_view old, std::string_view fresh);
 
-/// Breaks a line at blanks so that no line is wider than 100 columns, as far as the words allow; all but the
-/// first are indented.
+/// Breaks a line at blanks into lines of at most 100 columns, if the words allow, and indents all but the
+/// first.
 std::string wrapped(std::string_view line, std::size_t indent);
-/// The same with each line of a text, by two columns.
-std::string wrapped_lines(std::string_view text);
 
-/// Tells texts from others that were changed, by accident or by hand: FNV-1a of the texts and of where each
-/// ends, 16 hexadecimal digits.
+/// A fingerprint that detects changes of texts: FNV-1a of the texts and of where each ends, as 16 hexadecimal
+/// digits.
 std::string fingerprint(const std::vector<std::string>& texts);
 
 }  // namespace dashpad

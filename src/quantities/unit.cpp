@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "quantities/text.hpp"
 #include "quantities/unit_table.hpp"
 
 namespace dashpad {
@@ -15,8 +16,8 @@ constexpr std::size_t longest_unit = 100;
 constexpr int largest_exponent = 1000;
 
 using Pair = std::pair<std::string_view, std::string_view>;
-/// Hard space, Greek mu for the micro sign, dot operator for the middle dot, raised minus and digits, signs
-/// for degrees and the ohm.
+/// Look-alikes: no-break space, Greek mu, dot operator, raised minus and digits, signs for degrees and the
+/// ohm.
 constexpr std::array lookalikes{Pair{"\u00a0", " "},    Pair{"\u03bc", "\u00b5"}, Pair{"\u22c5", "\u00b7"},
                                 Pair{"\u207b", "-"},    Pair{"\u00b9", "1"},      Pair{"\u00b2", "2"},
                                 Pair{"\u00b3", "3"},    Pair{"\u2074", "4"},      Pair{"\u2103", "degC"},
@@ -36,8 +37,8 @@ constexpr bool can_take_exponent(char before) {
   return is_letter(before) || is_digit(before) || before == '^' || before == ')';
 }
 
-/// What text holds that is none of names, exponents and the signs / * . ^ ( ) between them: a number beside
-/// exponents and the 1 of "1/s", or another sign. Nothing if it may be a unit.
+/// Finds anything but names, exponents and the signs / * . ^ ( ) between them: a number other than an
+/// exponent or the 1 of "1/s", or another sign. None if the text may be a unit.
 std::optional<UnitMatch> stranger_in(std::string_view text) {
   if (text.starts_with("1/") || text.starts_with("1 /")) text.remove_prefix(1);
   char before = ' ';
@@ -74,7 +75,7 @@ std::optional<Unit> product(const Unit& a, const Unit& by, int power) {
   Unit result{power < 0 ? a.number / raised : a.number * raised};
   bool is_sound = std::isfinite(result.number) && result.number > 0;
   const auto sum = [&](int left, int right) {
-    const int exponent = left + right * power;  // both at most largest_exponent, power at most 99
+    const int exponent = left + right * power;  // both are at most largest_exponent, power at most 99
     is_sound = is_sound && std::abs(exponent) <= largest_exponent;
     return exponent;
   };
@@ -209,9 +210,7 @@ class UnitReader {
 
 std::string tidy_unit(std::string_view text) {
   std::string tidy(text);
-  for (const auto& [from, to] : lookalikes)
-    for (auto at = tidy.find(from); at != std::string::npos; at = tidy.find(from, at + to.size()))
-      tidy.replace(at, from.size(), to);
+  for (const auto& [from, to] : lookalikes) replace_all(tidy, from, to);
   const auto first = tidy.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
   tidy = tidy.substr(first, tidy.find_last_not_of(" \t") - first + 1);

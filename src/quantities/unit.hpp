@@ -19,16 +19,16 @@ struct UnitFactor {
   double factor = 0;  ///< one `unit` in `si_unit`, where the dimensions are the same
 };
 
-/// What one `unit` is worth in `si_unit`. A temperature with a zero of its own (degC) alone counts as another
-/// dimension; so does a reciprocal (s as 1/s). Reads "N s/m" as "(N s)/m". Of more than 100 characters none
-/// is known.
+/// The value of one `unit` in `si_unit`. A temperature scale with its own zero (degC) counts as another
+/// dimension, and so does a reciprocal (s as 1/s). "N s/m" is read as "(N s)/m". Texts of more than 100
+/// characters are unknown.
 UnitFactor unit_factor(std::string_view unit, std::string_view si_unit);
 
-/// Without blanks at the ends, with signs that look like another (the Greek letter mu, the hard space, raised
-/// digits, the sign for a degree) in the form that unit_factor() knows, and "/s" as "1/s".
+/// The text without blanks at its ends. Look-alike signs (the Greek letter mu, the no-break space, raised
+/// digits, the degree sign) become those that unit_factor() knows, and "/s" becomes "1/s".
 std::string tidy_unit(std::string_view text);
 
-/// What to write in place of a name that means units of several sizes; "" of others.
+/// Advice for a name that means units of several sizes; "" for other names.
 std::string_view advice_on_unit(std::string_view name);
 
 }  // namespace dashpad

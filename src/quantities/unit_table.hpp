@@ -16,7 +16,7 @@ struct UnitDimension {
 enum class Prefixes : bool { no, yes };
 
 struct UnitRow {
-  std::string_view names;  ///< with blanks between them
+  std::string_view names;  ///< names separated by blanks
   long double number = 1;  ///< one of it is number times ten to a power, in base units
   int ten = 0;
   UnitDimension dimension;
@@ -36,7 +36,7 @@ constexpr UnitDimension none{}, length{.m = 1}, area{.m = 2}, volume{.m = 3}, ti
 // gravity are exact (NIST Special Publication 811, Appendix B).
 constexpr long double pound_force = 44482216152605.0L;  // 1e-13 N
 
-/// Where two names differ, the first is the one to write.
+/// Of several names, the first is the one to write.
 inline constexpr std::array rows{
     UnitRow{"m metre metres meter meters", 1, 0, length, Prefixes::yes},
     UnitRow{"in inch inches", 254, -4, length},

@@ -16,7 +16,7 @@ namespace {
 
 using Binomial = boost::math::binomial_distribution<>;
 
-constexpr double tail = 0.025;  // of a 95 % interval, at each end
+constexpr double tail = 0.025;  // probability beyond each end of a 95 % interval
 constexpr double probabilities[] = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
 std::vector<double> sorted_values(std::span<const double> values) {
@@ -27,7 +27,7 @@ std::vector<double> sorted_values(std::span<const double> values) {
   return present;
 }
 
-/// Two passes: the first one's mean keeps the squares small. `values` are finite.
+/// Computes the moments in two passes; the mean of the first keeps the squares small. `values` are finite.
 void set_moments(Distribution& distribution, const std::vector<double>& values, bool drawn) {
   const auto count = static_cast<double>(values.size());
   double sum = 0;
@@ -54,8 +54,8 @@ std::uint64_t min_count(const Binomial& binomial, double share) {
   return k;
 }
 
-/// The quantile lies below order statistic j with P(fewer than j values below it) and so on: David and
-/// Nagaraja, Order Statistics, section 7.1. `values` are sorted.
+/// The distribution-free interval of a quantile between order statistics (David and Nagaraja, Order
+/// Statistics, section 7.1). `values` are sorted.
 Estimate quantile_of(const std::vector<double>& values, double probability, bool drawn) {
   const std::size_t count = values.size();
   const auto rank = static_cast<std::size_t>(std::ceil(probability * static_cast<double>(count)));
@@ -79,7 +79,7 @@ double upper_bound(std::uint64_t count, std::uint64_t successes) {
 
 /// Sums over draws, from which all indices follow.
 struct Sums {
-  double values = 0, squares = 0;  ///< of a and b
+  double values = 0, squares = 0;  ///< sums over a and b
   std::vector<double> first, total;
   explicit Sums(std::size_t factors) : first(factors), total(factors) {}
 
@@ -94,7 +94,7 @@ struct Sums {
     }
   }
 
-  /// All first-order indices, then all total ones. Zero where nothing varies.
+  /// All first-order indices, then all total ones; 0 if nothing varies.
   [[nodiscard]] std::vector<double> indices(std::size_t draws) const {
     const auto count = static_cast<double>(draws);
     const double mean = values / (2 * count);

@@ -23,7 +23,7 @@ const char* form_of(const Variant& variant) {
   return std::visit([](const auto& form) { return form.name; }, variant);
 }
 
-/// What the pad has in place of a number of its curve or of its rate effect.
+/// What the pad has instead of an unknown number of its curve or rate effect.
 std::string rule_for_curves(const std::string& table, const PadLaw& law,
                             const std::vector<std::string>& known) {
   const auto there_are = [&](std::string_view prefix) {
@@ -32,19 +32,14 @@ std::string rule_for_curves(const std::string& table, const PadLaw& law,
                          [&](const std::string& name) { return name.starts_with(prefix); });
     return names.empty() ? ", which has no numbers that can vary" : "; there are " + input::listing(names);
   };
-  return std::visit(
-      [&]<class Law>(const Law& held) {
-        if constexpr (SharesSlip<Law>)
-          return (table == "pad.curve."
-                      ? fmt::format("the curve of the pad has the form {}", form_of(held.curves.base))
-                      : fmt::format("the rate effect of the pad has the form {}",
-                                    form_of(held.curves.rate_effect))) +
-                 there_are(table);
-        else
-          return fmt::format("the law of the pad, {}, is not made of curves", Law::name) +
-                 there_are("pad.parameters.");
-      },
-      law);
+  const FoamCurves* const curves = foam_curves(law);
+  if (curves == nullptr)
+    return fmt::format("the law of the pad, {}, is not made of curves", name_of(law)) +
+           there_are("pad.parameters.");
+  return (table == "pad.curve."
+              ? fmt::format("the curve of the pad has the form {}", form_of(curves->base))
+              : fmt::format("the rate effect of the pad has the form {}", form_of(curves->rate_effect))) +
+         there_are(table);
 }
 
 std::uint64_t blocks_of(const Study& study) { return study.indices ? 2 + sampled_factors(study).size() : 1; }
@@ -65,7 +60,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
                ? "the support of the case is rigid"
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
   std::vector<std::string> known;
-  for (const FactorKey& factor_key : factor_keys(base)) known.push_back(factor_key.key);
+  for (const FactorKey& each : factor_keys(base)) known.push_back(each.key);
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);
@@ -73,7 +68,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
 }
 
 bool is_of_law(const std::string& key) {
-  // Of a layer, "pad.layers[2].parameters.friction", as of a pad.
+  // The key of a layer, "pad.layers[2].parameters.friction", counts like that of a pad.
   const std::size_t bracket = key.starts_with("pad.layers[") ? key.find("].") : std::string::npos;
   const std::string of_pad = bracket == std::string::npos ? key : "pad." + key.substr(bracket + 2);
   return is_in(of_pad, "pad.parameters.") || is_in(of_pad, "pad.curve.") || is_in(of_pad, "pad.rate.");
@@ -81,7 +76,7 @@ bool is_of_law(const std::string& key) {
 
 Application::Application(const Study& study) {
   const CaseQuantities quantities = quantities_of(study.base);
-  // What is nominal for one material may not be for another.
+  // The nominal value differs between materials.
   const bool is_nominal = study.base.pad.neighbours == nominal_neighbours(study.base.pad) &&
                           std::ranges::count(study.factors, "pad.neighbours", &Factor::key) == 0;
   for (const Factor& factor : study.factors) {
@@ -102,11 +97,6 @@ Application::Application(const Study& study) {
 
 void Application::operator()(std::span<const double> values, ImpactCase& into) const {
   for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i](into, values[i]);
-}
-
-void apply(const Study& study, std::span<const double> values, ImpactCase& into) {
-  const Application application(study);
-  application(values, into);
 }
 
 struct Design::Plan {
@@ -152,7 +142,7 @@ struct Design::Plan {
   FractionSource source;
   Matrix root;  ///< empty without correlations
   std::vector<Quantiles> quantiles;
-  std::vector<std::vector<double>> levels;  ///< of each factor; empty for a sampled one
+  std::vector<std::vector<double>> levels;  ///< levels of each factor; empty for a sampled one
 };
 
 Design::Design(const Study& study) {
@@ -165,7 +155,9 @@ Design::~Design() = default;
 Design::Design(Design&&) noexcept = default;
 Design& Design::operator=(Design&&) noexcept = default;
 
-std::uint64_t Design::rows() const { return plan_->combinations * plan_->samples * plan_->blocks; }
+std::uint64_t Design::rows() const { return plan_->combinations * rows_of_combination(); }
+
+std::uint64_t Design::rows_of_combination() const { return plan_->samples * plan_->blocks; }
 
 int Design::block_of(std::uint64_t row) const { return static_cast<int>(row % plan_->blocks); }
 

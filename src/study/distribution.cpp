@@ -41,32 +41,26 @@ template <class Distribution>
 double below(const Distribution& distribution, double x) {
   return x == -infinite ? 0 : x == infinite ? 1 : cdf(distribution, x);
 }
-double below(const EmpiricalDistribution& empirical_distribution, double x) {
-  return empirical_distribution.below(x);
-}
+double below(const EmpiricalDistribution& measured, double x) { return measured.below(x); }
 
 template <class Distribution>
 double up_to(const Distribution& distribution, double x) {
   return below(distribution, x);
 }
-double up_to(const EmpiricalDistribution& empirical_distribution, double x) {
-  return empirical_distribution.up_to(x);
-}
+double up_to(const EmpiricalDistribution& measured, double x) { return measured.up_to(x); }
 
 template <class Distribution>
 double above(const Distribution& distribution, double x) {
   return x == -infinite ? 1 : x == infinite ? 0 : cdf(complement(distribution, x));
 }
-double above(const EmpiricalDistribution& empirical_distribution, double x) {
-  return 1 - empirical_distribution.up_to(x);
-}
+double above(const EmpiricalDistribution& measured, double x) { return 1 - measured.up_to(x); }
 
 template <class Distribution>
 double value_at(const Distribution& distribution, double fraction, bool from_above) {
   return from_above ? quantile(complement(distribution, fraction)) : quantile(distribution, fraction);
 }
-double value_at(const EmpiricalDistribution& empirical_distribution, double fraction, bool from_above) {
-  return empirical_distribution.quantile(from_above ? 1 - fraction : fraction);
+double value_at(const EmpiricalDistribution& measured, double fraction, bool from_above) {
+  return measured.quantile(from_above ? 1 - fraction : fraction);
 }
 
 /// A lognormal has no probability at 0 and below, where Boost has no distribution function.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t max_values = 1'000'000;
 
-/// That of the header: a semicolon, a tab, or else a comma.
+/// The separator of the header: a semicolon, a tab, or else a comma.
 char separator_of(std::string_view text) {
   input::LineReader lines(text);
   std::string_view line;
@@ -37,7 +37,7 @@ struct Column {
   double factor = 1;
 };
 
-/// One unit of a header in SI.
+/// The factor from the unit of a header to SI.
 double unit_factor(const std::string& written, const std::string& unit, const Column& column,
                    std::size_t line, input::MeasurementFaults& faults) {
   if (unit == "1") {
@@ -96,7 +96,7 @@ Levels read_values(input::TableReader& table, const std::string& unit) {
   return levels;
 }
 
-/// Both ends are exact.
+/// Reads a range whose ends are both exact.
 Levels read_range(input::TableReader& table, const std::string& unit) {
   const double from = table.value("from", unit), to = table.value("to", unit);
   const auto count = static_cast<std::size_t>(table.whole_number("count", 2, max_levels).value_or(0));

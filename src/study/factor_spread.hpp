@@ -1,5 +1,5 @@
 #pragma once
-/// How a factor of a study file varies.
+/// Reading the spread of a factor from a study file.
 
 #include <filesystem>
 #include <string>

@@ -17,7 +17,7 @@
 namespace dashpad::study {
 namespace {
 
-std::optional<std::size_t> place_of(const std::vector<std::string>& names, const char* name) {
+std::optional<std::size_t> place_of(const std::vector<std::string>& names, const std::string& name) {
   const auto place = std::ranges::find(names, name);
   return place == names.end() ? std::nullopt : std::optional{static_cast<std::size_t>(place - names.begin())};
 }
@@ -36,10 +36,9 @@ bool is_of_cushion_curves(const Study& study) {
 }
 
 std::size_t number_of(const Study& study, const std::string& response) {
-  const auto place = std::ranges::find(study.responses, response);
-  if (place == study.responses.end())
-    throw std::invalid_argument("the study keeps no response \"" + response + "\"");
-  return static_cast<std::size_t>(place - study.responses.begin());
+  const std::optional<std::size_t> place = place_of(study.responses, response);
+  if (!place) throw std::invalid_argument("the study keeps no response \"" + response + "\"");
+  return *place;
 }
 
 StudyAnswers::OfGroup of_group(const StudyAnswers& answers, const Design& design, Group group,
@@ -70,13 +69,6 @@ bool grows_with_force(const Study& study, std::size_t response) {
   return kind != nullptr && kind->role.growth == Growth::with_force;
 }
 
-std::uint64_t combinations(const Study& study) {
-  std::uint64_t count = 1;
-  for (const Factor& factor : study.factors)
-    if (const auto* levels = std::get_if<Levels>(&factor.spread)) count *= levels->values.size();
-  return count;
-}
-
 /// The levels of each factor in order; none of one that is sampled.
 std::vector<std::vector<double>> sorted_levels(const Study& study) {
   std::vector<std::vector<double>> all;
@@ -103,7 +95,7 @@ std::optional<CushionCurves> cushion_curves(const Study& study, const Records& r
   const auto penetration = place_of(study.responses, "peak_penetration");
   if (!is_of_cushion_curves(study) || !deceleration || !penetration) return std::nullopt;
 
-  // By speed and thickness, then by mass.
+  // Rows by speed and thickness, then by mass.
   std::map<double, std::map<double, std::map<double, std::size_t>>> places;
   ImpactCase impact = study.base;
   std::vector<double> factors(study.factors.size());
@@ -198,10 +190,9 @@ RowCounts row_counts(const Store& store) {
 }
 
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records) {
-  const bool drawn =
-      std::ranges::any_of(study.factors, [](const Factor& factor) { return factor.is_sampled(); });
-  const std::uint64_t count = drawn ? combinations(study) : 1;
-  const std::uint64_t each = design.rows() / count;
+  const bool drawn = std::ranges::any_of(study.factors, &Factor::is_sampled);
+  const std::uint64_t each = drawn ? design.rows_of_combination() : design.rows();
+  const std::uint64_t count = design.rows() / each;
   std::vector<Group> result(count);
   std::vector<double> values(study.factors.size());
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -240,11 +231,7 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const bool is_final =
         status == Status::released || status == Status::at_rest || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    double low = -infinite;
-    double high = infinite;
-    if (is_known) low = values[i];
-    if (is_known && is_final) high = values[i];
-    readings.push_back({low, high});
+    readings.push_back({is_known ? values[i] : -infinite, is_known && is_final ? values[i] : infinite});
   }
   return readings;
 }

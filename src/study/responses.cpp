@@ -17,9 +17,8 @@ namespace dashpad::study {
 
 using injury::hic_power;
 
-/// The injury figures of a solved impact one by one, so that nothing is computed that nobody asked for: the
-/// same numbers and errors as injury_figures() of dashpad/injury/figures.hpp, of one solution after the
-/// other.
+/// The injury figures of one solution after the other, each computed only on request, with the values and
+/// errors of injury_figures() (dashpad/injury/figures.hpp).
 class PulseFigures {
  public:
   /// Takes no memory once it has held a pulse as long.
@@ -54,8 +53,8 @@ class PulseFigures {
   EstimatedValue hic_d() {
     const EstimatedValue hic36 = hic(injury::hic36_window);
     const double value = injury::hic_d(hic36.value);
-    // The offset of HIC(d) has no error; that of the samples shrinks with it, that of the force is kept, as
-    // there.
+    // The offset of HIC(d) has no error. The error of the samples shrinks with it; that of the force does
+    // not, as in injury_figures().
     const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
     return {value, of_samples + hic_power * force_error_};
   }
@@ -86,7 +85,7 @@ class PulseFigures {
   struct Sampled {
     Pulse pulse;
     std::optional<injury::Hump> hump;
-    std::optional<double> scale;  ///< of the curve, once it is there
+    std::optional<double> scale;  ///< scale of the curve, once it is assigned
     injury::hic_search::Curve curve;
 
     void prepare() {
@@ -104,7 +103,7 @@ class PulseFigures {
   };
 
   [[nodiscard]] bool are_humps() const { return fine_.hump && (coarse_.hump || !has_coarse_); }
-  /// What the steps leave, and the error of the force to the power that it has in the figure.
+  /// The error from the steps, plus that of the force times its power in the figure.
   template <class Figure>
   EstimatedValue with_error(Figure figure, double power) {
     const double value = figure(fine_);
@@ -124,46 +123,40 @@ class PulseFigures {
   double force_error_ = 0;
   bool whole_ = false;
   std::optional<EstimatedValue> whole_window_;  ///< HIC with a window that is no limit
-  std::optional<EstimatedValue> clip_;          ///< of a hump: contiguous and cumulative are the same
+  std::optional<EstimatedValue>
+      clip_;  ///< clip of a hump, for which contiguous and cumulative clips are equal
 };
 
 namespace {
 
-/// How a response is got: one of the two functions.
+/// A response and the function that computes it, one of two.
 struct Recipe {
   ResultQuantity kind;
   EstimatedValue (*of_summary)(const Summary&) = nullptr;
   EstimatedValue (*of_pulse)(PulseFigures&) = nullptr;
 };
 
-struct PulseRecipe {
-  const char* key;
-  EstimatedValue (*of)(PulseFigures&);
-};
-constexpr PulseRecipe of_pulses[] = {
-    {"hic15", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic15_window); }},
-    {"hic36", [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::hic36_window); }},
-    {"hic_unlimited",
-     [](PulseFigures& pulse_figures) { return pulse_figures.hic(injury::unlimited_window); }},
-    {"hic_d", [](PulseFigures& pulse_figures) { return pulse_figures.hic_d(); }},
-    {"clip_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.clip_3ms(); }},
-    {"cumulative_3ms", [](PulseFigures& pulse_figures) { return pulse_figures.cumulative_3ms(); }},
-    {"severity_index", [](PulseFigures& pulse_figures) { return pulse_figures.severity_index(); }},
-    {"velocity_change", [](PulseFigures& pulse_figures) { return pulse_figures.velocity_change(); }},
+constexpr std::pair<const char*, EstimatedValue (*)(PulseFigures&)> of_pulses[] = {
+    {"hic15", [](PulseFigures& pulse) { return pulse.hic(injury::hic15_window); }},
+    {"hic36", [](PulseFigures& pulse) { return pulse.hic(injury::hic36_window); }},
+    {"hic_unlimited", [](PulseFigures& pulse) { return pulse.hic(injury::unlimited_window); }},
+    {"hic_d", [](PulseFigures& pulse) { return pulse.hic_d(); }},
+    {"clip_3ms", [](PulseFigures& pulse) { return pulse.clip_3ms(); }},
+    {"cumulative_3ms", [](PulseFigures& pulse) { return pulse.cumulative_3ms(); }},
+    {"severity_index", [](PulseFigures& pulse) { return pulse.severity_index(); }},
+    {"velocity_change", [](PulseFigures& pulse) { return pulse.velocity_change(); }},
 };
 
-/// In the order of the table of results.
-std::vector<Recipe> make_recipes() {
-  std::vector<Recipe> all;
-  for (const SummaryQuantity& entry : summary_quantities())
-    if (entry.quantity->role.in_studies) all.push_back({*entry.quantity, entry.of, nullptr});
-  for (const PulseRecipe& entry : of_pulses) all.push_back({result_quantity(entry.key), nullptr, entry.of});
-  return all;
-}
-
+/// The order is that of the table of results.
 const std::vector<Recipe>& recipes() {
-  static const std::vector<Recipe> all = make_recipes();
-  return all;
+  static const std::vector<Recipe> recipes = [] {
+    std::vector<Recipe> all;
+    for (const SummaryQuantity& entry : summary_quantities())
+      if (entry.quantity->role.in_studies) all.push_back({*entry.quantity, entry.of, nullptr});
+    for (const auto& [key, of] : of_pulses) all.push_back({result_quantity(key), nullptr, of});
+    return all;
+  }();
+  return recipes;
 }
 
 }  // namespace
@@ -204,7 +197,7 @@ bool has_response(const ResultQuantity& kind, Status status) {
 
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
-  // Not every support has its figures: they are responses where they are asked for.
+  // Only some supports have such figures, so that they are responses on request only.
   for (const ResultQuantity& kind : response_kinds())
     if (kind.part != Part::pulse && kind.role.needs != Needs::support) names.emplace_back(kind.key);
   return names;
@@ -241,11 +234,6 @@ void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
     // An estimate that is no number bounds nothing.
     outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
   }
-}
-
-void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome) {
-  ResponseReader reader(names);
-  reader(solution, outcome);
 }
 
 }  // namespace dashpad::study

@@ -20,8 +20,8 @@ struct BatchWork {
   std::function<void(std::uint64_t batch, std::span<const StoredRow> rows)> write;
 };
 
-/// At most a few batches a thread are in memory. True where all are written; false where `stop` came first.
-/// An exception ends the run: what is before it in the list is written.
+/// Computes and writes the batches, with a few batches per thread in memory. True if all are written, false
+/// if `stop` came first. After an exception the batches before it in the list are written.
 bool run_batches(std::span<const std::uint64_t> batches, int threads, const std::atomic<bool>* stop,
                  const BatchWork& work);
 

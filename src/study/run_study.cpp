@@ -75,11 +75,12 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
                  const BatchWork& work) {
   constexpr std::size_t batches_a_thread = 4;
   const auto workers = static_cast<std::size_t>(threads);
-  // More threads than cores, where the user wants it.
+  // Allows more threads than cores if the user asks for them.
   const tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, workers};
   tbb::enumerable_thread_specific<BatchWork::Compute> compute{[&work] { return work.worker(); }};
 
-  // What is on its way when a filter throws is forgotten by the pipeline: it is owned here, and pointed at.
+  // The pipeline forgets items in flight when a filter throws, so that they are owned here and passed as
+  // pointers.
   std::vector<Computed> in_flight(batches_a_thread * workers);
   tbb::concurrent_queue<Computed*> unused;
   for (Computed& computed : in_flight) unused.push(&computed);
@@ -100,7 +101,8 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
         compute.local()(batch, result->rows);
         return result;
       });
-  // In order: the file grows at its end, which is fastest, and holds the same bytes whatever the threads.
+  // Writing in order is fastest, since the file grows at its end, and gives the same bytes for any number of
+  // threads.
   const auto write =
       tbb::make_filter<Computed*, void>(tbb::filter_mode::serial_in_order, [&](Computed* done) {
         work.write(done->batch, done->rows);

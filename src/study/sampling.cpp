@@ -19,7 +19,7 @@ std::uint64_t mixed(std::uint64_t x) {
 
 using Engine = boost::random::sobol_engine<std::uint32_t, 32>;
 
-/// All dimensions of point `number`, from 1; Boost leaves out point 0, which is 0.
+/// Point `number` in all dimensions. Boost leaves out point 0, which is 0.
 std::vector<std::uint32_t> point(std::size_t dimensions, std::uint64_t number) {
   std::vector<std::uint32_t> values(dimensions, 0);
   if (number == 0) return values;
@@ -74,8 +74,7 @@ std::uint64_t Permutation::at(std::uint64_t number) const {
   return number;
 }
 
-/// Boost goes through the points in the order of the Gray code: from point 2^j - 1 to point 2^j only
-/// direction j changes.
+/// Boost follows the order of the Gray code: between points 2^j - 1 and 2^j only direction j changes.
 Sobol::Sobol(std::size_t dimensions, std::uint64_t seed) : directions_(dimensions), seeds_(dimensions) {
   for (unsigned j = 0; j < 32; ++j) {
     const auto before = point(dimensions, (std::uint64_t{1} << j) - 1);

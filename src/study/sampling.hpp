@@ -1,8 +1,7 @@
 #pragma once
-/// From random numbers to the values of sampled factors: fractions in (0, 1) for each draw and dimension,
-/// Latin hypercubes, Sobol points; distributions and correlations; and whether the values of all factors make
-/// cases that can be solved. Random numbers are Philox 4x32-10 (Salmon, Moraes, Dror, Shaw: SC11), of
-/// Random123.
+/// Samples of the varied factors: random fractions, Latin hypercubes and Sobol points, distributions and
+/// correlations, and checks of the resulting cases. Random numbers are Philox 4x32-10 of Random123 (Salmon,
+/// Moraes, Dror, Shaw: SC11).
 
 #include <algorithm>
 #include <array>
@@ -23,7 +22,7 @@
 
 namespace dashpad::study {
 
-/// What a number is for; numbers for different purposes are independent.
+/// The purpose of a random number; numbers for different purposes are independent.
 enum class Purpose : std::uint32_t { draw, permutation, jitter, scrambling };
 
 /// 128 random bits. `place` is the draw, `dimension` the factor.
@@ -37,7 +36,7 @@ inline std::array<std::uint32_t, 4> random_words(std::uint64_t seed, std::uint64
   return {words[0], words[1], words[2], words[3]};
 }
 
-/// In (0, 1), on the middles of 2^53 equal intervals.
+/// A random number in (0, 1), at the middle of one of 2^53 equal intervals.
 inline double random_fraction(std::uint64_t seed, std::uint64_t place, std::uint32_t dimension,
                               Purpose purpose) {
   const auto words = random_words(seed, place, dimension, purpose);
@@ -47,9 +46,8 @@ inline double random_fraction(std::uint64_t seed, std::uint64_t place, std::uint
   return fraction < 1 ? fraction : 1 - 0x1p-53;
 }
 
-/// A keyed Feistel network on the smallest power of 4 that is not below `count`; a number that it puts
-/// outside is led through again until it is inside (cycle walking: Black, Rogaway, Ciphers with arbitrary
-/// finite domains, CT-RSA 2002), fewer than four times on the average.
+/// A random permutation by a keyed Feistel network on the least power of 4 not below `count`. Numbers outside
+/// are mapped again (cycle walking: Black, Rogaway, CT-RSA 2002), fewer than four times on average.
 class Permutation {
  public:
   /// `count` in [1, 2^62].
@@ -73,13 +71,13 @@ class Sobol {
   static constexpr std::size_t max_dimensions = 1000;
 
   Sobol(std::size_t dimensions, std::uint64_t seed);
-  /// In (0, 1), on the middles of 2^32 equal intervals; `number` below 2^32.
+  /// A number in (0, 1), at the middle of one of 2^32 equal intervals; `number` is below 2^32.
   [[nodiscard]] double at(std::uint64_t number, std::size_t dimension) const;
-  /// Before scrambling, in units of 2^-32. Number 0 is 0 in all dimensions.
+  /// The point before scrambling, in units of 2^-32. Point 0 is 0 in all dimensions.
   [[nodiscard]] std::uint32_t plain(std::uint64_t number, std::size_t dimension) const;
 
  private:
-  std::vector<std::array<std::uint32_t, 32>> directions_;  ///< of each dimension
+  std::vector<std::array<std::uint32_t, 32>> directions_;  ///< direction numbers of each dimension
   std::vector<std::uint32_t> seeds_;
 };
 
@@ -114,11 +112,10 @@ class FractionSource {
   std::vector<Permutation> strata_;
 };
 
-// Values of sampled factors from fractions of their probability, their correlations, and whether the values
-// of all factors make cases that can be solved.
+// Values of sampled factors, their correlations, and checks of the cases that they make.
 
-/// F(x(i)) = i / (n - 1) for the values x(0) <= ... <= x(n - 1), n >= 2; linear between. Equal values carry
-/// the probability between them.
+/// The distribution with F(x(i)) = i / (n - 1) for values x(0) <= ... <= x(n - 1), n >= 2, and linear between
+/// them. Equal values carry the probability between them.
 class EmpiricalDistribution {
  public:
   explicit EmpiricalDistribution(std::vector<double> sorted) : values_(std::move(sorted)) {}
@@ -145,7 +142,7 @@ class EmpiricalDistribution {
   std::vector<double> values_;
 };
 
-/// In double precision throughout; infinity instead of an exception for a probability of 0 or 1.
+/// Double precision throughout, and infinity instead of an exception for a probability of 0 or 1.
 using Policy =
     boost::math::policies::policy<boost::math::policies::promote_double<false>,
                                   boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
@@ -158,7 +155,7 @@ using StandardNormal = boost::math::normal_distribution<double, Policy>;
 /// taken from above where the median is below `lowest`, for accuracy in the tail.
 class Quantiles {
  public:
-  /// Of a sampled factor without violations.
+  /// Needs a sampled factor without violations.
   explicit Quantiles(const Factor& factor);
   [[nodiscard]] double at(double fraction) const;
   /// The probability between the cut-offs before they were made.
@@ -177,11 +174,11 @@ class Quantiles {
   double begin_ = 0, width_ = 1;  ///< probability up to the lower cut-off (above the upper one) and between
 };
 
-/// What is wrong with the numbers of a distribution, or "".
+/// The rule that the numbers of a distribution break, or "".
 std::string rule_broken_by(const Factor& factor);
 
-/// The range in which a distribution is checked before work starts: its ends or cut-offs, and 6 deviations of
-/// a normal where it has none.
+/// The range in which a distribution is checked: its ends or cut-offs, or 6 deviations of a normal
+/// distribution.
 struct CheckedRange {
   double low = 0, high = 0;
   bool low_is_tail = false, high_is_tail = false;  ///< 6 deviations out: rarer values exist
@@ -190,17 +187,8 @@ CheckedRange checked_range(const Factor& factor);
 
 using Matrix = std::vector<std::vector<double>>;
 
-/// L with L L^T = C, where C has the study's correlations between its sampled factors, in their order. Absent
-/// where C is not positive definite.
+/// The matrix L with L L^T = C for the correlations C between the sampled factors, in their order. Absent if
+/// C is not positive definite.
 std::optional<Matrix> root_of_correlations(const Study& study);
-
-/// The indices of the sampled factors.
-std::vector<std::size_t> sampled_factors(const Study& study);
-
-/// Rules of the case that levels or the ends of distributions break, under keys such as
-/// "factors.impactor.speed": of all combinations of levels, up to 100,000, or of each level with the first of
-/// the others; and of the ends of each distribution, the others at their medians. For a study whose factors
-/// are sound in themselves.
-std::vector<Violation> case_violations(const Study& study);
 
 }  // namespace dashpad::study

@@ -61,7 +61,8 @@ std::string sql_name(std::string_view name) {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
-  // Also to read: what a killed run left is put in order first. SQLite does without where it may not write.
+  // Readers also open for writing, to recover what a killed run left; SQLite falls back to reading where it
+  // may not write.
   const int flags = SQLITE_OPEN_READWRITE | (access == Access::write ? SQLITE_OPEN_CREATE : 0);
   sqlite3* handle = nullptr;
   // The whole path: SQLite takes names such as ":memory:" for something else than files.
@@ -71,7 +72,7 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
   if (code != SQLITE_OK) fail(code);
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, milliseconds_for_others);
-  // What the file brings along (views, triggers) may do nothing but SQL.
+  // Views and triggers in the file may do nothing but SQL.
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   if (access == Access::read) execute("PRAGMA query_only = ON");
@@ -193,7 +194,7 @@ std::string Statement::name(int column) const {
 }
 
 void Statement::wrong_value(int column) const {
-  // What is computed from several rows has no name but its SQL.
+  // A value computed from several rows has only its SQL as a name.
   const std::string name = sqlite3_column_name(handle_.get(), column);
   database_->damaged(name.find('(') == std::string::npos
                          ? fmt::format("column {} holds a wrong value", quoted_part(name))

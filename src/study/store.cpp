@@ -39,13 +39,13 @@ const std::string& lasting_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
-/// On a nearly full disk the log is written back while there is room to do it: what it holds is then twice on
-/// the disk until it is emptied.
+/// Writes the log back while a nearly full disk still has room: until the log is emptied, its content takes
+/// twice the space.
 void keep_room(Database& database, const StoreHeading& heading) {
   std::error_code none;
   const std::filesystem::path log = database.log();
   const std::uintmax_t written = std::filesystem::file_size(log, none);
-  if (none) return;  // nothing to write back
+  if (none) return;  // there is no log to write back
   const std::filesystem::space_info space = std::filesystem::space(log, none);
   if (!none && space.available < written + 2 * log_bytes_of_batch(heading)) database.write_back_log();
 }
@@ -72,7 +72,7 @@ Status status_of(const std::string& name, const Database& database) {
   database.damaged("a status that there is not");
 }
 
-/// All kinds at once.
+/// The sum of all kinds.
 constexpr std::uint64_t max_extrapolated =
     extrapolated_untold + extrapolated_strain + extrapolated_rate + extrapolated_otherwise;
 
@@ -133,8 +133,8 @@ Store::Store(std::unique_ptr<File> file) : file_(std::move(file)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-/// A store that was written becomes one plain file, that can be read from a read-only folder. Where that
-/// fails (a full disk, a reader), the log stays beside the file and nothing is lost.
+/// Turns a written store into one plain file, readable in a read-only folder. If that fails (full disk, a
+/// reader), the log stays beside the file and nothing is lost.
 Store::~Store() {
   if (!file_ || !file_->insert_row) return;
   file_->insert_row.reset();
@@ -190,9 +190,7 @@ void Store::write_batch(std::uint64_t batch, std::span<const StoredRow> rows) {
     bind(*file_->insert_row, row);
     file_->insert_row->run();
   }
-  file_->insert_batch->bind(0, static_cast<std::int64_t>(batch))
-      .bind(1, static_cast<std::int64_t>(rows.size()))
-      .run();
+  file_->insert_batch->run_with(static_cast<std::int64_t>(batch), static_cast<std::int64_t>(rows.size()));
   transaction.commit();
   file_->rows_done += rows.size();
 }

@@ -33,22 +33,23 @@ class Database {
   [[nodiscard]] bool has_moved() const;
   /// The write-ahead log beside the file; it need not be there.
   [[nodiscard]] std::filesystem::path log() const;
-  /// Writes the log back into the file and empties it, as far as readers and the disk let it: what stays in
+  /// Writes the log back into the file and empties it, as far as readers and the disk allow. What stays in
   /// the log is not lost.
   void write_back_log();
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* get() const { return handle_.get(); }
 
-  /// Throws std::runtime_error for what SQLite reports, DamagedStore for damage: `code` in the user's words.
+  /// Throws std::runtime_error with SQLite's error `code` in the user's words, DamagedStore if it means
+  /// damage.
   [[noreturn]] void fail(int code) const;
-  /// Throws DamagedStore: the file holds what no Dashpad writes.
+  /// Throws DamagedStore for content that Dashpad does not write.
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:
   struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
   };
-  std::string name_;  ///< as the user gave it
+  std::string name_;  ///< name given by the user
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
@@ -66,6 +67,13 @@ class Statement {
   bool next();
   /// Runs a statement that has no rows, ready for other parameters.
   void run();
+  /// The same with these values for the parameters, from the first on.
+  template <class... Values>
+  void run_with(const Values&... values) {
+    int parameter = 0;
+    (bind(parameter++, values), ...);
+    run();
+  }
   void reset() { sqlite3_reset(handle_.get()); }
 
   /// Values of the row; std::runtime_error where the type is another.
@@ -101,10 +109,9 @@ class Transaction {
   bool open_ = true;
 };
 
-// The file of a store (docs/studies.md): its tables, made, and read back with every value checked; one
-// writer at a time, however many read it; and what a Store keeps while it is open.
+// The file of a store (docs/studies.md): its tables, the lock of its writer, and the state of an open Store.
 
-/// What the tables beside `samples` and `batches` say.
+/// The content of the tables beside `samples` and `batches`.
 struct StoreHeading {
   std::string program;
   std::string text;      ///< the study file
@@ -116,16 +123,13 @@ struct StoreHeading {
 
 StoreHeading heading_of(const Study& study);
 
-/// "0.1.0 (0123456789ab)" of this program.
-std::string this_program();
-
 /// Whether there is nothing in the file yet: it is new, or its making was cut short.
 bool is_empty(const Database& database);
 
-/// All tables, within the caller's transaction.
+/// Creates all tables within the caller's transaction.
 void create_tables(Database& database, const Study& study, const StoreHeading& heading);
 
-/// Throws std::runtime_error: no store, a store of another layout, damaged.
+/// Throws std::runtime_error for a file that is no store, has another layout or is damaged.
 StoreHeading read_heading(const Database& database);
 
 /// Columns of `samples` from the first factor on, each with a comma and `before` it and `after` it.
@@ -134,22 +138,21 @@ std::string value_columns(const StoreHeading& heading, const std::string& before
 
 inline constexpr std::uint64_t page_bytes = 16384;
 
-/// At most so many bytes does a batch take in the log: whole pages, those of the index among them.
+/// The largest number of bytes that a batch takes in the log, in whole pages with those of the index.
 std::uint64_t log_bytes_of_batch(const StoreHeading& heading);
 
 /// About how many bytes the tables take in the file before the first row.
 std::uint64_t bytes_of_tables(const StoreHeading& heading);
 
-/// About how many bytes must be free for so many rows: in the file, for the shortest log that will do, and
-/// for the index of the log.
+/// The approximate number of free bytes that so many rows need: for the file, the shortest possible log, and
+/// the index of the log.
 std::uint64_t bytes_of_rows(const StoreHeading& heading, std::uint64_t rows);
 
-/// A lock of the system on one byte of the file, far beyond its end and the bytes that SQLite locks. It goes
-/// with the process, keeps no reader out, and leaves nothing behind. Two in one process exclude each other,
-/// too.
+/// A system lock on one byte far beyond the end of the file and the bytes that SQLite locks. It ends with the
+/// process and does not affect readers. Two locks in one process exclude each other, too.
 class WriterLock {
  public:
-  /// Makes the file where it is missing. Throws std::runtime_error: another run has the lock, or the file
+  /// Makes the file if it is missing. Throws std::runtime_error if another run has the lock or the file
   /// cannot be opened.
   explicit WriterLock(const std::filesystem::path& file);
   /// Closing a file drops the locks that SQLite has on it in this process: it must be closed before.
@@ -166,11 +169,11 @@ class WriterLock {
 struct Store::File {
   File(Database opened, StoreHeading read) : database(std::move(opened)), heading(std::move(read)) {}
 
-  std::optional<WriterLock> writer_lock;  ///< of a store to write; before the database, to outlive it
+  std::optional<WriterLock> writer_lock;  ///< for writing only; stands before the database to outlive it
   Database database;
   StoreHeading heading;
   std::uint64_t rows_done = 0;
-  std::optional<Statement> insert_row, insert_batch;  ///< of a store to write
+  std::optional<Statement> insert_row, insert_batch;  ///< for writing only
   [[nodiscard]] std::uint64_t batches() const {
     return heading.rows / heading.batch_size + (heading.rows % heading.batch_size > 0 ? 1 : 0);
   }
@@ -179,8 +182,5 @@ struct Store::File {
     return std::min(heading.batch_size, heading.rows - batch * heading.batch_size);
   }
 };
-
-/// Checks the list of batches against itself and against the rows. Returns the number of rows done.
-std::uint64_t count_rows(const Database& database, const StoreHeading& heading);
 
 }  // namespace dashpad::study

@@ -26,8 +26,8 @@ CREATE TABLE materials (number INTEGER PRIMARY KEY, name TEXT NOT NULL);
 CREATE TABLE batches (batch INTEGER PRIMARY KEY, rows INTEGER NOT NULL);
 )";
 
-/// A batch is the least that an interruption can lose and the most that a stop has to wait for: 256 rows take
-/// from 5 ms (20 us a row) to 3 s (10 ms a row). Small studies have enough batches for all cores.
+/// The rows of a batch, the unit of loss and of waiting at an interruption: 256 rows take 5 ms to 3 s. Small
+/// studies get enough batches for all cores.
 std::uint64_t batch_size_of(std::uint64_t rows) {
   constexpr std::uint64_t most = 256, batches = 64;
   return std::clamp<std::uint64_t>(rows / batches, 1, most);
@@ -44,28 +44,27 @@ StoredColumn response_column(const std::string& name) {
   return {name, kind->si_unit, kind->meaning};
 }
 
-std::int64_t pragma(const Database& database, const std::string& name) {
-  Statement statement{database, "PRAGMA " + name};
-  return statement.next() ? statement.integer(0) : 0;
-}
-
 void write_facts(const Database& database, const StoreHeading& heading, const Study& study) {
   Statement fact{database, "INSERT INTO study VALUES (?, ?)"};
-  const std::vector<std::pair<std::string_view, std::string_view>> texts = {{"title", study.title},
-                                                                            {"text", heading.text},
-                                                                            {"resolved", heading.resolved},
-                                                                            {"program", heading.program}};
-  for (const auto& [key, value] : texts) fact.bind(0, key).bind(1, value).run();
+  fact.run_with("title", study.title);
+  fact.run_with("text", heading.text);
+  fact.run_with("resolved", heading.resolved);
+  fact.run_with("program", heading.program);
   // The seed may need all 64 bits; SQLite's integers have a sign.
-  fact.bind(0, std::string_view{"seed"}).bind(1, std::string_view{std::to_string(study.seed)}).run();
-  fact.bind(0, std::string_view{"rows"}).bind(1, static_cast<std::int64_t>(heading.rows)).run();
-  fact.bind(0, std::string_view{"batch_size"}).bind(1, static_cast<std::int64_t>(heading.batch_size)).run();
+  fact.run_with("seed", std::to_string(study.seed));
+  fact.run_with("rows", static_cast<std::int64_t>(heading.rows));
+  fact.run_with("batch_size", static_cast<std::int64_t>(heading.batch_size));
+}
+
+std::int64_t single_integer(const Database& database, const std::string& select) {
+  Statement statement{database, select};
+  return statement.next() ? statement.integer(0) : 0;
 }
 
 /// The row of a fact; its value is in column 0.
 Statement fact(const Database& database, const std::string& key) {
   Statement row{database, "SELECT value FROM study WHERE key = ?"};
-  if (!row.bind(0, std::string_view{key}).next()) database.damaged("no " + key);
+  if (!row.bind(0, key).next()) database.damaged("no " + key);
   return row;
 }
 
@@ -85,23 +84,20 @@ std::vector<StoredColumn> read_columns(const Database& database, const char* sel
 
 /// A view in the place of a table may be anything that SQL can say, and go on for ever.
 void check_tables(const Database& database) {
-  Statement own{database,
-                "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name IN "
-                "('study', 'factors', 'responses', 'materials', 'batches', 'samples')"};
-  own.next();
-  if (own.integer(0) != 6) database.damaged("one of its tables is missing");
+  if (single_integer(database,
+                     "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name IN "
+                     "('study', 'factors', 'responses', 'materials', 'batches', 'samples')") != 6)
+    database.damaged("one of its tables is missing");
 }
 
 void check_columns(const Database& database, const StoreHeading& heading) {
   constexpr std::size_t others = 5;  // row, status, extrapolated, bottomed, error
-  Statement columns{database, "SELECT count(*) FROM pragma_table_info('samples')"};
-  columns.next();
-  if (columns.integer(0) !=
+  if (single_integer(database, "SELECT count(*) FROM pragma_table_info('samples')") !=
       static_cast<std::int64_t>(others + heading.factors.size() + heading.responses.size()))
     database.damaged("a factor or response is missing");
 }
 
-/// What the rows were computed with: a column whose unit was changed by hand would be read wrongly.
+/// Checks the units against those of the computation: a unit changed by hand would be read wrongly.
 void check_units(const Database& database, const StoreHeading& heading) {
   const auto changed = [&](const std::string& name) {
     database.damaged(fmt::format("{} has another unit than it was computed in", quoted_part(name)));
@@ -124,10 +120,8 @@ void check_units(const Database& database, const StoreHeading& heading) {
 
 }  // namespace
 
-std::string this_program() { return fmt::format("{} ({})", version(), build_facts().git_commit); }
-
 StoreHeading heading_of(const Study& study) {
-  StoreHeading heading{.program = this_program(),
+  StoreHeading heading{.program = fmt::format("{} ({})", version(), build_facts().git_commit),
                        .text = study.text,
                        .resolved = resolved_text(study),
                        .rows = Design{study}.rows(),
@@ -140,8 +134,7 @@ StoreHeading heading_of(const Study& study) {
 }
 
 bool is_empty(const Database& database) {
-  Statement statement{database, "SELECT count(*) FROM sqlite_master"};
-  return statement.next() && statement.integer(0) == 0;
+  return single_integer(database, "SELECT count(*) FROM sqlite_master") == 0;
 }
 
 void create_tables(Database& database, const Study& study, const StoreHeading& heading) {
@@ -154,27 +147,20 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
   write_facts(database, heading, study);
 
   Statement factor{database, "INSERT INTO factors VALUES (?, ?, ?)"};
-  for (std::size_t i = 0; i < heading.factors.size(); ++i)
-    factor.bind(0, static_cast<std::int64_t>(i))
-        .bind(1, std::string_view{heading.factors[i].name})
-        .bind(2, std::string_view{heading.factors[i].unit})
-        .run();
+  for (std::int64_t position = 0; const StoredColumn& column : heading.factors)
+    factor.run_with(position++, column.name, column.unit);
   Statement response{database, "INSERT INTO responses VALUES (?, ?, ?, ?)"};
-  for (std::size_t i = 0; i < heading.responses.size(); ++i)
-    response.bind(0, static_cast<std::int64_t>(i))
-        .bind(1, std::string_view{heading.responses[i].name})
-        .bind(2, std::string_view{heading.responses[i].unit})
-        .bind(3, std::string_view{heading.responses[i].meaning})
-        .run();
+  for (std::int64_t position = 0; const StoredColumn& column : heading.responses)
+    response.run_with(position++, column.name, column.unit, column.meaning);
   Statement material{database, "INSERT INTO materials VALUES (?, ?)"};
-  for (std::size_t i = 0; i < study.materials.size(); ++i)
-    material.bind(0, static_cast<std::int64_t>(i)).bind(1, std::string_view{study.materials[i].name}).run();
+  for (std::int64_t number = 0; const Material& each : study.materials)
+    material.run_with(number++, each.name);
 }
 
 StoreHeading read_heading(const Database& database) {
-  if (pragma(database, "application_id") != application)
+  if (single_integer(database, "PRAGMA application_id") != application)
     throw DamagedStore(database.name() + ": it is no store of a study: give another name");
-  if (const std::int64_t found = pragma(database, "user_version"); found != layout)
+  if (const std::int64_t found = single_integer(database, "PRAGMA user_version"); found != layout)
     throw std::runtime_error(
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "
                     "made it",

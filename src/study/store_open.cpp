@@ -48,7 +48,7 @@ void check_room(const fs::path& file, std::uint64_t needed) {
                        1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
 }
 
-/// What can be known before anything is made.
+/// Checks everything that can be known before a file is made.
 void check_place(const fs::path& file, const StoreHeading& heading) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -60,6 +60,24 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
     refuse(file, "its folder is read-only: choose another, or change its rights");
   if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
+}
+
+/// Checks the list of batches against itself and against the rows. Returns the number of rows done.
+std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
+  Statement noted{database,
+                  "SELECT total(rows), coalesce(min(batch), 0), coalesce(max(batch), 0) FROM batches"};
+  noted.next();
+  const double expected = noted.number(0);
+  if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
+    database.damaged("a batch that the study does not have");
+  Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
+  stored.next();
+  const std::uint64_t rows = stored.count(0, heading.rows);
+  if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
+    database.damaged("a row that the study does not have");
+  if (static_cast<double>(rows) != expected)
+    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
+  return rows;
 }
 
 /// Rows of two programs are never mixed: they may differ in the last digits, or by a mended fault.
@@ -86,14 +104,14 @@ void check_same(const Database& database, const StoreHeading& stored, const Stor
   if (stored.rows != wanted.rows) database.damaged("another number of rows");
 }
 
-/// Synchronous NORMAL: a kill loses nothing that was committed. A power cut may lose the last batches, which
-/// are then computed again, but never damages the file.
+/// With synchronous = NORMAL a kill loses nothing that was committed. A power cut may lose the last batches,
+/// which are computed again, but never damages the file.
 void start_log(Database& database) {
   database.execute(
       fmt::format("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
                   "PRAGMA wal_autocheckpoint = {}; PRAGMA journal_size_limit = {};",
                   log_bytes / page_bytes, log_bytes));
-  Transaction{database, "BEGIN IMMEDIATE"}.commit();  // where it cannot be used, that is known now
+  Transaction{database, "BEGIN IMMEDIATE"}.commit();  // fails here if the log cannot be used
 }
 
 std::string insert_text(const StoreHeading& heading) {
@@ -103,8 +121,8 @@ std::string insert_text(const StoreHeading& heading) {
          ") VALUES (" + marks + ")";
 }
 
-/// SQLite takes a last page that is cut for one that ends in zeros, and a file shorter than its own heading
-/// for a new one. With a log beside it the page is whole there.
+/// SQLite would read a truncated last page as one that ends in zeros, and a file shorter than its heading as
+/// a new one. With a log beside it, the page is whole there.
 void require_whole(const Database& database) {
   constexpr std::string_view heading{"SQLite format 3\0", 16};
   constexpr std::uintmax_t smallest_page = 512;  // bytes; all are multiples
@@ -134,8 +152,8 @@ void make_or_check(Database& database, const Study& study, StoreHeading& heading
   transaction.commit();
 }
 
-/// The write-ahead log lets others read while this one writes: they share its index in memory (FILE-shm). On
-/// a disk where that cannot be, the index is this process's own, and nobody reads until it ends.
+/// With the write-ahead log others can read while this run writes, through a shared index in memory
+/// (FILE-shm). Where the disk does not support that, the index is private and readers have to wait.
 Database open_to_write(const fs::path& file, const Study& study, StoreHeading& heading) {
   const auto open = [&](bool shared) {
     Database database{file, Access::write};
@@ -149,11 +167,11 @@ Database open_to_write(const fs::path& file, const Study& study, StoreHeading& h
   try {
     return open(true);
   } catch (const std::runtime_error&) {
-    return open(false);  // what else is wrong is said now
+    return open(false);  // any other fault is reported now
   }
 }
 
-/// Of a store that could not be made.
+/// Removes the files of a store that could not be made.
 void remove_new_file(const fs::path& file) {
   std::error_code ignored;
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + suffix, ignored);
@@ -164,7 +182,8 @@ void remove_new_file(const fs::path& file) {
 WriterLock::WriterLock(const std::filesystem::path& file)
     : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (descriptor_ < 0) refuse(file, errno);
-  // Of the open file, not of the process (F_SETLK): SQLite opens and closes the same file on its own.
+  // The lock belongs to the open file, not to the process (F_SETLK), since SQLite opens and closes the same
+  // file itself.
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
@@ -182,23 +201,6 @@ WriterLock::~WriterLock() {
 
 WriterLock::WriterLock(WriterLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-std::uint64_t count_rows(const Database& database, const StoreHeading& heading) {
-  Statement noted{database,
-                  "SELECT total(rows), coalesce(min(batch), 0), coalesce(max(batch), 0) FROM batches"};
-  noted.next();
-  const double expected = noted.number(0);
-  if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
-    database.damaged("a batch that the study does not have");
-  Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
-  stored.next();
-  const std::uint64_t rows = stored.count(0, heading.rows);
-  if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
-    database.damaged("a row that the study does not have");
-  if (static_cast<double>(rows) != expected)
-    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
-  return rows;
-}
-
 Store Store::open_for(const Study& study, const fs::path& file) {
   StoreHeading heading = heading_of(study);
   check_place(file, heading);
@@ -209,7 +211,7 @@ Store Store::open_for(const Study& study, const fs::path& file) {
     auto opened = std::make_unique<File>(std::move(database), std::move(heading));
     opened->writer_lock.emplace(std::move(lock));
     opened->rows_done = count_rows(opened->database, opened->heading);
-    opened->database.write_back_log();  // that a kill or a full disk left
+    opened->database.write_back_log();  // left by a kill or a full disk
     const std::uint64_t missing = opened->heading.rows - opened->rows_done;
     if (!is_new && missing > 0) check_room(file, bytes_of_rows(opened->heading, missing));
     opened->insert_row.emplace(opened->database, insert_text(opened->heading));
@@ -227,7 +229,7 @@ Store Store::open_to_read(const fs::path& file) {
   if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
   Database database{file, Access::read};
   require_whole(database);
-  // One view of the file as long as the store is open, whatever a running study adds to it.
+  // The transaction keeps one view of the file while the store is open, whatever a running study adds.
   database.execute("BEGIN");
   if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");
   StoreHeading heading = read_heading(database);

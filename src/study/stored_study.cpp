@@ -11,7 +11,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Nothing else than what is written for an unsigned integer: no fraction, no sign, no more than 64 bits.
+/// Reads an unsigned integer of at most 64 bits, without fraction or sign.
 std::uint64_t count_of(const Json& json) {
   if (!json.is_number_unsigned()) throw std::runtime_error("no count");
   return json.get<std::uint64_t>();
@@ -211,8 +211,8 @@ Json material_json(const Material& material) {
   return json;
 }
 
-Json condition_json(const PadCondition& pad_condition) {
-  return {pad_condition.scale, number(pad_condition.density), number(pad_condition.temperature)};
+Json condition_json(const PadCondition& condition) {
+  return {condition.scale, number(condition.density), number(condition.temperature)};
 }
 
 Json nose_json(const Nose& nose) {
@@ -226,33 +226,32 @@ Json nose_json(const Nose& nose) {
   return json;
 }
 
-Json case_json(const ImpactCase& impact_case) {
+Json case_json(const ImpactCase& impact) {
   Json points = Json::array();
-  for (const Support::Point& point : impact_case.support.points())
+  for (const Support::Point& point : impact.support.points())
     points.push_back({point.deflection, point.force});
-  Json json = {{"title", impact_case.title},
+  Json json = {{"title", impact.title},
                {"impactor",
-                {{"mass", impact_case.impactor.mass},
-                 {"nose", nose_json(impact_case.impactor.nose)},
-                 {"speed", impact_case.impactor.speed}}},
-               {"thickness", impact_case.pad.thickness},
-               {"condition", condition_json(impact_case.pad.condition)},
-               {"material", material_json(impact_case.pad.material)},
+                {{"mass", impact.impactor.mass},
+                 {"nose", nose_json(impact.impactor.nose)},
+                 {"speed", impact.impactor.speed}}},
+               {"thickness", impact.pad.thickness},
+               {"condition", condition_json(impact.pad.condition)},
+               {"material", material_json(impact.pad.material)},
                {"support", points}};
-  if (impact_case.pad.area) json["area"] = *impact_case.pad.area;
-  if (impact_case.pad.earlier_penetration > 0)
-    json["earlier_penetration"] = impact_case.pad.earlier_penetration;
-  if (impact_case.pad.sheet > 0) json["sheet"] = impact_case.pad.sheet;
-  if (impact_case.pad.neighbours > 0) {
-    json["floor"] = name_of(impact_case.pad.floor);
-    json["neighbours"] = impact_case.pad.neighbours;
+  if (impact.pad.area) json["area"] = *impact.pad.area;
+  if (impact.pad.earlier_penetration > 0) json["earlier_penetration"] = impact.pad.earlier_penetration;
+  if (impact.pad.sheet > 0) json["sheet"] = impact.pad.sheet;
+  if (impact.pad.neighbours > 0) {
+    json["floor"] = name_of(impact.pad.floor);
+    json["neighbours"] = impact.pad.neighbours;
   }
-  if (impact_case.blows) json["blows"] = {impact_case.blows->count, impact_case.blows->recovery};
-  if (impact_case.impactor.gravity != 0) json["impactor"]["gravity"] = impact_case.impactor.gravity;
-  if (impact_case.backing != Backing{})
+  if (impact.blows) json["blows"] = {impact.blows->count, impact.blows->recovery};
+  if (impact.impactor.gravity != 0) json["impactor"]["gravity"] = impact.impactor.gravity;
+  if (impact.backing != Backing{})
     for (const Parameter<Backing>& parameter : Backing::parameters)
-      json["backing"][parameter.key] = number(parameter.of(impact_case.backing));
-  for (const PadLayer& layer : impact_case.pad.layers)
+      json["backing"][parameter.key] = number(parameter.of(impact.backing));
+  for (const PadLayer& layer : impact.pad.layers)
     json["layers"].push_back({{"thickness", layer.thickness},
                               {"condition", condition_json(layer.condition)},
                               {"material", material_json(layer.material)}});

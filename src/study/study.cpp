@@ -37,8 +37,7 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
-  const bool varies_law =
-      std::ranges::any_of(study.factors, [](const Factor& factor) { return is_of_law(factor.key); });
+  const bool varies_law = std::ranges::any_of(study.factors, is_of_law, &Factor::key);
   if (has("pad.material") && varies_law)
     broken.push_back({"factors.pad.material", no_value,
                       "parameters and curves belong to the material of the case: vary the material or its "
@@ -175,6 +174,9 @@ const Factor* factor_behind(const Study& study, const std::string& key) {
   return find([](const std::string& text) { return text == "pad.material" || is_of_law(text); });
 }
 
+/// Checks the rules of the case, under keys such as "factors.impactor.speed": at all combinations of levels,
+/// up to 100,000, or else at each level with the first of the others, and at the ends of each distribution
+/// with the others at their medians. The factors must be sound.
 class Checker {
  public:
   explicit Checker(const Study& study) : study_(study), application_(study), impact_(study.base) {
@@ -286,10 +288,8 @@ std::vector<Violation> violations(const Study& study) {
   check_size(study, broken);
   if (!(study.options.tolerance >= 1e-8 && study.options.tolerance <= 1e-2))
     broken.push_back({"tolerance", study.options.tolerance, "must be at least 1e-8 and at most 1e-2"});
-  if (broken.empty()) broken = case_violations(study);
+  if (broken.empty()) broken = Checker(study).all();
   return broken;
 }
-
-std::vector<Violation> case_violations(const Study& study) { return Checker(study).all(); }
 
 }  // namespace dashpad::study

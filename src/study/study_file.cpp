@@ -16,13 +16,13 @@ namespace {
 
 constexpr double default_tolerance = 1e-3;
 
-/// Where each factor stands in the file.
+/// The lines of the factors in the file.
 struct FactorLines {
   std::map<std::string, int> lines;
   std::vector<std::string> at_fault;  ///< "factors.KEY", and others that need no second fault
 };
 
-/// What cannot be judged while a factor is not known.
+/// Keys that cannot be checked while a factor is unknown.
 const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
 
 constexpr std::size_t max_materials = 1000;
@@ -32,8 +32,8 @@ struct Entry {
   const input::TomlNode* node;
 };
 
-/// [factors."impactor.speed"] and [factors.impactor.speed] mean the same. A table that is on the way to a
-/// known key is opened; every other one is a factor.
+/// Collects the factors. [factors."impactor.speed"] and [factors.impactor.speed] are equal: a table that
+/// leads to a known key is opened, every other one is a factor.
 void collect(const input::TomlNode& table, const std::string& prefix, const std::vector<std::string>& known,
              std::vector<Entry>& entries) {
   for (const input::TomlNode& child : table.children) {
@@ -46,7 +46,7 @@ void collect(const input::TomlNode& table, const std::string& prefix, const std:
   }
 }
 
-/// Absent after a fault.
+/// The material of a name; absent after a fault.
 std::optional<Material> read_named(const input::TomlNode& entry, const std::string& key,
                                    const input::Folders& folders, input::FaultList& faults) {
   const std::string& name = entry.text;
@@ -94,7 +94,7 @@ Factor read_factor(const FactorKey& key, input::TableReader& table, const input:
   return factor;
 }
 
-/// What can vary.
+/// The factors that can vary.
 struct Known {
   const std::vector<FactorKey>& keys;
   bool has_base;
@@ -122,8 +122,8 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   return good;
 }
 
-/// Adds the factors, and the materials that "pad.material" names, to a study. A factor at fault is added as
-/// far as it can be read. Without a base case a parameter or a support is taken on trust.
+/// Reads the factors and the materials of "pad.material" into a study, faulty factors as far as possible.
+/// Without a base case parameters and supports are not checked.
 FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders,
                          Study& study) {
   FactorLines lines;
@@ -189,7 +189,7 @@ std::vector<std::string> read_responses(input::TableReader& table) {
   return names;
 }
 
-/// Absent after a fault.
+/// The base case; absent after a fault.
 std::optional<input::CaseFile> read_base(input::TableReader& table, const input::Folders& folders) {
   const std::string name = table.text("case");
   if (name.empty()) return std::nullopt;

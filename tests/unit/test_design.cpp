@@ -390,7 +390,7 @@ TEST(application, writes_each_quantity) {
        factor("impactor.speed", Levels{{3}}), factor("pad.thickness", Levels{{0.05}}),
        factor("pad.parameters.relaxation_time", Levels{{0.02}}), factor("support.stiffness", Levels{{5e4}})});
   ImpactCase impact = study.base;
-  apply(study, row_of(Design(study), 0, 6), impact);
+  Application{study}(row_of(Design(study), 0, 6), impact);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 2);
   EXPECT_EQ(std::get<Sphere>(impact.impactor.nose).radius, 0.1);
   EXPECT_EQ(impact.impactor.speed, 3);

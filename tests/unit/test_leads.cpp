@@ -10,7 +10,6 @@
 #include "dashpad/output/materials.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "made_up_study.hpp"
-#include "output/documents/study_key_figures.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/study_answer.hpp"
 #include "report1986/validation_tables.hpp"

@@ -17,7 +17,7 @@ namespace {
 
 Outcome outcome_of(const Solution& solution, std::vector<std::string> names) {
   Outcome outcome;
-  read_responses(solution, names, outcome);
+  ResponseReader{names}(solution, outcome);
   return outcome;
 }
 

@@ -182,7 +182,7 @@ values = [0, 0.1]
 TEST_F(StudyFile, takes_a_weight_for_a_mass) {
   const Study study = read(grid_of("impactor.weight", "values = [\"9.80665 N\"]"));
   ImpactCase impact = study.base;
-  apply(study, std::vector{9.80665}, impact);
+  Application{study}(std::vector{9.80665}, impact);
   EXPECT_DOUBLE_EQ(impact.impactor.mass, 1);
 }
 
@@ -193,9 +193,9 @@ TEST_F(StudyFile, chooses_materials_by_name_and_by_file) {
   const Study study = read(grid_of("pad.material", "values = [\"ensolite-aac-21\", \"mine.toml\"]"));
   ASSERT_EQ(study.materials.size(), 2u);
   ImpactCase impact = study.base;
-  apply(study, std::vector{1.}, impact);
+  Application{study}(std::vector{1.}, impact);
   EXPECT_EQ(std::get<Elastic>(impact.pad.material.law).modulus, 1e6);
-  apply(study, std::vector{0.}, impact);
+  Application{study}(std::vector{0.}, impact);
   EXPECT_EQ(impact.pad.material.name, "ensolite-aac-21");
 }
 

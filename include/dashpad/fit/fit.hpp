@@ -1,7 +1,6 @@
 #pragma once
-/// What a fit is asked for: which numbers of a material are unknown, and the measurements that they have to
-/// meet. SI throughout; stress and strain are engineering values, compression positive. docs/fits.md has the
-/// keys of its file.
+/// A fit: the unknown numbers of a material and the measurements that they have to meet. SI throughout;
+/// stress and strain are engineering values, compression positive. docs/fits.md describes its file.
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +32,13 @@ struct Unknown {
   std::string unit;             ///< SI; "1" for a pure number
   double lowest = 0;            ///< bounds within which it is sought
   double highest = 0;           ///< > lowest
-  double start = 0;             ///< of the first start
+  double start = 0;             ///< value of the first start
   bool is_logarithmic = false;  ///< sought by its logarithm; then lowest > 0
   std::optional<Prior> prior = {};
-  bool is_added = false;  ///< by the program, since nobody stated the number
+  bool is_added = false;  ///< added by the program, since nobody stated the number
 };
 
-/// Where a value lies between its bounds, 0 to 1; by the logarithm where it is sought so.
+/// The place of a value between its bounds, 0 to 1, by the logarithm if it is sought so.
 inline double place_between(double lowest, double highest, bool is_logarithmic, double value) {
   return is_logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
                         : (value - lowest) / (highest - lowest);
@@ -47,17 +46,18 @@ inline double place_between(double lowest, double highest, bool is_logarithmic, 
 
 /// A compression test, strain and stress point by point. Between the points the strain is straight in time.
 struct MaterialMeasurement {
-  std::string file;             ///< for messages and for the card
+  std::string file;             ///< name for messages and for the card
   std::vector<double> time;     ///< s since first contact, increasing
-  std::vector<double> strain;   ///< in [0, 1)
+  std::vector<double> strain;   ///< each in [0, 1)
   std::vector<double> stress;   ///< Pa
   double lowest_strain = 0;     ///< points with strains from here
-  double highest_strain = 1;    ///< to here count; the others are only gone through
+  double highest_strain = 1;    ///< end of the strains that count; the others are only passed through
   std::optional<double> noise;  ///< standard deviation of a stress, Pa; absent: estimated from the misfit
   bool has_offset = false;      ///< its force zero is shifted by an unknown stress
   bool is_held_out = false;     ///< predicted, not fitted
 };
 
+/// A figure of an impact that can be measured, in the order of impact_figure_names().
 enum class ImpactFigure {
   peak_force,
   peak_acceleration,
@@ -80,30 +80,31 @@ struct MeasuredFigure {
   double deviation = 0;  ///< standard deviation, > 0
 };
 
-/// A whole measured pulse of an impact, between its onset (injury::onset_share of its peak) and its end
-/// (that of injury::contact_of()), turned so that its peak is positive.
+/// A measured pulse of an impact between its onset (injury::onset_share of its peak) and its end
+/// (injury::contact_of()), with a positive peak.
 struct MeasuredDeceleration {
   std::string file;
-  std::vector<double> time;                   ///< s since the onset, increasing
-  std::vector<double> deceleration;           ///< m/s2, as many
-  double peak = 0;                            ///< m/s2, > 0
-  double onset = 0;                           ///< s, by the clock of the file
-  double half_peak_width = 0;                 ///< s, > 0
-  std::size_t samples = 0;                    ///< of the file in that stretch; `time` is thinned
-  double deviation = 0;                       ///< standard deviation of a deceleration, m/s2, > 0
-  std::optional<injury::PulseFilter> filter;  ///< that it went through; the computed pulse gets it, too
-  double interval = 0;                        ///< s between two samples of the file
-  double hic = 0;              ///< of any window, of all samples between onset and end, g^2.5 s
-  double velocity_change = 0;  ///< m/s, over contact
-  std::optional<injury::MeasuredImpact> impact = {};  ///< where the file says its speed or drop height
+  std::vector<double> time;          ///< s since the onset, increasing
+  std::vector<double> deceleration;  ///< m/s2, as many
+  double peak = 0;                   ///< m/s2, > 0
+  double onset = 0;                  ///< s, by the clock of the file
+  double half_peak_width = 0;        ///< s, > 0
+  std::size_t samples = 0;           ///< samples of the file in that stretch; `time` is thinned
+  double deviation = 0;              ///< standard deviation of a deceleration, m/s2, > 0
+  std::optional<injury::PulseFilter>
+      filter;           ///< filter of the measured pulse, which the computed pulse gets, too
+  double interval = 0;  ///< s between two samples of the file
+  double hic = 0;       ///< HIC with an unlimited window, from all samples between onset and end, g^2.5 s
+  double velocity_change = 0;                         ///< m/s, over contact
+  std::optional<injury::MeasuredImpact> impact = {};  ///< present if the file gives a speed or drop height
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
 inline constexpr std::size_t max_pulse_points = 200;
 
-/// Between onset and end, thinned evenly to most_pulse_points. `measured` has been filtered; `quiet`: where
-/// nothing happens in it, if that is known. Throws std::invalid_argument, in words that go after the name of
-/// the file, for a pulse without onset or with too few samples after it.
+/// The pulse between onset and end, thinned evenly to max_pulse_points. `measured` has been filtered; `quiet`
+/// is the stretch before the impact, if it is known. Throws std::invalid_argument, with a message that
+/// follows the name of the file, for a pulse without onset or with too few samples after it.
 MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet = {});
 
 /// An impact and what was measured of it. The material of its pad is that of the fit.
@@ -121,21 +122,21 @@ struct Fit {
   std::string title;
   ImpactCase base;        ///< its material has the starting values; without impacts the rest is made up
   bool has_case = false;  ///< the base is a case of the user's, not a pad alone
-  Options options;        ///< of that case
-  /// Of a foam with a rate effect: whether somebody gave the recoil of the base, or it is the default.
+  Options options;        ///< options of that case
+  /// Whether the recoil of a foam with a rate effect was given, rather than left to its default.
   bool recoil_is_stated = true;
   std::vector<Unknown> unknowns;
   std::vector<MaterialMeasurement> tests;
   std::vector<ImpactMeasurement> impacts;
   int starts = 8;          ///< [1, 1000]
-  std::uint64_t seed = 1;  ///< of the places of all starts but the first
+  std::uint64_t seed = 1;  ///< seed of all starts but the first
 };
 
 /// Name in fit files and results, and SI unit.
 struct ImpactFigureName {
   ImpactFigure figure;
-  const char* key;                 ///< in fit files
-  const ResultQuantity* quantity;  ///< with its title and its SI unit
+  const char* key;                 ///< key in fit files
+  const ResultQuantity* quantity;  ///< quantity with title and SI unit
 };
 const std::vector<ImpactFigureName>& impact_figure_names();
 const ImpactFigureName& name_of(ImpactFigure figure);
@@ -173,17 +174,16 @@ inline bool counts(const MaterialMeasurement& test, std::size_t i) {
   return test.strain[i] >= test.lowest_strain && test.strain[i] <= test.highest_strain;
 }
 
-/// Every rule that a fit breaks, over all its parts. Keys are those of fit files:
-/// "unknowns.pad.curve.modulus", "tests[1].file".
+/// All rules that a fit breaks, under keys of fit files: "unknowns.pad.curve.modulus", "tests[1].file".
 std::vector<Violation> violations(const Fit& fit);
 
 struct FitFile {
   Fit fit;
-  std::vector<input::InputFile> files;  ///< that it was read from
+  std::vector<input::InputFile> files;  ///< files that were read
 };
 
-/// `materials` is the folder in which material names are looked up; other files are looked for beside the fit
-/// file. All faults of it and of the files that it names.
+/// Reads a fit file. `materials` is the folder of material cards; other files are relative to the fit file.
+/// Reports all faults of the file and of those that it names.
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 }  // namespace dashpad::fit

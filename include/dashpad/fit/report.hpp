@@ -1,5 +1,5 @@
 #pragma once
-/// What a fit found, with its uncertainty. SI throughout.
+/// The results of a fit with their uncertainty. SI throughout.
 
 #include <atomic>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace dashpad::fit {
 
-/// What was found of one unknown.
+/// The result for one unknown.
 struct FittedUnknown {
   std::string key;
   std::string unit;
@@ -22,27 +22,28 @@ struct FittedUnknown {
   double lowest = 0, highest = 0;  ///< its bounds
   /// Standard error; absent at a bound, and where the data do not say anything of it.
   std::optional<double> standard_error;
-  /// 95 % interval by profile likelihood; an end is absent where the misfit does not rise enough within the
+  /// The 95 % interval by profile likelihood; an end is absent if the misfit does not rise enough within the
   /// bounds.
   std::optional<double> low, high;
   /// Whether the model admits nothing beyond a bound, such as friction below 0: an interval may end there.
   bool lowest_is_natural = false, highest_is_natural = false;
   bool is_at_lowest = false, is_at_highest = false;
   bool is_logarithmic = false;            ///< sought by its logarithm
-  std::optional<double> prior_deviation;  ///< of its prior, where it has one
+  std::optional<double> prior_deviation;  ///< deviation of its prior, if it has one
   bool is_added = false;                  ///< sought though the fit file does not name it
-  /// Of a measurement, not of the material: the shift of a force zero, or of the clock of a pulse.
+  /// Whether it belongs to a measurement, not to the material: the shift of a force zero or of the clock of a
+  /// pulse.
   bool is_nuisance = false;
 
-  /// Whether its interval ends within the bounds on both sides; or on one, in the half of the bounds that
-  /// ends at the natural bound on the other.
+  /// Whether its interval ends within the bounds on both sides, or on one side within the half of the bounds
+  /// next to a natural bound.
   [[nodiscard]] bool is_identified() const {
     const auto place = [this](double end) { return place_between(lowest, highest, is_logarithmic, end); };
     if (low && high) return true;
     if (high) return lowest_is_natural && place(*high) <= 0.5;
     return low && highest_is_natural && place(*low) >= 0.5;
   }
-  /// At a bound beyond which the model goes on.
+  /// Whether it lies at a bound beyond which the model continues.
   [[nodiscard]] bool wants_beyond() const {
     return (is_at_lowest && !lowest_is_natural) || (is_at_highest && !highest_is_natural);
   }
@@ -55,24 +56,24 @@ struct FittedUnknown {
   [[nodiscard]] std::string open() const { return low ? (high ? "no" : "above") : (high ? "below" : "both"); }
 };
 
-/// Two unknowns whose errors are correlated by more than 0.95.
+/// A pair of unknowns whose errors are correlated by more than 0.95.
 struct StrongCorrelation {
   std::string first, second;
   double value = 0;
 };
 
-/// One way up and one way down of a test.
+/// A loading and the following unloading of a test.
 struct Loop {
   double largest_strain = 0;
   double measured_return = 0;  ///< energy given back over energy taken in
   double computed_return = 0;
 };
 
-/// How the model meets a test.
+/// The comparison of the model with a test.
 struct MetTest {
   std::string file;
   bool is_held_out = false;
-  std::size_t points = 0;     ///< that count
+  std::size_t points = 0;     ///< number of points that count
   double largest_stress = 0;  ///< Pa, measured
   double lowest_rate = 0;     ///< 1/s, magnitude, of the pieces between points that count
   double highest_rate = 0;
@@ -84,11 +85,11 @@ struct MetTest {
   std::vector<Loop> loops;
   double autocorrelation = 0;   ///< lag-1 rho of the residuals
   double effective_points = 0;  ///< n (1 - rho) / (1 + rho) where rho is clearly above 0, else n
-  std::vector<double> strain, measured, computed;  ///< of the points that count
-  std::vector<int> course;                         ///< of each of them: 1 on the way up, -1 on the way down
+  std::vector<double> strain, measured, computed;  ///< values at the points that count
+  std::vector<int> course;                         ///< direction at each of them: 1 loading, -1 unloading
 };
 
-/// How the model meets a figure of an impact.
+/// The comparison of the model with a figure of an impact.
 struct MetFigure {
   std::string file;
   ImpactFigure figure = ImpactFigure::peak_force;
@@ -99,12 +100,12 @@ struct MetFigure {
   std::optional<double> prediction_deviation;
 };
 
-/// How the model meets a whole pulse of an impact.
+/// The comparison of the model with a pulse of an impact.
 struct MetPulse {
   std::string file;  ///< the case
   std::string pulse_file;
   bool is_held_out = false;
-  std::size_t samples = 0;              ///< of the file, between onset and end
+  std::size_t samples = 0;              ///< samples of the file between onset and end
   double deviation = 0;                 ///< m/s2
   double measured_peak = 0;             ///< m/s2
   std::optional<double> computed_peak;  ///< m/s2; absent where the impact has no whole pulse, as is rms
@@ -117,22 +118,21 @@ struct MetPulse {
   std::vector<double> measured, computed;  ///< m/s2; nothing computed where there is no whole pulse
 };
 
-/// A figure on which a verdict may rest, measured in an impact and computed for it: peak, HIC and rebound
-/// speed of each pulse; then what was measured as a figure and no pulse says: peak_force, peak_acceleration,
-/// HIC, rebound_speed, peak_penetration. The rebound speed of a pulse is its velocity change less the speed
-/// of the case and what gravity adds meanwhile; there is none where that is not between 0 and the speed.
+/// A figure for verdicts, measured and computed: peak, HIC and rebound speed of each pulse, then measured
+/// figures that no pulse gives (peak_force, peak_acceleration, HIC, rebound_speed, peak_penetration). The
+/// rebound speed of a pulse is its velocity change less the speed of the case and what gravity adds; it is
+/// absent if that is not between 0 and the speed.
 struct ImpactComparison {
   std::string file;  ///< the case
   ImpactFigure figure = ImpactFigure::peak_acceleration;
-  bool is_held_out = false;  ///< predicted, not fitted
-  bool is_of_pulse = false;  ///< taken from a pulse; else measured as a figure
-  double measured = 0;       ///< SI, > 0
-  std::optional<double>
-      computed;  ///< with the filter of the pulse; absent where the impact has no such figure
+  bool is_held_out = false;        ///< predicted, not fitted
+  bool is_of_pulse = false;        ///< taken from a pulse; else measured as a figure
+  double measured = 0;             ///< SI, > 0
+  std::optional<double> computed;  ///< with the filter of the pulse; absent if the impact has no such figure
   /// Standard deviation of what was measured, as stated; absent of a pulse, of which nobody states it.
   std::optional<double> deviation;
 
-  /// Of the measured value.
+  /// The difference as a share of the measured value.
   [[nodiscard]] std::optional<double> share() const {
     return computed ? std::optional{(*computed - measured) / measured} : std::nullopt;
   }
@@ -149,8 +149,8 @@ struct FitReport {
   bool converged = false;
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
-  /// The case of the fit, else the first impact, with the card and what was found beside it; absent where a
-  /// card holds all that was sought.
+  /// The case of the fit, or the first impact, with the card and all fitted values; absent if the card holds
+  /// all of them.
   std::optional<FittedCase> fitted_case;
   std::vector<FittedUnknown> unknowns;
   /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".
@@ -165,15 +165,15 @@ struct FitReport {
   std::size_t priors = 0;
   double degrees_of_freedom = 0;
   double misfit = 0;             ///< sum of squared residuals over deviations, priors included
-  bool noise_is_stated = false;  ///< by all tests and impacts
-  /// Of the misfit per degree of freedom, by which squared errors are multiplied: 1 or more where all noise
-  /// is stated, else 1, since the noise is estimated from the misfit.
+  bool noise_is_stated = false;  ///< whether all tests and impacts state it
+  /// The factor on squared errors: the misfit per degree of freedom, at least 1, if all noise is stated; else
+  /// 1, since the noise is estimated from the misfit.
   double variance_scale = 1;
-  double largest_widening = 1;  ///< of a standard error, by residuals that are correlated along a curve
+  double largest_widening = 1;  ///< largest factor on a standard error from correlated residuals
   int starts = 0;
-  int starts_at_best = 0;  ///< that came to the same misfit
-  int starts_failed = 0;   ///< that met no valid material or did not converge
-  int solver_runs = 0;     ///< of each impact, fixed; 0 without impacts
+  int starts_at_best = 0;  ///< number of starts with the same misfit
+  int starts_failed = 0;   ///< number of starts without a valid material or without convergence
+  int solver_runs = 0;     ///< fixed number of solver runs per impact; 0 without impacts
   std::size_t evaluations = 0;
   double wall_time = 0;  ///< s
   /// A sample of the unknowns, in their order, if asked for.
@@ -190,7 +190,7 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Told after each piece of work: what is going on, and how much of it is done. From any thread.
   std::function<void(const char* what, std::size_t done, std::size_t all)> progress = {};
-  /// Where finished pieces are kept, and found again by the same fit; empty: nowhere.
+  /// The file that keeps finished pieces for a later run of the same fit; empty to keep none.
   std::filesystem::path state = {};
   /// Tells this fit from others in that file.
   std::string fingerprint = {};
@@ -206,8 +206,8 @@ class Stopped : public std::runtime_error {
   std::size_t kept_;
 };
 
-/// Throws std::runtime_error, with the file and what is wrong, where RunOptions::state names a file that is
-/// no state, that of another fit, or damaged. run_fit() calls it.
+/// Throws std::runtime_error, with the file and the fault, if RunOptions::state names a file that is no
+/// state, belongs to another fit or is damaged. run_fit() calls it.
 void check_state(const Fit& fit, const RunOptions& options);
 
 /// Fits. Throws std::invalid_argument with all violations() of the fit, and Stopped.

@@ -12,7 +12,7 @@
 
 namespace dashpad::output {
 
-/// What every assessment says about itself: a computation, no certification.
+/// The note beside every assessment that it is a computation, not a certification.
 const std::string& assessment_caveat();
 
 /// A standard in one line: name, title, and how many of its values are unverified.
@@ -21,20 +21,21 @@ std::string standard_line(const injury::Standard& standard);
 /// A standard in full: impactor, criteria and variants, each value with source and state of verification.
 Document standard_document(const injury::Standard& standard, const UnitSystem& units);
 
-/// All that belongs to an assessment. `given` is the case as the file has it, `assessed` with the impactor of
-/// the standard.
+/// The data of an assessment. `given` is the case of the file, `assessed` the same with the impactor of the
+/// standard.
 struct AssessmentReport {
   const injury::Standard& standard;
   const ImpactCase& given;
   const ImpactCase& assessed;
   const Solution& solution;
   const injury::Assessment& assessment;
-  std::vector<injury::OtherChoice> others = {};  ///< that turn the verdict; each has its reservation, too
-  std::string file = {};                         ///< that the case was read from
+  std::vector<injury::OtherChoice> others =
+      {};                 ///< choices that change the verdict; each has its reservation, too
+  std::string file = {};  ///< case file
 };
 
-/// The reservation for another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s, the
-/// verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
+/// The reservation about another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s,
+/// the verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
 Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& standard,
                   const ImpactCase& given, const UnitSystem& units);
 
@@ -42,8 +43,8 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
 Document assessment_document(const AssessmentReport& report, const UnitSystem& units,
                              Pictures pictures = Pictures::left_out);
 
-/// Several assessments as a test plan, case by case, each case by the same standards in the same order: a row
-/// a case, a column a standard, the one farthest beyond its limit first; then each as a whole.
+/// Several assessments as a test plan: a table with a row for each case and a column for each standard,
+/// beginning with the worst, then each in full. All cases must have the same standards in the same order.
 Document test_plan_document(const std::vector<AssessmentReport>& reports, const UnitSystem& units,
                             Pictures pictures = Pictures::left_out);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What is said of a subject (an impact, a pulse, a study), once: values and words are in the reader's units
-/// already. Writers lay it out for the terminal, as a page to look at in a browser and as Markdown.
+/// Documents: the result of a subject such as an impact, a pulse or a study, with values and texts in the
+/// reader's units. Writers lay them out for the terminal, as web pages and as Markdown.
 
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@
 
 namespace dashpad::output {
 
-/// How much of a result people see.
+/// The amount of detail.
 enum class Detail {
-  main,  ///< what matters first, to four digits; errors in one line, and where they are much larger than that
+  main,  ///< the main figures to four digits, errors in one line or, where they are large, beside the figure
   all,   ///< every figure to five digits, each with its error
 };
 /// Significant digits of figures.
@@ -23,21 +23,21 @@ constexpr int digits_of(Detail detail) { return detail == Detail::all ? 5 : 4; }
 /// A value with its interval on the way from one bound to another, as a bar.
 struct RangeBar {
   std::string label = {};
-  std::string value = {};   ///< as it is shown, with its unit
+  std::string value = {};   ///< the value as it is shown, with its unit
   std::string words = {};   ///< the interval
   std::string lowest = {};  ///< the bounds
   std::string highest = {};
-  double place = 0;                             ///< of the value: 0 at the lowest, 1 at the highest
-  double from = 0, to = 1;                      ///< of the interval
+  double place = 0;                             ///< place of the value: 0 at the lowest, 1 at the highest
+  double from = 0, to = 1;                      ///< ends of the interval
   bool open_below = false, open_above = false;  ///< it has no end there
 };
 
-/// What an answer or a figure means to whoever decides by it: never shown by its colour alone.
+/// The meaning of an answer or a figure for a decision. It is never shown by colour alone.
 enum class Tone { plain, good, doubtful, bad };
 
 /// A figure as people read it, with what goes with it; what is empty is not shown.
 struct ValueRow {
-  std::string key = {};  ///< of the table of results, where it is one of them
+  std::string key = {};  ///< key in the table of results, if it has one
   std::string label = {};
   std::string value = {};
   std::string unit = {};             ///< empty too where the value has it
@@ -51,23 +51,23 @@ struct ValueRow {
   Tone tone = Tone::plain;
 };
 
-/// What a person came to decide, on top of all else.
+/// The answer on top of a document.
 struct Lead {
   std::string answer = {};  ///< one sentence: the heading of the page
   Tone tone = Tone::plain;
-  std::vector<std::string> subject = {};  ///< what was asked, a line each
+  std::vector<std::string> subject = {};  ///< the question or its circumstances, a line each
   std::string drawing = {};               ///< an SVG that this library has made; may be empty
   std::optional<Plot> curve = {};         ///< the one that decides
   /// The most important first: a page shows six large, the terminal all of them in short.
   std::vector<ValueRow> figures = {};
 };
 
-/// Where a section is seen.
+/// Where a section is shown.
 enum class Seen {
   always,
-  in_brief,  ///< on a terminal where not everything is asked for
-  in_full,   ///< where everything is: with --all, on a page and in Markdown
-  on_pages,  ///< on a page and in Markdown
+  in_brief,  ///< only on a terminal without --all
+  in_full,   ///< with --all, on pages and in Markdown
+  on_pages,  ///< on pages and in Markdown
 };
 
 /// Figures that belong together, below a line of their own if there is one.
@@ -90,9 +90,9 @@ struct Section {
 
 struct Document {
   std::string title = {};
-  std::optional<Lead> lead = {};          ///< in place of the title as the heading
+  std::optional<Lead> lead = {};          ///< replaces the title as the heading
   std::vector<std::string> summary = {};  ///< paragraphs below the title
-  /// What to beware of, the strongest first; their first words, in capitals, are set apart.
+  /// Warnings, the most serious first; the words in capitals at their front are set apart.
   std::vector<std::string> warnings = {};
   std::vector<Section> sections = {};
   bool is_one_impact = false;  ///< all plots over time show the same moment to whoever points at one
@@ -101,17 +101,16 @@ struct Document {
 /// Whether a document is made with its drawing and its plots, which take longer than all the rest.
 enum class Pictures { left_out, drawn };
 
-/// One HTML file, which asks nothing of any network: all there is to see is there without a script; the
-/// page's own makes the plots answer to a pointer. They are the values that picture() draws as stills. Throws
-/// std::invalid_argument for rows or columns that do not fit together, and for bars that are not between 0
-/// and 1.
+/// The document as one HTML file without external references. It is complete without its script, which makes
+/// the plots interactive; they show the same values as picture(). Throws std::invalid_argument for rows or
+/// columns that do not fit together, and for bars not between 0 and 1.
 std::string to_html(const Document& document);
 
-/// Plain text of at most 100 columns, as far as the words allow: answer, subject, warnings, figures, then the
-/// sections that are seen with that detail. Plots and bars are left out.
+/// The document as plain text of at most 100 columns: answer, subject, warnings, figures, then the sections
+/// shown with that detail. Plots and bars are left out.
 std::string to_terminal(const Document& document, Detail detail);
 
-/// All that a page says, without plots and drawings.
+/// The document as Markdown, without plots and drawings.
 std::string to_markdown(const Document& document);
 
 }  // namespace dashpad::output

@@ -9,7 +9,8 @@
 
 namespace dashpad::output {
 
-/// What was found and how sure it is, what the data leave open, how the model meets each test.
+/// The document of a fit: what was found and how certain it is, what the data leave open, and how well the
+/// model meets each test.
 Document fit_document(const fit::FitReport& report, const UnitSystem& units,
                       Pictures pictures = Pictures::left_out);
 /// Everything, in SI: schema/fit.schema.json.

@@ -1,6 +1,6 @@
 #pragma once
-/// One impact, or the last of a series of blows: for people as a document, a page, a still and a drawing, for
-/// other programs as JSON and CSV.
+/// The output of one impact, or of the last of a series of blows: a document, a page, a still and a drawing
+/// for people, JSON and CSV for programs.
 
 #include <optional>
 #include <span>
@@ -20,11 +20,11 @@
 
 namespace dashpad::output {
 
-/// What came of each blow of a series.
+/// The results of one blow of a series.
 struct BlowResult {
   Summary summary;
   std::optional<injury::InjuryFigures> injury;  ///< absent where the pulse is not whole
-  double earlier_penetration = 0;               ///< that the blow met, m
+  double earlier_penetration = 0;               ///< penetration left by earlier blows, m
 };
 std::vector<BlowResult> blow_results(std::span<const Blow> blows);
 
@@ -33,8 +33,8 @@ struct ImpactReport {
   const Options& options;
   const Solution& solution;
   std::optional<injury::InjuryFigures> injury = {};  ///< absent where the pulse is not whole
-  std::vector<BlowResult> blows = {};                ///< of a series, whose last blow the solution is
-  std::vector<ContactSnapshot> snapshots = {};       ///< for the page; may be empty
+  std::vector<BlowResult> blows = {};           ///< the blows of a series, the last of which is the solution
+  std::vector<ContactSnapshot> snapshots = {};  ///< for the page; may be empty
 };
 
 /// The answer, how it ended, what to beware of, the figures, and what they rest on.
@@ -45,47 +45,44 @@ Document impact_document(const ImpactReport& report, const UnitSystem& units,
 std::string impact_page(const ImpactReport& report, const UnitSystem& shown);
 
 /// A still: acceleration over time with the window of HIC15 and the 3 ms clip, and force over motion and
-/// penetration; the flags of the result in the small print.
+/// penetration, with the flags in the small print.
 Plot result_plot(const ImpactCase& impact, const Solution& solution,
                  const std::optional<injury::InjuryFigures>& injury, const UnitSystem& units);
 
-/// A drawing to scale: nose, pad and support at first contact and at greatest penetration. One complete
-/// `<svg>` element, which is a file as it is and can stand in a page: it has no script and refers to nothing
-/// outside itself. Columns are shaded by their strain; what is left of the pad, its penetration and the
-/// deflection of its support are dimensions in `units`. Parts of the support are symbols.
+/// A drawing to scale of nose, pad and support at first contact and at greatest penetration, as a complete
+/// `<svg>` element without scripts and references. Columns are shaded by their strain; the penetration, what
+/// is left of the pad and the deflection of its support are dimensions in `units`. Parts of the support are
+/// symbols.
 ///
-/// `solution` is that of solve(), of a series that of the blow which `impact` is on its pad. A case that
-/// breaks a rule (violations()) gives an element that says so.
+/// `solution` is the one of solve() for `impact`, also for a blow of a series. For a case that breaks a rule
+/// (violations()) the drawing says so.
 std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units);
 
-/// The same as the bytes of a picture file; PNG and PDF are for light paper. Throws std::runtime_error if
-/// they cannot be made.
+/// The drawing as a picture file; PNG and PDF are for light paper. Throws std::runtime_error if they cannot
+/// be made.
 std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units,
                            PictureFormat format);
 
-/// The text of the drawing's `<style>`, always the same: for a page whose policy admits styles by their
+/// The text of the drawing's `<style>`, always the same, for pages whose policy admits styles by their
 /// hashes.
 std::string_view impact_drawing_style();
 
-/// JSON text (RFC 8259, UTF-8, ends with a line break) that schema/summary.schema.json describes: the
-/// summary, the case that it belongs to and the program that made it. SI units, which the keys name. Every
-/// number reads back as the very same double; a figure that is absent or not finite is null.
-/// `injury` is null in the JSON where there are no figures. `blows`: of a series, whose last blow the summary
-/// is; null if there are none.
+/// The result as JSON (schema/summary.schema.json): the summary, its case and the program, in SI units, which
+/// the keys name. Numbers read back exactly; figures that are absent or not finite are null, and so is
+/// "injury" without `injury`. `blows` are those of a series, the last of which is the summary.
 std::string result_json(const ImpactCase& impact, const Summary& summary,
                         const std::optional<injury::InjuryFigures>& injury = std::nullopt,
                         const std::vector<BlowResult>& blows = {});
 
-/// CSV text: a header row, then a row a time step. Columns: time, force, acceleration (in g), velocity,
-/// motion, penetration, support_deflection, contact_radius, axis_strain; the header adds the unit:
-/// "time_s", "velocity_m_per_s". Signs are those of History. Numbers read back as the very same double (in
-/// plain SI as the solver's own, but for g); one that is not finite is an empty field. RFC 4180 but for the
-/// line ends, which are '\n'.
+/// The history as CSV with a header and a row for each time step. Columns: time, force, acceleration (in g),
+/// velocity, motion, penetration, support_deflection, contact_radius, axis_strain; the header has the units:
+/// "time_s", "velocity_m_per_s". Signs are those of History. In plain SI numbers read back exactly, except
+/// those in g; values that are not finite are empty. RFC 4180, with LF
+/// as line end.
 std::string history_csv(const History& history, const UnitSystem& units);
 
-/// The motion of two bodies after an impact and where its energy went. `impact` is the case as solved: with
-/// the reduced mass M1 M2 / (M1 + M2) and the speed of approach V1 - V2, with which the relative motion of
-/// two free bodies is that of one body against a wall.
+/// The motion of two bodies after an impact and where its energy went. `impact` is the solved case of the
+/// relative motion, with the reduced mass M1 M2 / (M1 + M2) and the speed of approach V1 - V2.
 Document post_impact_document(const Body& first, const Body& second, const ImpactCase& impact,
                               const Solution& solution, const UnitSystem& units);
 std::string post_impact_json(const Body& first, const Body& second, const ImpactCase& impact,

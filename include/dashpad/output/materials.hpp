@@ -1,6 +1,5 @@
 #pragma once
-/// Material cards for people, all of them side by side or one whole, and a test of one for people and for
-/// programs.
+/// Documents of material cards, and of a test of one with its JSON, CSV and still.
 
 #include <string>
 #include <vector>
@@ -17,16 +16,15 @@ namespace dashpad::output {
 Document materials_document(const std::vector<Material>& materials, const UnitSystem& units,
                             Pictures pictures = Pictures::left_out);
 
-/// A material: title, reservations, source, law, tested range, parameters with symbol, value, unit and
-/// meaning, and the stress at a few strains.
+/// The document of a material: title, reservations, source, law, tested range, parameters and stresses at a
+/// few strains.
 Document material_document(const Material& material, const UnitSystem& units,
                            Pictures pictures = Pictures::left_out);
 
-/// The loading curves of one material, at each rate that it was tested at, up to where it was tested or a
-/// little beyond.
+/// The loading curves of a material at each tested rate, up to or slightly beyond the tested strain.
 Plot material_plot(const Material& material, const UnitSystem& units);
 
-/// The loading curves, each at the slowest rate that its foam was tested at: solid as far as it was tested,
+/// The loading curves of several materials at their slowest tested rates, solid as far as they were tested,
 /// dashed beyond. Materials whose names begin with the same word have the same colour.
 Plot materials_plot(const std::vector<Material>& materials, const UnitSystem& units);
 
@@ -35,12 +33,12 @@ Document material_test_document(const laboratory::MaterialTestReport& report, co
                                 Pictures pictures = Pictures::left_out);
 /// Everything, in SI; keys name the units.
 std::string material_test_json(const laboratory::MaterialTestReport& report);
-/// CSV text: a header row, then a row a place of output: the rate of the run, time, strain, strain_rate,
-/// stress and, if asked for, stress_1984 at the places that the update of 1984 has. The header adds the
-/// units. Numbers read back as the very same double; one that is absent is an empty field.
+/// CSV with a header and a row for each output: rate of the run, time, strain, strain_rate, stress and, on
+/// request, stress_1984 where the update of 1984 has a value. The header has the units. Numbers read back
+/// exactly; missing ones are empty.
 std::string material_test_csv(const laboratory::MaterialTestReport& report, const UnitSystem& units);
-/// A still: stress over strain with one curve a rate, efficiency over stress. Of relaxation and creep what
-/// changes over time is the first panel. Flags and the source of the material are in the small print.
+/// A still: stress over strain with a curve for each rate, and efficiency over stress. For relaxation and
+/// creep the first panel is over time. Flags and the source of the material are in the small print.
 Plot material_test_plot(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

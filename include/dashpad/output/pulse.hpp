@@ -1,6 +1,5 @@
 #pragma once
-/// A pulse and its figures, alone or beside the computed one: as text for people, as JSON and CSV for
-/// programs, as a picture and a page.
+/// Output of pulses, alone or beside a computed one: documents, JSON, CSV and plots.
 
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@
 
 namespace dashpad::output {
 
-/// What to beware of and what was repaired, the figures, and what was done to the pulse.
+/// The document of a pulse: warnings and repairs, figures, and processing.
 Document pulse_document(const injury::PulseReport& report, const UnitSystem& units,
                         Pictures pictures = Pictures::left_out);
 
@@ -30,11 +29,10 @@ std::string pulses_json(const std::vector<injury::PulseReport>& reports);
 /// Time and acceleration of the pulse that the figures are of: "time_s,acceleration_g".
 std::string pulse_csv(const injury::PulseReport& report, const UnitSystem& units);
 
-/// Their accelerations, each from where its contact begins.
+/// The accelerations of several pulses over the time since the beginning of contact.
 Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units);
 
-/// The pulse, before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms
-/// clip.
+/// The pulse before and after the filter, with the windows of HIC15 and HIC36 and the level of the 3 ms clip.
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units);
 
 /// A measured pulse and the computed one: what was compared, and what came of it.
@@ -53,7 +51,7 @@ Document pulse_comparison_document(const PulseComparisonReport& report, const Un
 /// The same in SI, accelerations in g: schema/pulse-comparison.schema.json.
 std::string pulse_comparison_json(const PulseComparisonReport& report);
 
-/// Both decelerations over time, which counts from first contact of the computed impact.
+/// Both decelerations over the time since first contact of the computed impact.
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,6 +1,5 @@
 #pragma once
-/// Quantities at the door: text with a unit to SI, and SI to a unit for people. Nothing else of the program
-/// knows units.
+/// Conversion between texts with units and SI, for input and output; the rest of the program is in SI.
 
 #include <stdexcept>
 #include <string>
@@ -20,10 +19,9 @@ struct SiValue {
   std::string rule;  ///< "" where none is
 };
 
-/// Value of `text` ("20 mph", "7.96 psi", "1.05 kN/cm") in the SI unit `si_unit` ("m/s", "Pa", "N/m"; "1" for
-/// a pure number). Any unit of that dimension is accepted. Rules: a number, a unit (the rule names some that
-/// it could have), a known one, of the dimension; finite. The pound (lb) is a mass, the pound-force (lbf) a
-/// force and g a gram.
+/// The value of `text` ("20 mph", "7.96 psi", "1.05 kN/cm") in the SI unit `si_unit` ("m/s", "Pa", "N/m"; "1"
+/// for a pure number). Any unit of that dimension is accepted; the pound (lb) is a mass, the pound-force
+/// (lbf) a force, and g a gram. A rule is broken without a finite number and a known unit of the dimension.
 SiValue read_si(std::string_view text, const std::string& si_unit);
 
 /// The same for those who pass the rule on as an exception: throws UnitError.

@@ -1,6 +1,5 @@
 #pragma once
-/// The one table of unit systems: those in which results are shown to people, and those of finite-element
-/// decks.
+/// The table of unit systems: those for showing results, and those of finite-element decks.
 
 #include <span>
 #include <string>
@@ -8,15 +7,15 @@
 
 namespace dashpad {
 
-/// A unit for each kind of quantity, as text that dashpad/quantities/quantity.hpp reads. Strain rates are in
-/// 1/s everywhere.
+/// A unit for each kind of quantity, as dashpad/quantities/quantity.hpp reads it. Strain rates are in 1/s
+/// everywhere.
 struct UnitSystem {
-  std::string name;  ///< as on the command line
+  std::string name;  ///< name on the command line
   std::string length;
   std::string mass;
   std::string time;
   std::string speed;
-  std::string acceleration;  ///< of decks; people are shown g
+  std::string acceleration;  ///< unit in decks; people are shown g
   std::string force;
   std::string stiffness;
   std::string pressure;
@@ -37,8 +36,7 @@ std::span<const UnitSystem> unit_systems();
 ///   lbf-s2/in-in-s   lbf, psi, in.lbf, in/s; the mass is 175.127 kg
 std::span<const UnitSystem> consistent_systems();
 
-/// The system of that name, of those for people or for decks. Throws std::invalid_argument that names the
-/// systems on offer.
+/// The system of that name for people or for decks. Throws std::invalid_argument that names those on offer.
 const UnitSystem& unit_system(std::string_view name);
 const UnitSystem& consistent_system(std::string_view name);
 
@@ -48,8 +46,8 @@ const UnitSystem& plain_si();
 /// The units for a file that goes with a summary in `shown`: plain SI where people see SI.
 const UnitSystem& units_of_files(const UnitSystem& shown);
 
-/// The unit that a system has for an SI unit: "m/s" gives "mph". An SI unit that the system has no other
-/// unit for ("1", "1/s") is returned as it is.
+/// The unit of a system for an SI unit: "m/s" gives "mph". An SI unit without another unit in the system
+/// ("1", "1/s") is returned unchanged.
 std::string unit_for(const UnitSystem& units, const std::string& si_unit);
 
 /// An SI value in the unit that the system has for it.

@@ -1,5 +1,5 @@
 #pragma once
-/// What a finished study says: location, spread, probabilities with intervals, and which factor matters.
+/// The evaluation of a study: location, spread, probabilities with intervals, and which factors matter.
 ///
 /// All intervals are for 95 %. They hold for independent draws; with Sobol or Latin hypercube sampling, which
 /// spread the draws more evenly, they are too wide rather than too narrow.
@@ -21,40 +21,40 @@ struct Estimate {
   double low = 0, high = 0;  ///< 95 % interval; NaN where there is none
 };
 
-/// Of one response over the rows that have it. All values are NaN where no row has one.
+/// The distribution of a response over the rows that have it. All values are NaN if no row has one.
 ///
 /// Rows that bottomed out on a rigid support (see Records::struck_through) stand above all values of a
 /// response that grows with the force: quantiles and the greatest value are infinite where they fall on such
 /// a row, and there is no mean and no deviation.
 struct Distribution {
-  std::uint64_t rows = 0;            ///< with a finite value
-  std::uint64_t struck_through = 0;  ///< with an infinite one
-  std::uint64_t without = 0;         ///< with none: the impactor did not leave, or the row was not run
-  Estimate mean;                     ///< Student's interval
-  double deviation = 0;              ///< of the rows, with n - 1
+  std::uint64_t rows = 0;            ///< number of finite values
+  std::uint64_t struck_through = 0;  ///< number of infinite values
+  std::uint64_t without =
+      0;          ///< number of rows without a value: the impactor did not leave, or the row was not run
+  Estimate mean;  ///< Student's interval
+  double deviation = 0;  ///< standard deviation of the rows, with n - 1
   double least = 0, greatest = 0;
   struct Quantile {
     double probability = 0;
     Estimate value;
   };
-  /// 1, 5, 25, 50, 75, 95 and 99 %: the least value that this share of the rows does not exceed, with the
-  /// distribution-free interval between two order statistics; infinite where the rows are too few for a
-  /// bound.
+  /// Quantiles at 1, 5, 25, 50, 75, 95 and 99 %: the least value that this share of the rows does not exceed,
+  /// with the interval between two order statistics, infinite if there are too few rows for a bound.
   std::vector<Quantile> quantiles;
 };
 
-/// That of one of the probabilities above. None where no row has a value.
+/// The quantile at one of the probabilities above. None if no row has a value.
 std::optional<Estimate> quantile(const Distribution& distribution, double probability);
 
-/// Between which values a response of one row lies, SI. Both are the same where it is known, infinite where
-/// the pad bottomed out on a rigid support; from the value to infinity where that is a lower bound; without
-/// bounds where nothing is known.
+/// Bounds of a response of one row, SI: equal where it is known, infinite if the pad bottomed out on a rigid
+/// support; from the value to infinity where that is a lower bound; minus and plus infinity where nothing is
+/// known.
 struct Reading {
   double low = 0, high = 0;
 };
 
-/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. An undecided row could
-/// lie on either side of the limit: `value` leaves it out, and the interval covers both.
+/// The probability that a response exceeds a limit, with its Clopper-Pearson interval. `value` leaves out
+/// undecided rows, which could lie on either side of the limit; the interval covers both.
 struct Exceedance {
   double limit = 0;  ///< SI
   Estimate probability;
@@ -64,9 +64,9 @@ struct Exceedance {
   std::uint64_t undecided = 0;
 };
 
-/// `values` has NaN for a row without one and infinity for one that bottomed out on a rigid support. `drawn`
-/// says that the rows are draws; those of a grid are not, and have no intervals of sampling: there the
-/// interval of an exceedance covers the undecided rows alone, and is absent without any.
+/// In `values`, NaN is a row without a value and infinity one that bottomed out on a rigid support. The rows
+/// of a grid are not `drawn` and have no sampling intervals: the interval of an exceedance covers undecided
+/// rows alone, and is absent without any.
 Distribution distribution(std::span<const double> values, bool drawn = true);
 Exceedance exceedance(std::span<const Reading> rows, double limit, bool drawn = true);
 
@@ -102,61 +102,61 @@ struct Records {
   std::vector<std::vector<double>> responses;  ///< in the order of Study::responses, SI; NaN for none
   std::vector<Status> statuses;
   std::uint64_t doubtful = 0;        ///< is_doubtful()
-  std::uint64_t extrapolated = 0;    ///< beyond what the material was measured for
-  std::uint64_t beyond_strain = 0;   ///< of these by their strain, a guess; stores of 0.1.0 do not say it
+  std::uint64_t extrapolated = 0;    ///< rows beyond what the material was measured for
+  std::uint64_t beyond_strain = 0;   ///< rows beyond the tested strain; stores of 0.1.0 do not tell
   std::uint64_t beyond_rate = 0;     ///< and by their rate, a law
   std::uint64_t bottomed = 0;        ///< the pad was fully compressed at some time
-  std::uint64_t struck_through = 0;  ///< of these: on a rigid support, where no force is finite
+  std::uint64_t struck_through = 0;  ///< rows that bottomed out on a rigid support, where no force is finite
   std::uint64_t time_limit = 0;      ///< the impactor was still on the pad when the time limit was reached
 };
 Records read_records(const Study& study, const Store& store);
 
-/// Rows of one combination of levels, each a draw by itself: with `indices` those of the two matrices only. A
-/// study without sampled factors is one group of all its rows.
+/// The rows of one combination of levels, each a draw; with `indices` only those of the two matrices. A study
+/// without sampled factors is a single group.
 struct Group {
-  std::vector<double> levels;       ///< of the factors that are not sampled, in their order; SI
-  std::vector<std::size_t> places;  ///< in Records
+  std::vector<double> levels;       ///< levels of the factors that are not sampled, in their order; SI
+  std::vector<std::size_t> places;  ///< indices in Records
   bool drawn = true;
 };
 std::vector<Group> groups(const Study& study, const Design& design, const Records& records);
 
-/// The values of a response in a group: NaN for none, infinite where the pad bottomed out on a rigid support
-/// and the response grows with the force.
+/// The values of a response in a group: NaN for none, infinite for rows that bottomed out on a rigid support
+/// if the response grows with the force.
 std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
                               std::size_t response);
 
-/// The same as what may be relied on: a row that is doubtful, or has no value, is without bounds; a value at
-/// the time limit is a lower bound where the response grows during the impact.
+/// The reliable bounds of the same values: none for a row that is doubtful or has no value, and a lower bound
+/// at the time limit if the response grows during the impact.
 std::vector<Reading> readings_of(const Study& study, const Records& records, const Group& group,
                                  std::size_t response);
 
-/// Indices of a response at one combination of levels, numbered as the groups are. Absent where the study has
-/// no `indices`, or fewer than two whole draws.
+/// The indices of a response at one combination of levels, numbered like the groups. Absent without `indices`
+/// or with fewer than two whole draws.
 std::optional<Sensitivity> sensitivity(const Study& study, const Design& design, const Records& records,
                                        std::size_t combination, std::size_t response);
 
-/// Whether a row missed the tolerance, had factors that make no valid case, or lacks a response that its
-/// status promises (has_response()). `responses` are the names of its values.
+/// Whether a row missed the tolerance, made no valid case, or lacks a response that its status promises
+/// (has_response()). `responses` are the names of its values.
 bool is_doubtful(const Outcome& outcome, std::span<const std::string> responses);
 
-/// What has to be said of the rows of a store.
+/// Counts of rows with reservations.
 struct RowCounts {
   std::uint64_t doubtful = 0;
-  std::uint64_t struck_through = 0;  ///< as Records::struck_through
+  std::uint64_t struck_through = 0;  ///< as in Records::struck_through
 };
 RowCounts row_counts(const Store& store);
 
 /// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
-/// thicknesses (docs/studies.md). Static stress is the weight over the area of the contact, projected along
-/// the direction of impact, at the largest penetration; drop height is v^2 / 2 g. Curves of a sphere lie
-/// elsewhere than those of a platen and must not be mixed with them.
+/// thicknesses (docs/studies.md). Static stress is the weight over the projected contact area at the largest
+/// penetration; drop height is v^2 / 2 g. Curves of a sphere differ from those of a platen and must not be
+/// mixed with them.
 struct CushionCurve {
   double thickness = 0;                   ///< m
   std::vector<double> static_stress;      ///< Pa, in the order of the masses
   std::vector<double> peak_deceleration;  ///< m/s2; NaN where the impact has none
 };
 
-/// Where on the curve the peak is least. None without a finite one.
+/// The index of the least peak of a curve. None if no peak is finite.
 std::optional<std::size_t> min_peak(const CushionCurve& curve);
 
 struct CushionCurves {
@@ -169,8 +169,8 @@ struct CushionCurves {
   bool whole_cushion = false;  ///< the nose is flat and covers all of the pad, as in ASTM D1596
 };
 
-/// Absent unless the study is a grid of impactor.mass (or impactor.weight) and at most speed and thickness
-/// besides, and keeps peak_acceleration and peak_penetration.
+/// The cushion curves; absent unless the study is a grid of impactor.mass (or impactor.weight) and at most
+/// speed and thickness besides, and keeps peak_acceleration and peak_penetration.
 std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records);
 
 /// The probability of more than this is asked for.
@@ -186,18 +186,18 @@ struct StudyQuestions {
 
 struct StudyAnswers {
   Study study;
-  std::string program;     ///< that computed the rows
-  std::uint64_t rows = 0;  ///< of the whole study
+  std::string program;     ///< program that computed the rows
+  std::uint64_t rows = 0;  ///< number of rows of the whole study
   Records records;
   std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
   std::vector<StudyLimit> limits;
 
-  /// Of one combination of levels.
+  /// The answers for one combination of levels.
   struct OfGroup {
     Group group;
-    std::vector<Distribution> distributions;                ///< of each response asked for
-    std::vector<Exceedance> exceedances;                    ///< of each limit
-    std::vector<std::optional<Sensitivity>> sensitivities;  ///< of each response asked for
+    std::vector<Distribution> distributions;                ///< for each response asked for
+    std::vector<Exceedance> exceedances;                    ///< for each limit
+    std::vector<std::optional<Sensitivity>> sensitivities;  ///< for each response asked for
   };
   std::vector<OfGroup> groups;
   std::optional<CushionCurves> cushion_curves;

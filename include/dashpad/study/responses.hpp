@@ -1,5 +1,5 @@
 #pragma once
-/// What a study keeps of each impact: figures of the summary and of the pulse, by name.
+/// The responses that a study keeps of each impact: figures of the summary and of the pulse, by name.
 
 #include <memory>
 #include <span>
@@ -19,14 +19,14 @@ const ResultQuantity* find_response_kind(const std::string& name);
 /// Whether an impact can have this value, SI: finite, and not below zero unless the response has a sign.
 bool is_possible(const ResultQuantity& kind, double value);
 
-/// Whether a good solution of that status has the response: always, but for the end of contact of an impactor
-/// that stays on the pad. An injury figure counts as promised, although a pulse that is not whole has none.
+/// Whether a good solution of that status has the response. An impactor that stays on the pad has no end of
+/// contact. Injury figures count as promised, although a pulse that is not whole has none.
 bool has_response(const ResultQuantity& kind, Status status);
 
-/// Those that cost nothing beyond the solution: all that are not of the pulse.
+/// The responses that cost nothing beyond the solution: all but those of the pulse.
 std::vector<std::string> default_responses();
 
-/// By what a row went beyond what its material was measured for: a sum of these.
+/// The ways in which a row went beyond the tests of its material, to be added up.
 enum Extrapolated : unsigned {
   extrapolated_untold = 1,  ///< rows of 0.1.0, which do not say by what
   extrapolated_strain = 2,
@@ -39,19 +39,18 @@ struct Outcome {
   Status status = Status::not_run;  ///< not_run: the case breaks a rule; all values are NaN
   unsigned extrapolated = 0;        ///< a sum of Extrapolated; 0 for none
   bool bottomed = false;
-  /// The largest error estimate of the figures kept, as ErrorEstimates and InjuryFigures::Errors count them.
-  /// There is none for the peak strain rate. Infinite where a pulse has too few samples to tell.
+  /// The largest error estimate of the figures kept, as in ErrorEstimates and InjuryFigures::Errors; none for
+  /// the peak strain rate. Infinite if a pulse has too few samples for an estimate.
   double error = 0;
-  /// NaN where the impact has none: no rebound speed without a release, no peak force after bottoming out on
-  /// a rigid support, no injury figure of a pulse that is not whole. NaN also for a figure that no impact can
-  /// have (is_possible()).
+  /// NaN for a figure that the impact lacks (rebound speed without release, peak force after bottoming out on
+  /// a rigid support, injury figures of an incomplete pulse) or that no impact can have (is_possible()).
   std::vector<double> values;
 };
 
 class PulseFigures;
 
-/// Fills an outcome with the responses of these names. Made once, used for many rows: it keeps its memory,
-/// and one is needed for each thread. Only what is asked for is computed.
+/// Fills outcomes with the responses of these names, and computes only these. It reuses its memory for many
+/// rows; each thread needs its own.
 class ResponseReader {
  public:
   /// Throws std::invalid_argument for a name that is none of response_kinds().
@@ -64,10 +63,7 @@ class ResponseReader {
 
  private:
   std::vector<std::size_t> kinds_;       ///< numbers in response_kinds()
-  std::unique_ptr<PulseFigures> pulse_;  ///< where a figure of the pulse is asked for
+  std::unique_ptr<PulseFigures> pulse_;  ///< present if a figure of the pulse is asked for
 };
-
-/// The same for one solution.
-void read_responses(const Solution& solution, std::span<const std::string> names, Outcome& outcome);
 
 }  // namespace dashpad::study

@@ -1,6 +1,6 @@
 #pragma once
-/// Computes the rows of a study: those of one batch, as a thread or a rank does, or all that is missing, on
-/// all cores of this machine or on all ranks of an MPI job.
+/// Computing the rows of a study: one batch by a thread or a rank, or all missing rows on all cores or MPI
+/// ranks.
 
 #include <atomic>
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace dashpad::study {
 
-/// One worker's memory: a solver and a case, used again for every row. One each for several threads. Study
+/// The memory of a worker: a solver and a case, used again for every row. Each thread needs its own. Study
 /// and design must outlive it.
 class Worker {
  public:
   Worker(const Study& study, const Design& design);
-  /// Rows batch * size to (batch + 1) * size - 1, as far as the design has them. A row whose factors make no
-  /// valid case has the status not_run and the value NaN everywhere; it does not stop the others.
+  /// Computes rows batch * size to (batch + 1) * size - 1, as far as the design has them. Rows whose factors
+  /// make no valid case get the status not_run and NaN everywhere.
   std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
   /// The same into rows that were used before, whose memory is used again.
   void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
-  /// One row with its history. Throws std::invalid_argument where its factors make no valid case, and
-  /// std::out_of_range for a row that the design has not.
+  /// Solves one row with its history. Throws std::invalid_argument if its factors make no valid case, and
+  /// std::out_of_range for a row that the design does not have.
   Solution replay(std::uint64_t row);
   /// The case of a row. Throws as replay().
   const ImpactCase& case_of(std::uint64_t row);
@@ -50,11 +50,11 @@ struct Progress {
 struct RunSettings {
   int threads = 0;                                     ///< 0: all cores
   const std::atomic<bool>* stop = nullptr;             ///< set to finish the batches at hand and return
-  std::function<void(const Progress&)> progress = {};  ///< from one thread at a time
+  std::function<void(const Progress&)> progress = {};  ///< called from one thread at a time
 };
 
-/// True where all rows are there at the end, false where it was stopped. What goes wrong in writing is thrown
-/// after the batches at hand: std::runtime_error.
+/// Computes the missing rows. True if all rows are there at the end, false if it was stopped. Faults in
+/// writing are thrown after the batches at hand: std::runtime_error.
 bool run(const Study& study, Store& store, const RunSettings& settings = {});
 
 }  // namespace dashpad::study

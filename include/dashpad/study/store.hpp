@@ -28,7 +28,7 @@ struct StoredRow {
   Outcome outcome;
 };
 
-/// In the order of Status: their words stand in the file.
+/// The order is that of Status; the file contains their words.
 inline constexpr std::array all_statuses{Status::not_run,    Status::released,          Status::bottomed_out,
                                          Status::time_limit, Status::tolerance_not_met, Status::at_rest};
 
@@ -36,7 +36,7 @@ inline constexpr std::array all_statuses{Status::not_run,    Status::released,  
 struct StoredColumn {
   std::string name;     ///< "impactor.speed", "peak_force"
   std::string unit;     ///< SI; "" for a material
-  std::string meaning;  ///< of a response; "" for a factor
+  std::string meaning;  ///< meaning of a response; "" for a factor
 };
 
 /// A file that is no store of a study, or that holds what no Dashpad wrote; what() names it.
@@ -45,13 +45,14 @@ class DamagedStore : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All that reads throws DamagedStore where the file is damaged. Not for several threads at once.
+/// An open store. Every member that reads throws DamagedStore if the file is damaged. Not safe for several
+/// threads at once.
 class Store {
  public:
-  /// Creates the file, or opens one of the very same study to go on: its text, what it names, the program's
-  /// version and commit. Until the store is closed nobody else can write it; all may read.
-  /// Throws std::runtime_error in the user's words: another study, no store, read-only, written by another,
-  /// full disk.
+  /// Creates the file, or opens that of the very same study (text, named files, program version and commit)
+  /// to continue. While it is open only this store can write, but all can read. Throws std::runtime_error in
+  /// the user's words for another study, a file that is no store or read-only, another writer, or a full
+  /// disk.
   static Store open_for(const Study& study, const std::filesystem::path& file);
   /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
@@ -60,7 +61,7 @@ class Store {
   [[nodiscard]] const std::string& file() const;
   /// The study's text, for reading it again.
   [[nodiscard]] std::string study_text() const;
-  /// All that its rows depend on, as JSON (dashpad/study/stored_study.hpp reads it).
+  /// Everything on which its rows depend, as JSON; stored_study() reads it.
   [[nodiscard]] const std::string& resolved_text() const;
   /// Whether its rows are those of this study: false where a card or data file has changed since.
   [[nodiscard]] bool is_of(const Study& study) const;
@@ -68,26 +69,27 @@ class Store {
   [[nodiscard]] const std::string& program() const;
   [[nodiscard]] const std::vector<StoredColumn>& factors() const;
   [[nodiscard]] const std::vector<StoredColumn>& responses() const;
-  /// Of the whole study, done or not.
+  /// The number of rows of the whole study, done or not.
   [[nodiscard]] std::uint64_t rows() const;
   [[nodiscard]] std::uint64_t rows_done() const;
   [[nodiscard]] std::uint64_t batch_size() const;
   /// Batches not yet done, increasing.
   [[nodiscard]] std::vector<std::uint64_t> missing_batches() const;
 
-  /// All rows of a batch in one transaction. Throws std::invalid_argument for rows that are not the batch's,
-  /// std::runtime_error where the disk refuses or the batch is there already; then nothing of it is written.
+  /// Writes all rows of a batch in one transaction. Throws std::invalid_argument for rows that do not belong
+  /// to the batch, std::runtime_error if the disk refuses or the batch is there already; then nothing of it
+  /// is written.
   void write_batch(std::uint64_t batch, std::span<const StoredRow> rows);
 
-  /// Throws std::runtime_error where the file was deleted, renamed or replaced since it was opened: what is
-  /// written then is lost. write_batch() asks, too.
+  /// Throws std::runtime_error if the file was deleted, renamed or replaced since it was opened, so that
+  /// further rows would be lost. write_batch() calls it.
   void check_in_place() const;
 
-  /// Absent where it is not done.
+  /// A row; absent if it is not done.
   [[nodiscard]] std::optional<StoredRow> row(std::uint64_t number) const;
   /// Calls `visit` for all rows done, by row number. Memory does not grow with their number.
   void visit_rows(const std::function<void(const StoredRow&)>& visit) const;
-  /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN where a row has none.
+  /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN for missing values.
   /// Throws std::invalid_argument for another name.
   [[nodiscard]] std::vector<double> column(const std::string& name) const;
 
@@ -103,17 +105,17 @@ class Store {
 
 /// A column as files have it: SI, but accelerations in g.
 struct ExportedColumn {
-  std::string name;  ///< with the unit: "peak_force_N", "impactor.speed_m_per_s"
+  std::string name;  ///< name with unit: "peak_force_N", "impactor.speed_m_per_s"
   std::string unit;  ///< "" for a material
-  double scale = 1;  ///< what the values of the store are multiplied with
+  double scale = 1;  ///< factor on the values of the store
 };
 ExportedColumn exported(const StoredColumn& column);
 
-/// Passes the CSV on in pieces, so that memory does not grow with the rows: a heading, then one line a row
-/// done, by row number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and
-/// bottomed (0 or 1), error, factors, responses; the heading names units: "impactor.speed_m_per_s". Numbers
-/// read back as the same, but for accelerations, which the store has in m/s2; a value that a row does not
-/// have is empty. What `write` throws passes through.
+/// Writes the rows done as CSV, in pieces so that memory does not grow: a heading, then a line per row by row
+/// number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and bottomed (0 or 1),
+/// error, factors, responses; the heading has units: "impactor.speed_m_per_s". Numbers read back exactly,
+/// except accelerations, which the store has in m/s2; missing values are empty. Exceptions of `write` pass
+/// through.
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

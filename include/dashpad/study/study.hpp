@@ -42,7 +42,7 @@ using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empi
 
 /// A quantity of the case that varies. SI.
 struct Factor {
-  std::string key;   ///< as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
+  std::string key;   ///< key as in case files: "impactor.speed", "pad.curve.modulus", "pad.material"
   std::string unit;  ///< SI: "m/s"; "" for a material
   Spread spread = {};
   /// Values outside are never drawn: the distribution is cut off there and made whole again.
@@ -50,7 +50,7 @@ struct Factor {
   [[nodiscard]] bool is_sampled() const { return !std::holds_alternative<Levels>(spread); }
 };
 
-/// Of the normal scores of two sampled factors (Gaussian copula), in (-1, 1).
+/// A correlation between the normal scores of two sampled factors (Gaussian copula), in (-1, 1).
 struct Correlation {
   std::size_t first = 0, second = 0;
   double value = 0;
@@ -58,16 +58,16 @@ struct Correlation {
 
 enum class Sampling { monte_carlo, latin_hypercube, sobol };
 
-/// Rows are all combinations of the levels, times `samples` draws of the sampled factors: the same draws at
-/// each combination. With `indices`, each draw becomes 2 + (number of sampled factors) rows (Saltelli's
-/// design).
+/// A study. Its rows are all combinations of the levels, times `samples` draws of the sampled factors, the
+/// same draws at each combination. With `indices`, each draw becomes 2 + (number of sampled factors) rows
+/// (Saltelli's design).
 struct Study {
   std::string title;
   std::string text;  ///< the study file as it is, for the store
   ImpactCase base;
   Options options{.tolerance = 1e-3};
   std::vector<Factor> factors;
-  std::vector<Material> materials;  ///< that "pad.material" chooses from; empty without that factor
+  std::vector<Material> materials;  ///< materials that "pad.material" chooses from; empty without that factor
   std::vector<Correlation> correlations;
   Sampling sampling = Sampling::sobol;
   std::uint64_t samples = 1;  ///< draws; 1 without sampled factors
@@ -76,16 +76,19 @@ struct Study {
   std::vector<std::string> responses;  ///< names of dashpad/study/responses.hpp
 };
 
-/// More are refused: a billion rows take a day and some 100 GB.
+/// The largest number of rows: a billion takes a day and some 100 GB.
 inline constexpr std::uint64_t max_rows = 1'000'000'000;
+
+/// The indices of the sampled factors.
+std::vector<std::size_t> sampled_factors(const Study& study);
 
 /// Rows of the study, also where they are too many to count in an integer.
 double row_count(const Study& study);
 
-/// Every rule that a study breaks, over all factors at once, under keys of study files: "samples",
-/// "factors.impactor.speed", "correlations[1]". Where the factors are sound in themselves, also the rules of
-/// the case that their levels and the ends of their distributions break (docs/studies.md). A rarer
-/// combination that makes no valid case becomes a row that is "not run".
+/// All rules that a study breaks, under keys of study files: "samples", "factors.impactor.speed",
+/// "correlations[1]". If the factors are sound, they include the rules of the case that levels and ends of
+/// distributions break (docs/studies.md). Rarer combinations that make no valid case become rows that are
+/// "not run".
 std::vector<Violation> violations(const Study& study);
 
 // Which row of a study has which factors: a function of the row's number alone, so that the order of the
@@ -102,15 +105,14 @@ struct FactorKey {
   std::string unit;  ///< SI; "1" for a pure number, "" for a material
 };
 
-/// All that a case with this law and this support offers: its quantities (dashpad/case/case_quantity.hpp)
+/// All factors that a case with this law and support offers: its quantities (dashpad/case/case_quantity.hpp)
 /// and its material.
 std::vector<FactorKey> factor_keys(const ImpactCase& base);
 
-/// What is said about a factor whose key is none of factor_keys(): what was meant, or what there is instead.
+/// The message for a factor that is none of factor_keys(): what was meant, or what there is instead.
 std::string rule_for_unknown(const std::string& key, const ImpactCase& base);
 
-/// Whether a key is that of a number of the pad's law or of the curves it is made of. Which of them there are
-/// depends on the material.
+/// Whether a key is that of a number of the pad's law or of its curves, which depend on the material.
 bool is_of_law(const std::string& key);
 
 /// Knows where each factor goes. Made once, used for many rows, by several threads at once if need be.
@@ -119,8 +121,8 @@ class Application {
   /// `study` must outlive it. Throws std::invalid_argument for a key that is none of factor_keys().
   explicit Application(const Study& study);
 
-  /// Writes SI values, in the order of Study::factors, into a copy of Study::base that may have been used for
-  /// other rows. Memory is taken only where the material changes and for a support that varies.
+  /// Writes SI values, in the order of Study::factors, into a copy of Study::base that may have served other
+  /// rows. Memory is allocated only for another material or a support that varies.
   void operator()(std::span<const double> values, ImpactCase& into) const;
 
  private:
@@ -136,11 +138,12 @@ class Design {
   Design& operator=(Design&&) noexcept;
 
   [[nodiscard]] std::uint64_t rows() const;
-  /// SI values of all factors in row `row` (0 to rows() - 1), in the order of Study::factors. Several threads
-  /// may call it at once. Throws std::out_of_range for another row, and for `values` of another length.
+  [[nodiscard]] std::uint64_t rows_of_combination() const;  ///< rows for one combination of levels
+  /// The SI values of all factors in a row, in the order of Study::factors. Safe for several threads. Throws
+  /// std::out_of_range for a row from rows() on and for `values` of another length.
   void factors_of(std::uint64_t row, std::span<double> values) const;
-  /// What a row is in Saltelli's design: 0 the first matrix, 1 the second, 2 + i the first with sampled
-  /// factor i of the second. 0 without `indices`.
+  /// The block of a row in Saltelli's design: 0 for the first matrix, 1 for the second, 2 + i for the first
+  /// with sampled factor i of the second. 0 without `indices`.
   [[nodiscard]] int block_of(std::uint64_t row) const;
   /// The draw that a row belongs to.
   [[nodiscard]] std::uint64_t draw_of(std::uint64_t row) const;
@@ -149,8 +152,5 @@ class Design {
   struct Plan;
   std::unique_ptr<const Plan> plan_;
 };
-
-/// Writes the factors of a row into a copy of the base case. For many rows: class Application.
-void apply(const Study& study, std::span<const double> values, ImpactCase& into);
 
 }  // namespace dashpad::study

@@ -11,6 +11,7 @@
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/pulse_samples.hpp"
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -24,10 +25,6 @@ struct Findings {
   std::size_t empty_columns = 0;                     ///< rows with nothing behind their last separator
   std::size_t decimal_comma = 0, decimal_point = 0;  ///< the first line of each
 };
-
-std::string plural(std::size_t count, const std::string& word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
 
 /// The columns whose numbers are read, the time first.
 std::vector<injury::MeasuredColumn> read_columns_of(const CsvColumns& columns) {

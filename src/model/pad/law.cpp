@@ -54,9 +54,16 @@ std::vector<Violation> violations(const PadLaw& law) {
   return broken;
 }
 
-bool has_curves(const PadLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return SharesSlip<Law>; }, law);
+const FoamCurves* foam_curves(const PadLaw& law) {
+  return std::visit(
+      []<class Law>(const Law& held) -> const FoamCurves* {
+        if constexpr (SharesSlip<Law>) return &held.curves;
+        return nullptr;
+      },
+      law);
 }
+
+bool has_curves(const PadLaw& law) { return foam_curves(law) != nullptr; }
 
 BlowMemory blow_memory(const PadLaw& law) {
   return std::visit(
@@ -72,14 +79,8 @@ BlowMemory blow_memory(const PadLaw& law) {
 }
 
 std::vector<double> softening_rates(const PadLaw& law) {
-  return std::visit(
-      []<class Law>(const Law& held) -> std::vector<double> {
-        if constexpr (SharesSlip<Law>)
-          return softening_rates(held.curves);
-        else
-          return {};
-      },
-      law);
+  const FoamCurves* const curves = foam_curves(law);
+  return curves ? softening_rates(*curves) : std::vector<double>();
 }
 
 std::string name_of(const PadLaw& law) {

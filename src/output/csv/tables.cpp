@@ -20,7 +20,7 @@ namespace {
 
 struct Column {
   std::string header;
-  std::vector<double> values = {};  ///< in the unit of the header
+  std::vector<double> values = {};  ///< values in the unit of the header
 };
 
 /// A quantity of the table of results, given in SI.
@@ -92,19 +92,19 @@ std::string material_test_csv(const laboratory::MaterialTestReport& report, cons
       strain_rate{"strain_rate_1_per_s"}, stress{"stress_" + unit_for(units, "Pa")},
       stress_1984{"stress_1984_" + unit_for(units, "Pa")};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::ColumnTest& column_test = run.column;
+    const laboratory::ColumnTest& test = run.column;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < column_test.size(); ++i) {
+    for (std::size_t i = 0; i < test.size(); ++i) {
       rate.values.push_back(run.rate.value_or(NAN));
-      time.values.push_back(time_unit * column_test.time[i]);
-      strain.values.push_back(column_test.strain[i]);
-      strain_rate.values.push_back(column_test.rate[i]);
-      stress.values.push_back(stress_unit * column_test.stress[i]);
+      time.values.push_back(time_unit * test.time[i]);
+      strain.values.push_back(test.strain[i]);
+      strain_rate.values.push_back(test.rate[i]);
+      stress.values.push_back(stress_unit * test.stress[i]);
       if (!run.update_of_1984) continue;
-      // It has fewer places; each of them is one of the exact stress.
+      // The update has fewer times than the exact stress, and each of them is one of its times.
       const laboratory::UpdateOf1984& update = *run.update_of_1984;
       const bool is_place =
-          next < update.time.size() && column_test.time[i] >= update.time[next] - 1e-6 * update.step;
+          next < update.time.size() && test.time[i] >= update.time[next] - 1e-6 * update.step;
       stress_1984.values.push_back(is_place ? stress_unit * update.stress[next++] : NAN);
     }
   }

@@ -25,21 +25,18 @@ namespace dashpad::output {
 
 namespace {
 
-std::string giver(const injury::StandardValue& value) {
-  return value.chosen_by_user ? "given by you" : "of the standard";
-}
-
 std::array<double, 3> numbers_of(const Impactor& impactor) {
   return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
 
-/// What the user did not want.
+/// The value of the standard that the user replaced: ", the standard 6.7 m/s"; "" where the user replaced
+/// none.
 std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
   if (!entry.value->instead) return "";
   return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
 }
 
-/// What the standard's impactor takes the place of, and what stays, a line each.
+/// The values of the case that the standard replaces, a line each, and those that are kept.
 struct Replaced {
   std::vector<std::string> lines;
   std::string kept;
@@ -59,30 +56,34 @@ Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
       continue;
     }
     replaced.lines.push_back(fmt::format("{} {}, {}; the case has {}", entry.name, value_text(entry, units),
-                                         giver(*entry.value), in_case) +
+                                         entry.value->chosen_by_user ? "given by you" : "of the standard",
+                                         in_case) +
                              of_standard(entry, units));
   }
   replaced.kept = fmt::format("Kept from the case: {}pad, support, solver.", kept);
   return replaced;
 }
 
-/// The figures in force that have sources of one kind; what the user gives or the case has is none of them.
-std::vector<std::string> figures_from(injury::SourceKind kind, const injury::Standard& standard) {
-  std::vector<std::string> names;
+/// The names and origins of the standard's figures in force, without values from the user or the case.
+std::vector<std::pair<std::string, const injury::Origin*>> origins_of(const injury::Standard& standard) {
+  std::vector<std::pair<std::string, const injury::Origin*>> all;
   for (const NamedValue& entry : values_of(standard))
-    if (entry.value->value && !entry.value->chosen_by_user && entry.value->origin.kind == kind)
-      names.emplace_back(entry.name);
+    if (entry.value->value && !entry.value->chosen_by_user)
+      all.emplace_back(entry.name, &entry.value->origin);
   for (const injury::Criterion& criterion : standard.criteria)
-    if (criterion.origin.kind == kind) names.push_back(injury::limit_of(criterion));
-  return names;
+    all.emplace_back(injury::limit_of(criterion), &criterion.origin);
+  return all;
 }
 
 std::string sources_of(const injury::Standard& standard) {
   std::vector<std::string> kinds;
   for (const injury::SourceKind kind :
-       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none})
-    if (const auto names = figures_from(kind, standard); !names.empty())
-      kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+       {injury::SourceKind::own_text, injury::SourceKind::secondary, injury::SourceKind::none}) {
+    std::vector<std::string> names;
+    for (const auto& [name, origin] : origins_of(standard))
+      if (origin->kind == kind) names.push_back(name);
+    if (!names.empty()) kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
+  }
   return fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
                      fmt::join(kinds, ", "), full_name(standard));
 }
@@ -90,20 +91,16 @@ std::string sources_of(const injury::Standard& standard) {
 /// Each source of what is in force with what comes from it, for those who cannot ask for the standard.
 std::vector<Basis> sources_in_full(const injury::Standard& standard) {
   std::vector<Basis> all;
-  const auto add = [&](const injury::Origin& origin, const std::string& name) {
-    const std::string source = fmt::format("{} ({})", one_line(origin.source), to_string(origin.kind));
-    const char* const doubt = origin.verified ? "" : "unverified";
-    const auto known = std::ranges::find_if(
-        all, [&](const Basis& basis) { return basis.source == source && basis.doubt == doubt; });
+  for (const auto& [name, origin] : origins_of(standard)) {
+    const std::string source = fmt::format("{} ({})", one_line(origin->source), to_string(origin->kind));
+    const std::string doubt = origin->verified ? "" : "unverified";
+    auto known = all.begin();
+    while (known != all.end() && (known->source != source || known->doubt != doubt)) ++known;
     if (known == all.end())
-      all.push_back({.what = "", .value = capitalised(name), .source = source, .doubt = doubt});
+      all.push_back({"", capitalised(name), source, doubt});
     else
       known->value += ", " + name;
-  };
-  for (const NamedValue& entry : values_of(standard))
-    if (entry.value->value && !entry.value->chosen_by_user) add(entry.value->origin, entry.name);
-  for (const injury::Criterion& criterion : standard.criteria)
-    add(criterion.origin, injury::limit_of(criterion));
+  }
   return all;
 }
 
@@ -116,20 +113,17 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
   return of == assessment.results.end() ? next : *of;
 }
 
-/// What makes a pass doubtful that its interval does not show, in words to be put behind it as they are: a
-/// pad that is struck through. Empty where nothing does.
+/// The reason to doubt a pass in spite of its interval, to be appended to the answer: the pad is struck
+/// through. Empty where there is none.
 std::string doubt_about_pass(const AssessmentReport& report) {
-  const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
-  const injury::CriterionResult* const next = closest(assessment.results);
-  if (assessment.verdict != injury::Verdict::pass || next == nullptr) return "";
-  const auto in_g = [](double acceleration) {
-    return brief(rounded_to(acceleration / standard_gravity, 3)) + " g";
-  };
-  if (is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
-    return ", but the pad is struck through" +
-           (summary.peak_acceleration ? ", at a peak of " + in_g(*summary.peak_acceleration) : "");
-  return "";
+  if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||
+      !is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
+    return "";
+  const std::string text = ", but the pad is struck through";
+  if (!summary.peak_acceleration) return text;
+  const double peak = rounded_to(*summary.peak_acceleration / standard_gravity, 3);
+  return text + ", at a peak of " + brief(peak) + " g";
 }
 
 /// "Passes: 3 ms clip has 3.66 g to spare", by the criterion next to its limit or farthest beyond it.
@@ -160,7 +154,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
                      limit);
 }
 
-/// How far a criterion is from its limit. Of a lower bound the distance can only shrink, or grow beyond it.
+/// The distance of a criterion from its limit, with its share of the limit.
 std::string distance(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
   return fmt::format("{} ({:.1f} %)", margin_words(result, units, digits),
                      100 * std::abs(*result.relative_margin));
@@ -175,14 +169,7 @@ std::string verdict_words(const injury::CriterionResult& result, const UnitSyste
   return words + (result.reason.empty() ? "" : ": " + one_line(result.reason));
 }
 
-std::vector<ValueRow> criteria(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
-  std::vector<ValueRow> rows;
-  for (const injury::CriterionResult& result : report.assessment.results)
-    rows.push_back(criterion_row(result, units, detail));
-  return rows;
-}
-
-/// Figures to judge the impact by whatever the standard limits.
+/// The criteria, then other figures to judge the impact by.
 std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
   std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
   const char* const on_strain = report.assessed.pad.layers.empty()
@@ -202,10 +189,12 @@ std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSyste
                     .remark = member == &injury::KeyFigures::peak_strain ? on_strain : ""});
   }
   add_intervals(rows, report.solution.summary, units);
-  return rows;
+  std::vector<ValueRow> all = criterion_rows(report.assessment.results, units, detail);
+  std::ranges::move(rows, std::back_inserter(all));
+  return all;
 }
 
-/// What makes the interval of each criterion, the largest source alone.
+/// The interval of each criterion with its largest source.
 std::vector<std::string> interval_lines(const AssessmentReport& report, const UnitSystem& units) {
   std::vector<std::string> lines;
   const std::optional<Intervals>& intervals = report.solution.summary.intervals;
@@ -234,8 +223,6 @@ std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& un
 Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
   const injury::Standard& standard = report.standard;
-  std::vector<ValueRow> figures = criteria(report, units, Detail::main);
-  for (ValueRow& row : figures_of(report, units, Detail::main)) figures.push_back(std::move(row));
   const std::string title = one_line(report.assessed.title);
   Document document{
       .title = title,
@@ -243,7 +230,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
                    .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
                    .subject = {fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
                                title.empty() ? "" : "The case: " + title},
-                   .figures = std::move(figures)},
+                   .figures = figures_of(report, units, Detail::main)},
       .is_one_impact = true};
   document.warnings = by_severity(assessment.reservations);
   const Replaced replaced = replaced_in(report, units);
@@ -257,14 +244,12 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   brief.push_back(replaced.kept);
   brief.push_back(sources_of(standard));
   if (!standard.note.empty()) brief.push_back(one_line(standard.note));
-  std::vector<ValueRow> rows = criteria(report, units, Detail::all);
-  for (ValueRow& row : figures_of(report, units, Detail::all)) rows.push_back(std::move(row));
   document.sections = {{.seen = Seen::in_brief, .paragraphs = std::move(brief)},
-                       {.heading = "Figures", .rows = {{"", std::move(rows)}}}};
+                       {.heading = "Figures", .rows = {{"", figures_of(report, units, Detail::all)}}}};
   if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
-    for (const injury::CriterionResult& criterion_result : assessment.results)
-      limited.emplace_back(injury::quantity_of(criterion_result.criterion.metric).key);
+    for (const injury::CriterionResult& result : assessment.results)
+      limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
     document.sections.push_back({.heading = "How sure the figures are",
                                  .paragraphs = {source_paragraph(*intervals)},
                                  .tables = {interval_table(report.solution.summary, units, limited)}});
@@ -333,6 +318,13 @@ ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& 
     if (row.share) row.share_range = {interval->low / criterion.limit, interval->high / criterion.limit};
   }
   return row;
+}
+
+std::vector<ValueRow> criterion_rows(const std::vector<injury::CriterionResult>& results,
+                                     const UnitSystem& units, Detail detail) {
+  std::vector<ValueRow> rows;
+  for (const injury::CriterionResult& result : results) rows.push_back(criterion_row(result, units, detail));
+  return rows;
 }
 
 std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResult>& results,

@@ -8,7 +8,7 @@
 
 namespace dashpad::output {
 
-/// What is said beside every verdict, by the keys of the table of results, the most telling first.
+/// A figure that is shown beside every verdict.
 struct KeyFigure {
   const char* key;
   injury::Figure injury::KeyFigures::*figure;
@@ -24,14 +24,17 @@ inline constexpr KeyFigure figures_of_assessment[]{
 
 Tone tone_of(injury::Verdict verdict);
 
-/// That which is next to its limit, or farthest beyond it; null without a margin.
+/// The criterion with the least relative margin: nearest to its limit, or farthest beyond it. Null if none
+/// has a margin.
 const injury::CriterionResult* closest(const std::vector<injury::CriterionResult>& results);
 
-/// How far a criterion is from its limit: "3.66 g". It has a margin.
+/// The absolute margin of a criterion, which must have one: "3.66 g".
 std::string margin_words(const injury::CriterionResult& result, const UnitSystem& units, int digits);
 
 /// Value, limit and verdict; the error only where that may decide, or is asked for.
 ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail);
+std::vector<ValueRow> criterion_rows(const std::vector<injury::CriterionResult>& results,
+                                     const UnitSystem& units, Detail detail);
 
 /// A line across at each limit that is an acceleration, g.
 std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResult>& results,

@@ -1,5 +1,5 @@
 #pragma once
-/// What a result rests on, a row each: what, its value, its source, and the doubt about it.
+/// The basis of a result: a row each with its value, its source and the doubts about it.
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct Basis {
   std::string doubt = {};
 };
 
-/// Without the columns that no row has anything for.
+/// The rows as a table. Columns that are empty in all rows are left out.
 Table basis_table(const std::vector<Basis>& rows);
 
 /// Impactor, pad with its foams, support, and blows if there are several.
@@ -29,7 +29,7 @@ std::vector<Basis> case_basis(const ImpactCase& impact, const UnitSystem& units)
 Basis foam_basis(const Material& material, const UnitSystem& units);
 /// The reservations of its card, one after the other.
 std::string doubts_about(const Material& material);
-/// How exactly it was computed.
+/// The numerical accuracy of the solution.
 Basis solver_basis(const Summary& summary);
 
 /// The case in short, without its title.

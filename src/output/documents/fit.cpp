@@ -1,4 +1,4 @@
-// What is said of a fit: how well it meets the data, what was found and how sure it is.
+// The document of a fit: how well it meets the data, what it found and how certain that is.
 
 #include <algorithm>
 #include <optional>
@@ -25,47 +25,44 @@ namespace dashpad::output {
 
 namespace {
 
-double place_of(const fit::FittedUnknown& fitted_unknown, double value) {
-  return std::clamp(
-      fit::place_between(fitted_unknown.lowest, fitted_unknown.highest, fitted_unknown.is_logarithmic, value),
-      0.0, 1.0);
+double place_of(const fit::FittedUnknown& unknown, double value) {
+  return std::clamp(fit::place_between(unknown.lowest, unknown.highest, unknown.is_logarithmic, value), 0.0,
+                    1.0);
 }
 
-RangeBar bar_of(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
-  return {.label = factor_title(fitted_unknown.key),
-          .value = shown(fitted_unknown.value),
-          .words = interval_words(fitted_unknown, units) +
-                   (fitted_unknown.standard_error
-                        ? "; standard error " +
-                              brief_quantity(*fitted_unknown.standard_error, fitted_unknown.unit, units, 2)
-                        : "; no standard error"),
-          .lowest = shown(fitted_unknown.lowest),
-          .highest = shown(fitted_unknown.highest),
-          .place = place_of(fitted_unknown, fitted_unknown.value),
-          .from = fitted_unknown.low ? place_of(fitted_unknown, *fitted_unknown.low) : 0,
-          .to = fitted_unknown.high ? place_of(fitted_unknown, *fitted_unknown.high) : 1,
-          .open_below = !fitted_unknown.low && !fitted_unknown.is_identified(),
-          .open_above = !fitted_unknown.high && !fitted_unknown.is_identified()};
+RangeBar bar_of(const fit::FittedUnknown& unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, unknown.unit, units, 4); };
+  return {.label = factor_title(unknown.key),
+          .value = shown(unknown.value),
+          .words = interval_words(unknown, units) +
+                   (unknown.standard_error ? "; standard error " + brief_quantity(*unknown.standard_error,
+                                                                                  unknown.unit, units, 2)
+                                           : "; no standard error"),
+          .lowest = shown(unknown.lowest),
+          .highest = shown(unknown.highest),
+          .place = place_of(unknown, unknown.value),
+          .from = unknown.low ? place_of(unknown, *unknown.low) : 0,
+          .to = unknown.high ? place_of(unknown, *unknown.high) : 1,
+          .open_below = !unknown.low && !unknown.is_identified(),
+          .open_above = !unknown.high && !unknown.is_identified()};
 }
 
-/// What could turn the answer round.
+/// Findings that could change the answer.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
   for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (!fitted_unknown.is_identified() && !fitted_unknown.is_nuisance)
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (!unknown.is_identified() && !unknown.is_nuisance)
       all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
-                                factor_words(fitted_unknown.key), interval_words(fitted_unknown, units)));
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (fitted_unknown.is_identified() && fitted_unknown.rests_on_prior() && !fitted_unknown.is_nuisance)
+                                factor_words(unknown.key), interval_words(unknown, units)));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
       all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
-                                factor_words(fitted_unknown.key)));
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (fitted_unknown.wants_beyond())
+                                factor_words(unknown.key)));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    if (unknown.wants_beyond())
       all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
-                                factor_words(fitted_unknown.key),
-                                fitted_unknown.is_at_lowest ? "lower" : "upper"));
+                                factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
                               report.starts_at_best, report.starts));
@@ -86,21 +83,20 @@ void add_misses(std::vector<ValueRow>& figures, const fit::FitReport& report, bo
   add("Pulses", of.pulses, " %", "of their peak, root mean square");
 }
 
-/// How well the data are met, then the unknowns of the material; those that the data leave open first.
+/// The misfits, then the unknowns of the material, beginning with those that the data leave open.
 std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<ValueRow> figures;
   add_misses(figures, report, false);
   add_misses(figures, report, true);
   for (const bool identified : {false, true})
-    for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-      if (!fitted_unknown.is_nuisance && fitted_unknown.is_identified() == identified)
-        figures.push_back(
-            {.label = capitalised(factor_words(fitted_unknown.key)),
-             .value = brief_quantity(fitted_unknown.value, fitted_unknown.unit, units, 3),
-             .remark = (fitted_unknown.rests_on_prior() ? "mostly from its prior; 95 % interval "
-                                                        : "95 % interval ") +
-                       interval_words(fitted_unknown, units),
-             .tone = identified && !fitted_unknown.rests_on_prior() ? Tone::plain : Tone::doubtful});
+    for (const fit::FittedUnknown& unknown : report.unknowns)
+      if (!unknown.is_nuisance && unknown.is_identified() == identified)
+        figures.push_back({.label = capitalised(factor_words(unknown.key)),
+                           .value = brief_quantity(unknown.value, unknown.unit, units, 3),
+                           .remark = (unknown.rests_on_prior() ? "mostly from its prior; 95 % interval "
+                                                               : "95 % interval ") +
+                                     interval_words(unknown, units),
+                           .tone = identified && !unknown.rests_on_prior() ? Tone::plain : Tone::doubtful});
   return figures;
 }
 
@@ -116,10 +112,8 @@ Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
   Plot plot = report.tests.empty() ? fit_pulse_figure(report.pulses.front(), units).plot
                                    : fit_test_figure(report.tests.front(), units).plot;
   plot.panels.resize(1);
-  plot.panels.front().title = std::move(plot.title);
-  plot.title.clear();
-  plot.source.clear();
-  return plot;
+  plot.panels.front().title = plot.title;
+  return untitled(std::move(plot));
 }
 
 Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
@@ -127,8 +121,7 @@ Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) 
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
       "Where a bar fades, the interval is open: the data do not end it."};
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    unknowns.ranges.push_back(bar_of(fitted_unknown, units));
+  for (const fit::FittedUnknown& unknown : report.unknowns) unknowns.ranges.push_back(bar_of(unknown, units));
   return unknowns;
 }
 
@@ -148,7 +141,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
   return misfit;
 }
 
-/// By their keys, for those who go on with the file.
+/// The unknowns by their keys, for users who edit the fit file next.
 Section keys_section(const fit::FitReport& report, const UnitSystem& units) {
   return {.heading = "What was found", .seen = Seen::in_brief, .tables = {table_of_unknowns(report, units)}};
 }
@@ -208,9 +201,9 @@ std::string fitted_case_toml(const fit::FitReport& report) {
 
 std::string posterior_csv(const fit::FitReport& report) {
   std::string text;
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    text += fmt::format("{}{}{}", text.empty() ? "" : ",", fitted_unknown.key,
-                        fitted_unknown.unit == "1" ? "" : fmt::format(" [{}]", fitted_unknown.unit));
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", unknown.key,
+                        unknown.unit == "1" ? "" : fmt::format(" [{}]", unknown.unit));
   text += "\n";
   for (const std::vector<double>& draw : report.posterior) {
     std::string row;

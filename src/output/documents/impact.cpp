@@ -34,11 +34,10 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   if (!summary.peak_acceleration) return outcome(summary);
   const bool is_struck = strikes_through(report);
-  // Of forces that are not to be relied on all digits but the first say nothing.
+  // Where the pad is struck through, the forces are not reliable beyond two digits.
   const auto shown = [&](double value, const char* unit) {
     const auto [scale, name] = shown_as(unit, units);
-    return brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3) +
-           (name.empty() ? "" : " " + name);
+    return with_unit(brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3), name);
   };
   std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
@@ -59,16 +58,13 @@ Tone tone_of(const ImpactReport& report) {
   return is_cut(summary) || is_guess(summary) ? Tone::doubtful : Tone::plain;
 }
 
-/// The largest error that needs no remark beside its figure: ten times the tolerance, or half a percent, of
-/// which four digits show next to nothing.
-double unremarkable(double tolerance) { return std::max(10 * tolerance, 5e-3); }
-
-/// Takes the errors off the rows that they do not matter to, and says how large they are.
+/// Removes the errors that need no remark from the rows, and says how large they are.
 std::string take_errors(std::vector<ValueRow>& rows, const Summary& summary) {
+  const double unremarkable = std::max(10 * summary.tolerance, 5e-3);  // hardly seen in four digits
   double largest = 0;
   bool some_left = false;
   for (ValueRow& row : rows) {
-    if (row.error && *row.error <= unremarkable(summary.tolerance)) {
+    if (row.error && *row.error <= unremarkable) {
       largest = std::max(largest, *row.error);
       row.error.reset();
     }
@@ -80,7 +76,7 @@ std::string take_errors(std::vector<ValueRow>& rows, const Summary& summary) {
       percentage(std::abs(summary.energy.residual / summary.energy.impact)));
 }
 
-/// Of an impact that is cut the largest values may be larger.
+/// Marks the values of an interrupted run as lower bounds: the largest values may still grow.
 void mark_bounds(std::vector<ValueRow>& rows) {
   for (ValueRow& row : rows)
     if (row.label.starts_with("Peak") && row.value != "none")
@@ -89,7 +85,7 @@ void mark_bounds(std::vector<ValueRow>& rows) {
       row.remark = "so far" + (row.remark.empty() ? "" : ", " + row.remark);
 }
 
-/// With their intervals.
+/// The rows with the intervals of their figures.
 std::vector<ValueRow> sure(std::vector<ValueRow> rows, const ImpactReport& report, const UnitSystem& units) {
   add_intervals(rows, report.solution.summary, units);
   return rows;
@@ -102,7 +98,7 @@ std::vector<ValueRow> figures_of(const ImpactReport& report, std::vector<ValueRo
   if (bottomed_on_rigid_support(summary)) {
     std::vector<ValueRow> of_bottoming = bottoming_figures(report.impact, summary, units);
     rows.insert(rows.begin(), of_bottoming.begin(), of_bottoming.end());
-    // What has no finite value comes last.
+    // Figures without a finite value come last.
     std::ranges::stable_partition(rows, [](const ValueRow& row) { return row.value != "none"; });
   } else if (is_cut(summary)) {
     mark_bounds(rows);
@@ -140,7 +136,7 @@ void add_pictures(Document& document, const ImpactReport& report, const UnitSyst
   }
 }
 
-/// All but the plots, which a page in several units draws once.
+/// The document without plots, which a page in several units draws only once.
 Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   const Summary& summary = report.solution.summary;
   const ImpactCase& impact = report.impact;

@@ -1,4 +1,4 @@
-// What is said of material cards: of one, its parameters and what they come to; of all, a row each.
+// Documents of material cards: of one card its parameters and stresses, of several a row each.
 
 #include "dashpad/output/materials.hpp"
 
@@ -101,18 +101,13 @@ struct RateWords {
 /// Law, form and points of the curves, and what the foam does at higher rates.
 Rows law_rows(const Material& material) {
   Rows rows{{"Law", name_of(material.law)}};
-  std::visit(
-      [&rows]<class Law>(const Law& law) {
-        if constexpr (SharesSlip<Law>) {
-          rows.push_back({"Curve", base_words(law.curves)});
-          rows.push_back({"Rate", std::visit(RateWords{}, law.curves.rate_effect)});
-          if constexpr (requires { law.unloading_curve; })
-            if (law.unloading_curve)
-              rows.push_back({"Back", fmt::format("curve, {}, in place of HU and SHAPE",
-                                                  points_words(*law.unloading_curve))});
-        }
-      },
-      material.law);
+  if (const FoamCurves* const curves = foam_curves(material.law)) {
+    rows.push_back({"Curve", base_words(*curves)});
+    rows.push_back({"Rate", std::visit(RateWords{}, curves->rate_effect)});
+  }
+  if (const auto* const foam = std::get_if<Foam>(&material.law); foam && foam->unloading_curve)
+    rows.push_back(
+        {"Back", fmt::format("curve, {}, in place of HU and SHAPE", points_words(*foam->unloading_curve))});
   return rows;
 }
 
@@ -144,10 +139,10 @@ Table card_table(const Material& material) {
   return table;
 }
 
-/// What a first loading comes to at a few strains, at each tested rate.
+/// The stress of a first loading at a few strains, for each tested rate.
 Section stresses(const Material& material, const FoamCurves& curves, const UnitSystem& units) {
   constexpr std::array strains{0.1, 0.25, 0.5};
-  constexpr int steps = 10;  // of 0.05: all of them are met
+  constexpr int steps = 10;  // steps of 0.05, which include all of these strains
   const double last = last_strain_of(curves.base);
   Table table{.columns = {"Stress in a first loading"}};
   for (const double strain : strains)
@@ -166,24 +161,21 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
   return section;
 }
 
-/// Those of the law, of its base curve and of its rate effect; then the stresses that they come to.
+/// The parameters of the law, of its base curve and of its rate effect, then the stresses that follow from
+/// them.
 std::vector<Section> law_sections(const Material& material, const UnitSystem& units) {
   std::vector<Section> sections{{.heading = "Parameters", .seen = Seen::always}};
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        const auto add = [&]<class Of>(const char* caption, const Of& owner) {
-          Table table{.caption = caption, .columns = {"Key", "Symbol", "Value", "Unit", "Meaning"}};
-          add_parameters(owner, units, table.rows);
-          if (!table.rows.empty()) sections.front().tables.push_back(std::move(table));
-        };
-        add("", law);
-        if constexpr (SharesSlip<Law>) {
-          std::visit([&](const auto& base) { add("The curve:", base); }, law.curves.base);
-          std::visit([&](const auto& effect) { add("The rate:", effect); }, law.curves.rate_effect);
-          sections.push_back(stresses(material, law.curves, units));
-        }
-      },
-      material.law);
+  const auto add = [&](const char* caption, const auto& variant) {
+    Table table{.caption = caption, .columns = {"Key", "Symbol", "Value", "Unit", "Meaning"}};
+    std::visit([&](const auto& owner) { add_parameters(owner, units, table.rows); }, variant);
+    if (!table.rows.empty()) sections.front().tables.push_back(std::move(table));
+  };
+  add("", material.law);
+  if (const FoamCurves* const curves = foam_curves(material.law)) {
+    add("The curve:", curves->base);
+    add("The rate:", curves->rate_effect);
+    sections.push_back(stresses(material, *curves, units));
+  }
   return sections;
 }
 
@@ -214,9 +206,7 @@ Document material_document(const Material& material, const UnitSystem& units, Pi
 
 Document materials_document(const std::vector<Material>& materials, const UnitSystem& units,
                             Pictures pictures) {
-  Document document{.title = "Materials",
-                    .lead = Lead{.answer = fmt::format("{} material card{}", materials.size(),
-                                                       materials.size() == 1 ? "" : "s")}};
+  Document document{.title = "Materials", .lead = Lead{.answer = plural(materials.size(), "material card")}};
   if (pictures == Pictures::drawn && !materials.empty())
     document.lead->curve = untitled(materials_plot(materials, units));
   document.sections = {{.heading = "The cards", .seen = Seen::always, .tables = {table_of(materials)}}};

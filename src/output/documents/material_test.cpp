@@ -1,8 +1,7 @@
-// What is said of a material test: where the foam is used best first, then why.
+// The document of a material test: where the foam is used best, then the details.
 
 #include "dashpad/output/materials.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -25,84 +24,55 @@ using laboratory::CushionPoint;
 using laboratory::MaterialTestReport;
 using laboratory::MaterialTestRun;
 
-void add_hold(std::vector<ValueRow>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
-              const MaterialTestValues& shown) {
-  const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
-  if (run.relaxed) {
-    figures.push_back(
-        {.label = "Stress at the end of the ramp", .value = shown.stress(run.relaxed->at_end_of_ramp)});
-    figures.push_back(
-        {.label = "Stress held", .value = shown.stress(run.relaxed->after_hold), .remark = hold});
-  }
-  if (run.crept) {
-    figures.push_back({.label = "Strain at the end of loading",
-                       .value = MaterialTestValues::strain(run.crept->at_end_of_loading)});
-    figures.push_back(
-        {.label = "Strain held", .value = MaterialTestValues::strain(run.crept->after_hold), .remark = hold});
-  }
-}
-
-void add_limits(std::vector<ValueRow>& figures, const MaterialTestReport& report, const MaterialTestRun& run,
-                const MaterialTestValues& shown) {
-  constexpr std::size_t max_limits = 2;
-  for (std::size_t i = 0; i < run.at_limits.size() && i < max_limits; ++i) {
-    const std::optional<CushionPoint>& at = run.at_limits[i];
-    figures.push_back(
-        {.label = "Energy below " + shown.stress(report.test.stress_limits[i]),
-         .value = shown.energy(at ? at->energy : run.figures.energy_in),
-         .remark = at ? "at a strain of " + MaterialTestValues::strain(at->strain) : "which is not reached"});
-  }
-}
-
-ValueRow strain_reached(const MaterialTestReport& report, const MaterialTestRun& run) {
-  ValueRow figure{.label = "Strain reached", .value = MaterialTestValues::strain(run.column.largest_strain)};
-  if (const auto range = range_of(report.material)) {
-    figure.remark = fmt::format("{} up to {}", how_known(report.material),
-                                MaterialTestValues::strain(range->highest_strain));
-    figure.share = run.column.largest_strain / range->highest_strain;
-    if (is_beyond(run.column.largest_strain, *range)) figure.tone = Tone::doubtful;
-  }
-  return figure;
-}
-
 std::vector<ValueRow> test_figures(const MaterialTestReport& report, const MaterialTestRun& run,
                                    const MaterialTestValues& shown) {
-  const laboratory::CushionFigures& cushion_figures = run.figures;
+  constexpr std::size_t max_limits = 2;
+  const laboratory::CushionFigures& of_run = run.figures;
+  const CushionPoint& best = of_run.best_efficiency;
   std::vector<ValueRow> figures;
-  add_hold(figures, report, run, shown);
-  add_limits(figures, report, run, shown);
-  if (runs_out(run)) {
-    figures.push_back({.label = "Best used at",
-                       .value = shown.stress(cushion_figures.best_efficiency.stress),
-                       .remark = "the highest energy for its stress"});
-    figures.push_back({.label = "Energy taken by then",
-                       .value = shown.energy(cushion_figures.best_efficiency.energy),
-                       .remark = "efficiency " + brief(cushion_figures.best_efficiency.efficiency, 3)});
-    figures.push_back({.label = "Runs out at a strain of",
-                       .value = MaterialTestValues::strain(cushion_figures.best_efficiency.strain),
-                       .remark = "beyond, stress grows faster than energy"});
-  } else
-    figures.push_back({.label = "Energy taken",
-                       .value = shown.energy(cushion_figures.best_efficiency.energy),
-                       .remark = "efficiency " + brief(cushion_figures.best_efficiency.efficiency, 3)});
+  const auto add = [&](const std::string& label, const std::string& value, const std::string& remark = "") {
+    figures.push_back({.label = label, .value = value, .remark = remark});
+  };
+  const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
+  if (run.relaxed) {
+    add("Stress at the end of the ramp", shown.stress(run.relaxed->at_end_of_ramp));
+    add("Stress held", shown.stress(run.relaxed->after_hold), hold);
+  }
+  if (run.crept) {
+    add("Strain at the end of loading", brief(run.crept->at_end_of_loading, 3));
+    add("Strain held", brief(run.crept->after_hold, 3), hold);
+  }
+  for (std::size_t i = 0; i < run.at_limits.size() && i < max_limits; ++i) {
+    const std::optional<CushionPoint>& at = run.at_limits[i];
+    add("Energy below " + shown.stress(report.test.stress_limits[i]),
+        shown.energy(at ? at->energy : of_run.energy_in),
+        at ? "at a strain of " + brief(at->strain, 3) : "which is not reached");
+  }
+  const bool has_best = runs_out(run);
+  if (has_best) add("Best used at", shown.stress(best.stress), "the highest energy for its stress");
+  add(has_best ? "Energy taken by then" : "Energy taken", shown.energy(best.energy),
+      "efficiency " + brief(best.efficiency, 3));
+  if (has_best)
+    add("Runs out at a strain of", brief(best.strain, 3), "beyond, stress grows faster than energy");
   if (run.unloads)
-    figures.push_back(
-        {.label = "Given back",
-         .value = cushion_figures.energy_in > 0
-                      ? MaterialTestValues::share(cushion_figures.energy_returned / cushion_figures.energy_in)
-                      : "none",
-         .remark = fmt::format("{} of {}", shown.energy(cushion_figures.energy_returned),
-                               shown.energy(cushion_figures.energy_in))});
-  figures.push_back(strain_reached(report, run));
-  figures.push_back(
-      {.label = "Largest stress",
-       .value = shown.stress(cushion_figures.peak_stress),
-       .remark = "at a strain of " + MaterialTestValues::strain(cushion_figures.strain_at_peak)});
+    add("Given back",
+        of_run.energy_in > 0 ? MaterialTestValues::share(of_run.energy_returned / of_run.energy_in) : "none",
+        fmt::format("{} of {}", shown.energy(of_run.energy_returned), shown.energy(of_run.energy_in)));
+  const double reached = run.column.largest_strain;
+  add("Strain reached", brief(reached, 3));
+  if (const auto range = range_of(report.material)) {
+    ValueRow& figure = figures.back();
+    figure.remark = fmt::format("{} up to {}", how_known(report.material), brief(range->highest_strain, 3));
+    figure.share = reached / range->highest_strain;
+    if (is_beyond(reached, *range)) figure.tone = Tone::doubtful;
+  }
+  add("Largest stress", shown.stress(of_run.peak_stress),
+      "at a strain of " + brief(of_run.strain_at_peak, 3));
   return figures;
 }
 
-/// Stress over strain, not so high that what is pressed flat hides the rest, with the place that the answer
-/// speaks of and where the foam was tested.
+/// Stress over strain. Where the foam is pressed flat its stress would hide the rest: the axis ends before.
+/// Marks show the point that the answer speaks of and the strain up to which the foam was tested.
 Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run, const UnitSystem& units) {
   constexpr double max_over_best = 4;
   Panel panel = stress_over_strain(report, units);
@@ -131,14 +101,9 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
 }
 
 Panel deciding_panel(const MaterialTestReport& report, const MaterialTestRun& run, const UnitSystem& units) {
-  Panel panel;
-  if (run.relaxed)
-    panel = stress_over_time(report, units);
-  else if (run.crept)
-    panel = strain_over_time(report, units);
-  else
-    panel = stress_panel(report, run, units);
-  if (run.relaxed || run.crept) panel.title.clear();
+  if (!run.relaxed && !run.crept) return stress_panel(report, run, units);
+  Panel panel = run.relaxed ? stress_over_time(report, units) : strain_over_time(report, units);
+  panel.title.clear();
   return panel;
 }
 

@@ -1,4 +1,4 @@
-// What is said of two bodies after an impact: their velocities, and where the energy went.
+// The document of two bodies after an impact: their velocities and where the energy went.
 
 #include "dashpad/output/impact.hpp"
 

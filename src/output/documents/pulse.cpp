@@ -1,9 +1,8 @@
-// What is said of a measured pulse: its figures first, then where it comes from and what was done to it.
+// The document of a measured pulse: its figures, then its origin and how it was processed.
 
 #include "output/documents/pulse.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -50,8 +49,7 @@ std::vector<std::string> offset_row(const injury::OffsetEffect& effect, double p
           fmt::format("{} taken off, {}; {}; {}", mean, interval, scatter, injury::change_of_hic15(effect))};
 }
 
-/// Restitution, HIC with windows of one's own and dwell times. With Detail::main no level that is not
-/// reached.
+/// Restitution, HIC with chosen windows, and dwell times; with Detail::main only for levels that are reached.
 std::vector<ValueRow> further_rows(const injury::PulseReport& report, const UnitSystem& units,
                                    Detail detail) {
   const int digits = digits_of(detail);
@@ -72,9 +70,9 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
           "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
               (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
   }
-  for (const injury::WindowedHic& windowed_hic : report.windows)
-    add("hic_unlimited", "HIC of " + brief(1e3 * windowed_hic.longest_window) + " ms", windowed_hic.hic.value,
-        stretch(windowed_hic.hic.begin, windowed_hic.hic.end, units, digits));
+  for (const injury::WindowedHic& windowed : report.windows)
+    add("hic_unlimited", "HIC of " + brief(1e3 * windowed.longest_window) + " ms", windowed.hic.value,
+        stretch(windowed.hic.begin, windowed.hic.end, units, digits));
   for (const injury::DwellTime& each : report.dwells)
     if (each.cumulative > 0 || detail == Detail::all)
       add("dwell_time",
@@ -95,17 +93,15 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
   return rows;
 }
 
-/// "Uncertainty of the measurement: peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %, calibration 2
-/// %);
-/// ..., k = 2", and what is not in it. With Detail::main of peak and HIC15 alone.
-std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& measurement_uncertainty,
-                                           Detail detail) {
+/// The uncertainty of the measurement, "peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %)", and what
+/// it leaves out; with Detail::main for peak and HIC15 only.
+std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
   constexpr double next_to_nothing = 5e-5;
   const auto share = [](double value) {
     return value < next_to_nothing ? "below 0.01 %" : injury::in_percent(value);
   };
   std::string text;
-  for (const injury::FigureUncertainty& each : measurement_uncertainty.figures) {
+  for (const injury::FigureUncertainty& each : uncertainty.figures) {
     const std::string_view key = each.quantity->key;
     if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
     text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
@@ -116,18 +112,16 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
     text += ")";
   }
   if (text.empty()) return {};
-  text += measurement_uncertainty.compared_with.empty()
+  text += uncertainty.compared_with.empty()
               ? ", k = 2. What a filter before the file took away is not in it"
               : fmt::format(
                     ", k = 2, the filter beside {}. What another one before the "
                     "file took away is not in it",
-                    measurement_uncertainty.compared_with);
-  return {text + (measurement_uncertainty.calibration
-                      ? "."
-                      : ", nor is the calibration, which --calibration states.")};
+                    uncertainty.compared_with);
+  return {text + (uncertainty.calibration ? "." : ", nor is the calibration, which --calibration states.")};
 }
 
-/// What the limits make of it: "Within the limits: HIC(d) has 136 to spare".
+/// The result of a comparison with limits: "Within the limits: HIC(d) has 136 to spare".
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
@@ -142,7 +136,7 @@ std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& u
   return fmt::format("Undecided: {} is {} from its limit", name, margin);
 }
 
-/// Where and when it was measured, as far as anybody said.
+/// Where and when the pulse was measured, as far as it is known.
 std::vector<std::string> subject_of(const injury::PulseReport& report, const UnitSystem& units) {
   std::vector<std::string> lines{fmt::format("{} ({})", one_line(report.file), report.measured.format)};
   std::string about = report.impact ? capitalised(impact_words(*report.impact, units)) : "";
@@ -157,9 +151,7 @@ std::vector<std::string> subject_of(const injury::PulseReport& report, const Uni
 std::vector<ValueRow> rows_with_limits(const injury::PulseReport& report, const UnitSystem& units,
                                        Detail detail) {
   std::vector<ValueRow> rows;
-  if (report.limits)
-    for (const injury::CriterionResult& result : report.limits->results)
-      rows.push_back(criterion_row(result, units, detail));
+  if (report.limits) rows = criterion_rows(report.limits->results, units, detail);
   const std::size_t limited = rows.size();
   for (ValueRow& row : rows_of(report, units, detail)) {
     const auto is_it = [&](const ValueRow& other) { return other.label == row.label; };

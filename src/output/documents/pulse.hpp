@@ -22,23 +22,19 @@ Tone pulse_tone(const injury::PulseReport& report);
 /// "at 5.42 m/s, after a fall of 1.5 m".
 std::string impact_words(const injury::MeasuredImpact& impact, const UnitSystem& units);
 
-/// What the figures leave in doubt: flags and remarks, a line each.
+/// The flags and remarks of a pulse, a line each.
 std::vector<std::string> reservations(const injury::PulseReport& report);
 
-/// Where the pulse comes from and what was done to it: a row each, what and how.
+/// The origin and the processing of a pulse: pairs of a title and its text.
 std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& report, const UnitSystem& units);
 
 /// "The case predicts a peak 12 % above that of the measured pulse, 8 % later; HIC15 is 31 % higher."
 std::string comparison_answer(const PulseComparisonReport& report);
 
-/// What to beware of in the case and in the pulse, a line each.
-std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
-                                                 const UnitSystem& units);
-
 /// A figure a row: measured, computed, difference, its share of the measured, error of the computed.
 Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units);
 
-/// How the figures are meant, a sentence each.
+/// Notes on how the figures are defined, a sentence each.
 std::vector<std::string> comparison_notes(const PulseComparisonReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

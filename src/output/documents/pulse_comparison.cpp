@@ -18,7 +18,7 @@ using injury::Alignment;
 using injury::ComparedFigure;
 
 constexpr int compared_digits = 4;
-constexpr double next_to_nothing = 5e-3;  // of the measured figure: the same, for a person
+constexpr double next_to_nothing = 5e-3;  // share of the measured figure below which figures count as equal
 constexpr double rounding_of_figures = 1e-6;
 
 const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string_view key) {
@@ -60,10 +60,10 @@ std::string shown_share(const ComparedFigure& figure) {
 }
 
 /// Whether times that count from the onset may count from something else.
-bool is_onset_doubtful(const injury::PulseComparison& pulse_comparison) {
-  constexpr double matters = 0.05;  // of the time to the peak
-  const injury::PulseShape& pulse = pulse_comparison.measured;
-  return pulse_comparison.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
+bool is_onset_doubtful(const injury::PulseComparison& comparison) {
+  constexpr double matters = 0.05;  // share of the time to the peak
+  const injury::PulseShape& pulse = comparison.measured;
+  return comparison.alignment != injury::Alignment::none && pulse.onset && pulse.last_onset &&
          *pulse.last_onset - *pulse.onset > matters * (pulse.peak.time - *pulse.onset);
 }
 
@@ -102,7 +102,7 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
              : fmt::format("{}; of an impact at {} that leaves no restitution between 0 and 1.", over, speed);
 }
 
-/// How far the computed figures are from the measured ones.
+/// The differences between computed and measured figures.
 std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const UnitSystem& units) {
   if (!report.comparison.computed) return {};
   std::vector<ValueRow> rows;
@@ -117,6 +117,23 @@ std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const Uni
                         figure.measured ? shown(figure.measured, scale) + in_unit : "none")});
   }
   return rows;
+}
+
+/// The warnings of the case and of the pulse, a line each.
+std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
+                                                 const UnitSystem& units) {
+  std::vector<std::string> lines;
+  if (is_onset_doubtful(report.comparison))
+    lines.push_back(fmt::format(
+        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
+        "{}; "
+        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
+        100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
+        brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
+  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
+  for (const std::string& line : warnings(report.solution.summary, units))
+    lines.push_back(line + " (the case)");
+  return lines;
 }
 
 }  // namespace
@@ -138,22 +155,6 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
     text += " But it strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
   return text;
-}
-
-std::vector<std::string> comparison_reservations(const PulseComparisonReport& report,
-                                                 const UnitSystem& units) {
-  std::vector<std::string> lines;
-  if (is_onset_doubtful(report.comparison))
-    lines.push_back(fmt::format(
-        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
-        "{}; "
-        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
-        100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
-        brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
-  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
-  for (const std::string& line : warnings(report.solution.summary, units))
-    lines.push_back(line + " (the case)");
-  return lines;
 }
 
 Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units) {

@@ -1,4 +1,4 @@
-// What is said of several measured pulses together: a row each, one over the other, then each by itself.
+// The document of several measured pulses: a table, all of them in one plot, then each by itself.
 
 #include <algorithm>
 #include <array>
@@ -69,8 +69,8 @@ Table table_of(const Reports& reports, const UnitSystem& units) {
 std::string range_of(const Reports& reports, const char* key, const UnitSystem& units) {
   const auto [least, most] = std::ranges::minmax(values_over(reports, key));
   const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
-  return fmt::format("{} to {}{}{}", brief(unit.scale * least, 3), brief(unit.scale * most, 3),
-                     unit.unit.empty() ? "" : " ", unit.unit);
+  return with_unit(fmt::format("{} to {}", brief(unit.scale * least, 3), brief(unit.scale * most, 3)),
+                   unit.unit);
 }
 
 std::string answer_of(const Reports& reports, const UnitSystem& units) {

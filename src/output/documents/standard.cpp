@@ -1,4 +1,4 @@
-// What is said of a standard: its impactor, what it asks for, and where each value was read.
+// The document of a standard: its impactor, its criteria, and the source of each value.
 
 #include <algorithm>
 #include <optional>
@@ -17,7 +17,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// What it is, its value or limit, and where that comes from.
+/// The cells: name, value or limit, and source.
 using Row = std::vector<std::string>;
 
 std::string source_words(const injury::Origin& origin) {
@@ -51,7 +51,7 @@ Table table_of(const injury::StandardVariant& variant, const UnitSystem& units) 
   return table;
 }
 
-/// Those that are in force are part of the impactor; of the others the names are enough.
+/// The names of the variants that are not in force. Those in force are part of the impactor already.
 std::string other_variants_text(const injury::Standard& standard) {
   std::string names;
   for (const injury::StandardVariant& variant : standard.variants)
@@ -64,7 +64,8 @@ bool is_unverified(const std::optional<injury::StandardValue>& value) {
   return value && !value->origin.verified;
 }
 
-/// Of the values in force. Where no variant was chosen all may still be.
+/// Counts the unverified values in force. Where no variant is chosen, those of all variants count, since any
+/// of them may come into force.
 std::size_t count_unverified(const injury::Standard& standard) {
   const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
   const auto bad_limit = [](const injury::Criterion& criterion) { return !criterion.origin.verified; };
@@ -76,10 +77,6 @@ std::size_t count_unverified(const injury::Standard& standard) {
              static_cast<std::size_t>(is_unverified(variant.radius)) +
              static_cast<std::size_t>(is_unverified(variant.speed));
   return count;
-}
-
-std::string values_counted(std::size_t count) {
-  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -106,13 +103,13 @@ std::string full_name(const injury::Standard& standard) {
 std::string standard_line(const injury::Standard& standard) {
   const std::size_t unverified = count_unverified(standard);
   return fmt::format("  {:<28}{}{}\n", one_line(standard.name), one_line(standard.title),
-                     unverified > 0 ? fmt::format(" ({} unverified)", values_counted(unverified)) : "");
+                     unverified > 0 ? fmt::format(" ({} unverified)", plural(unverified, "value")) : "");
 }
 
 Document standard_document(const injury::Standard& standard, const UnitSystem& units) {
   Document document{.title = one_line(standard.title), .lead = Lead{.answer = one_line(standard.title)}};
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
-    document.warnings = {"UNVERIFIED: " + values_counted(unverified) +
+    document.warnings = {"UNVERIFIED: " + plural(unverified, "value") +
                          " not read in the standard or a source that repeats it, marked so below."};
   Table reading{.columns = {"", ""}, .rows = {{"Name", full_name(standard)}}};
   const auto add = [&reading](const char* what, const std::string& text) {

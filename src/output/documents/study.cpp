@@ -1,4 +1,4 @@
-// What is said of a study, and its leading figure as a still.
+// The document of a study, and its leading figure as a still.
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,6 @@
 
 #include "dashpad/output/study.hpp"
 #include "output/document.hpp"
-#include "output/documents/study_key_figures.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"
@@ -56,12 +55,12 @@ std::vector<CaptionedPlot> leading_figures(const study::StudyAnswers& answers, c
     std::vector<CaptionedPlot> figures = make(answers, units);
     if (figures.empty()) continue;
     if (asks_for_limit)
-      // Not std::ranges: clang 14 refuses what libstdc++ 12 returns there.
-      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& captioned_plot) {
-        return captioned_plot.plot.panels.front().title ==
+      // std::ranges::stable_partition does not compile with clang 14 and libstdc++ 12.
+      std::stable_partition(figures.begin(), figures.end(), [&](const CaptionedPlot& figure) {
+        return figure.plot.panels.front().title ==
                title_of(answers.limits[strictest_limit(answers)].response);
       });
-    // One map alone: its legend would be lost among those of others.
+    // A map stands alone: other maps would compete with its legend.
     if (make == Make{map_figures}) figures.resize(1);
     return figures;
   }

@@ -1,4 +1,4 @@
-#include "output/documents/study_key_figures.hpp"
+#include "output/text/study_answer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 
 #include "output/document.hpp"
 #include "output/text/capitals.hpp"
-#include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
 
@@ -83,7 +82,7 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
     }
 }
 
-/// Of the other responses, where most draws lie.
+/// The range that holds nine draws in ten, for each response but the leading one.
 void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
@@ -97,7 +96,7 @@ void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t lead
   }
 }
 
-/// Over several combinations of levels, the least and the greatest median of each response.
+/// The least and the greatest median of each response over the combinations of levels.
 void add_medians(Figures& figures, const StudyAnswers& answers, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string& name = response_name(answers, i);
@@ -163,7 +162,7 @@ void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem&
   }
 }
 
-/// Of a variance: its estimate has no more digits.
+/// A share of the variance, with the few digits that its estimate supports.
 std::string share_of_variance(double share) {
   return fmt::format("{:.{}f} %", 100 * share, share < 0.1 ? 1 : 0);
 }
@@ -222,7 +221,7 @@ void add_indices(Figures& figures, const StudyAnswers& answers) {
   }
 }
 
-/// What counts against the answer: struck through, or used beyond what the foam was tested for.
+/// Counts that qualify the answer: rows that bottomed out or went beyond the tests of the foam.
 void add_counts(Figures& figures, const StudyAnswers& answers) {
   const std::uint64_t rows = answers.records.rows.size();
   const auto add = [&](const char* label, std::uint64_t count, Tone tone) {
@@ -256,7 +255,7 @@ std::vector<ValueRow> study_key_figures(const StudyAnswers& answers, const UnitS
     add_ranges(figures, answers, units);
   else if (drawn && answers.limits.empty())
     add_medians(figures, answers, units);
-  // They have a place of their own: what else there is makes room for them.
+  // The counts always keep their places; the other figures give way.
   Figures counts;
   add_counts(counts, answers);
   figures.resize(std::min(figures.size(), max_key_figures - counts.size()));

@@ -1,4 +1,4 @@
-// What is said of several assessments together: the verdicts side by side, then each as a whole.
+// The document of several assessments: a table of verdicts, then each assessment in full.
 
 #include <algorithm>
 #include <set>
@@ -19,9 +19,9 @@ namespace {
 
 /// An assessment as a place in the plan.
 struct Combination {
-  std::string name;  ///< of the case
+  std::string name;  ///< name of the case
   const AssessmentReport& report;
-  Document document;  ///< without pictures
+  Document document;  ///< its document, without pictures
   ValueRow next;      ///< the criterion next to its limit or farthest beyond it; without margins the first
 };
 
@@ -71,16 +71,13 @@ std::string counted(const std::vector<Combination>& all) {
   return text;
 }
 
+/// 0 for a fail, 1 for an undecided verdict, 2 for a pass.
 int rank(const Combination& combination) {
-  switch (combination.report.assessment.verdict) {
-    case injury::Verdict::fail: return 0;
-    case injury::Verdict::undecided: return 1;
-    case injury::Verdict::pass: break;
-  }
-  return 2;
+  const injury::Verdict verdict = combination.report.assessment.verdict;
+  return verdict == injury::Verdict::fail ? 0 : verdict == injury::Verdict::undecided ? 1 : 2;
 }
 
-/// What fails by most first, what passes with most to spare last.
+/// The combinations from the one farthest beyond its limit to the one with most to spare.
 std::vector<const Combination*> worst_first(const std::vector<Combination>& all) {
   std::vector<const Combination*> sorted;
   for (const Combination& combination : all) sorted.push_back(&combination);

@@ -13,14 +13,14 @@ namespace dashpad::output {
 namespace {
 
 struct Dimension {
-  std::string of;     ///< what it is, as the attribute data-of: "penetration"
+  std::string of;     ///< the attribute data-of: "penetration"
   double metres = 0;  ///< its value
   double from = 0;    ///< y, px
   double to = 0;
-  std::string value;      ///< as it is shown
+  std::string value;      ///< the text that is shown
   std::string word = {};  ///< below it; may be empty
   bool is_cut = false;    ///< drawn shorter than it is
-  bool is_alarm = false;  ///< in the colour of what is struck through
+  bool is_alarm = false;  ///< in the colour of a pad that is struck through
 };
 
 double label_height(const Dimension& dimension) { return dimension.word.empty() ? 19 : 37; }
@@ -28,8 +28,8 @@ double label_height(const Dimension& dimension) { return dimension.word.empty() 
 /// A slanted stroke where a dimension ends.
 std::string tick(double x, double y) { return line_element("dd-tick", {x - 4, y + 4}, {x + 4, y - 4}); }
 
-/// Dimension lines one above the other at x, their labels to the right of it or to the left, which keep clear
-/// of each other and within the pictures.
+/// A column of dimension lines at x with labels on one side, which keep clear of each other and within the
+/// pictures.
 std::string dimension_column(const Scene& scene, double column, bool labels_left,
                              const std::vector<Dimension>& dimensions) {
   std::vector<double> wanted, distance;
@@ -68,12 +68,12 @@ std::string dimension_column(const Scene& scene, double column, bool labels_left
   return text;
 }
 
-/// Between a picture and the column of dimensions beside it, px.
+/// The distance from a picture to the column of dimensions beside it, px.
 constexpr double clearance = 9;
-/// How far the line that leads to a dimension goes beyond it.
+/// The length of an extension line beyond its dimension line, px.
 constexpr double overshoot = 5;
 
-/// With three digits, or fewer where there is no room for more.
+/// A length with three digits, or fewer where three have no room.
 std::string shown_length(const Scene& scene, double length, const std::string& before = {}) {
   constexpr double room = beside_picture - clearance - 8;
   std::string text;
@@ -84,7 +84,7 @@ std::string shown_length(const Scene& scene, double length, const std::string& b
   return text;
 }
 
-/// What is left of the pad. Digits of next to nothing say nothing.
+/// What is left of the pad. Below the gap of a pad that is struck through only the bound is shown.
 std::string shown_rest(const Scene& scene) {
   const double left = scene.moments.left(), least = struck_through_gap * scene.moments.thickness;
   if (left == 0 || left >= least) return shown_length(scene, left);

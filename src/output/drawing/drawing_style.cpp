@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 
 #include "dashpad/output/impact.hpp"
 #include "output/drawing/pictures.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::output {
 
@@ -44,58 +46,47 @@ constexpr const char* rules =
     ".dd-hatching{fill:none;stroke-width:1;stroke-opacity:.45}"
     ".dd-break{stroke-width:1.1}";
 
+/// The rules with colours, by the names that PaperColours has for them.
+constexpr const char* rules_of_colours =
+    ".dd-paper{fill:$paper}"
+    ".dd-drawing text,.dd-mark,.dd-arrow-head{fill:$text}"
+    ".dd-drawing .dd-small,.dd-drawing .dd-faint{fill:$faint}"
+    ".dd-drawing .dd-alarm{fill:$alarm}"
+    ".dd-drawing .dd-on-pad{stroke:$paper}"
+    ".dd-line,.dd-leader,.dd-extension,.dd-rest{stroke:$line}"
+    ".dd-tick,.dd-tested,.dd-cut,.dd-arrow{stroke:$text}"
+    ".dd-pad-edge,.dd-layer-edge,.dd-part,.dd-ground,.dd-hatching,.dd-break,.dd-sheet-bent{stroke:$edge}"
+    ".dd-sheet-face,.dd-sheet-bent{fill:$edge}"
+    ".dd-nose,.dd-panel,.dd-body{fill:$nose;stroke:$edge}"
+    ".dd-break{fill:$paper}"
+    ".dd-struck-edge{stroke:$alarm}";
+
 struct PaperColours {
-  const char* paper;
-  const char* text;
-  const char* faint;
-  const char* line;
-  const char* nose;
-  const char* edge;
-  const char* alarm;
-  std::array<Colour, 5> strains;  ///< little strain is near the colour of the paper
+  std::array<std::pair<const char*, const char*>, 7> named;
+  std::array<Colour, 5> strains;  ///< small strains are near the colour of the paper
 };
-constexpr PaperColours on_light{.paper = "#fff",
-                                .text = "#1a2028",
-                                .faint = "#58626e",
-                                .line = "#6b7682",
-                                .nose = "#c9cfd6",
-                                .edge = "#3c4754",
-                                .alarm = "#b3161d",
-                                .strains = {{{0xee, 0xf4, 0xf9},
-                                             {0xa6, 0xc9, 0xe6},
-                                             {0x4a, 0x90, 0xc8},
-                                             {0x14, 0x55, 0x94},
-                                             {0x06, 0x22, 0x4a}}}};
-constexpr PaperColours on_dark{.paper = "#14181d",
-                               .text = "#e6eaef",
-                               .faint = "#a3adb8",
-                               .line = "#87919c",
-                               .nose = "#566170",
-                               .edge = "#b9c3ce",
-                               .alarm = "#ff8b85",
-                               .strains = {{{0x23, 0x2d, 0x38},
-                                            {0x2c, 0x51, 0x74},
-                                            {0x3f, 0x86, 0xbd},
-                                            {0x86, 0xc2, 0xee},
-                                            {0xe6, 0xf4, 0xff}}}};
+constexpr PaperColours on_light{
+    {{{"$paper", "#fff"},
+      {"$text", "#1a2028"},
+      {"$faint", "#58626e"},
+      {"$line", "#6b7682"},
+      {"$nose", "#c9cfd6"},
+      {"$edge", "#3c4754"},
+      {"$alarm", "#b3161d"}}},
+    {{{0xee, 0xf4, 0xf9}, {0xa6, 0xc9, 0xe6}, {0x4a, 0x90, 0xc8}, {0x14, 0x55, 0x94}, {0x06, 0x22, 0x4a}}}};
+constexpr PaperColours on_dark{
+    {{{"$paper", "#14181d"},
+      {"$text", "#e6eaef"},
+      {"$faint", "#a3adb8"},
+      {"$line", "#87919c"},
+      {"$nose", "#566170"},
+      {"$edge", "#b9c3ce"},
+      {"$alarm", "#ff8b85"}}},
+    {{{0x23, 0x2d, 0x38}, {0x2c, 0x51, 0x74}, {0x3f, 0x86, 0xbd}, {0x86, 0xc2, 0xee}, {0xe6, 0xf4, 0xff}}}};
 
 std::string colour_rules(const PaperColours& on) {
-  std::string text = fmt::format(
-      ".dd-paper{{fill:{paper}}}"
-      ".dd-drawing text,.dd-mark,.dd-arrow-head{{fill:{text}}}"
-      ".dd-drawing .dd-small,.dd-drawing .dd-faint{{fill:{faint}}}"
-      ".dd-drawing .dd-alarm{{fill:{alarm}}}"
-      ".dd-drawing .dd-on-pad{{stroke:{paper}}}"
-      ".dd-line,.dd-leader,.dd-extension,.dd-rest{{stroke:{line}}}"
-      ".dd-tick,.dd-tested,.dd-cut,.dd-arrow{{stroke:{text}}}"
-      ".dd-pad-edge,.dd-layer-edge,.dd-part,.dd-ground,.dd-hatching,.dd-break,.dd-sheet-bent{{stroke:{edge}}}"
-      ".dd-sheet-face,.dd-sheet-bent{{fill:{edge}}}"
-      ".dd-nose,.dd-panel,.dd-body{{fill:{nose};stroke:{edge}}}"
-      ".dd-break{{fill:{paper}}}"
-      ".dd-struck-edge{{stroke:{alarm}}}",
-      fmt::arg("paper", on.paper), fmt::arg("text", on.text), fmt::arg("faint", on.faint),
-      fmt::arg("line", on.line), fmt::arg("nose", on.nose), fmt::arg("edge", on.edge),
-      fmt::arg("alarm", on.alarm));
+  std::string text = rules_of_colours;
+  for (const auto& [name, colour] : on.named) replace_all(text, name, colour);
   for (int shade = 0; shade < shades_of_strain; ++shade)
     text += fmt::format(".{}{{fill:{}}}", shade_class(shade),
                         colour_on_scale(on.strains, double(shade) / (shades_of_strain - 1)));
@@ -116,8 +107,7 @@ bool touch(const Mark& left, const Mark& right, double width) {
          text_room(left.label() + right.label(), small_text_size) / 2 + apart;
 }
 
-/// The layers that have such a strain. Those whose numbers would touch share a label, in their order on the
-/// scale: "3, 1".
+/// Labels for the strains of layers. Labels that would touch become one, in the order of the scale: "3, 1".
 template <class StrainOf>
 std::vector<Mark> labels(const DrawnMoments& moments, double width, StrainOf&& strain_of) {
   std::vector<Mark> list;

@@ -33,7 +33,7 @@ std::string whole_drawing(const Scene& scene) {
   text += "<defs>\n" + hatchings(scene.moments) + picture_clip(scene, scene.left) +
           picture_clip(scene, scene.right) + "</defs>\n";
   text += rectangle_element("dd-paper", 0, 0, drawing_width, height);
-  // In two groups, so that a page with little room can show them one below the other.
+  // The two groups let a narrow page show the halves one below the other.
   const auto group = [&](const char* name, double from, double to, const std::string& inside) {
     return fmt::format("<g id=\"{}-{}\" class=\"dd-drawing\" data-view=\"{} 0 {} {}\">\n{}</g>\n", own_name,
                        name, px(from), px(to - from), px(height), inside);
@@ -48,8 +48,8 @@ std::string whole_drawing(const Scene& scene) {
   return text + "</svg>\n";
 }
 
-/// A name from what is drawn, so that two drawings in one page have ids of their own and the same drawing
-/// always has the same (FNV-1a, 32 bits).
+/// A name that depends on the drawing alone (FNV-1a, 32 bits), so that the ids of two drawings in one page
+/// differ.
 std::string name_from(const std::string& text) {
   std::uint32_t hash = 2166136261U;
   for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 16777619U;

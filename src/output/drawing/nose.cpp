@@ -12,7 +12,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// How far the path goes on outside the picture, px; what is cut off there has no edge.
+/// How far the path continues outside the picture, px, so that no edge shows where it is cut off.
 constexpr double outside_frame = 12;
 constexpr int corners = 40;
 
@@ -53,7 +53,7 @@ std::vector<double> outline_depths(const Sections& outline, const NoseFrame& fra
   const double widest = std::min(outline.radius(deepest), (frame.half_width + outside_frame) / frame.scale);
   const double last = std::min(deepest, outline.depth_at(widest));
   const double tip = outline.radius(0);
-  // By equal steps of the depth where the side is steep, of the radius where it is flat.
+  // Equal steps of the depth resolve steep sides, equal steps of the radius flat ones.
   std::vector<double> depths{0};
   for (int i = 1; i <= corners; ++i) {
     const double share = static_cast<double>(i) / corners;
@@ -75,14 +75,15 @@ std::vector<Place> both_halves(const std::vector<Place>& right, double axis) {
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style) {
   const Sections outline = outline_of(nose);
   const double farthest = frame.half_width + outside_frame;
-  std::vector<Place> right;  // from the tip on; x from the axis
+  std::vector<Place> right;  // from the tip upwards; x counts from the axis
   for (const double depth : outline_depths(outline, frame)) {
     const double half_width = std::min(outline.radius(depth) * frame.scale, farthest);
     if (right.empty() && half_width > 0) right.push_back({0, frame.tip});
     right.push_back({half_width, frame.tip - depth * frame.scale});
   }
   const double top = frame.tip - frame.height - outside_frame;
-  // Where half a ball is seen its other half is its mirror image. Of a larger one that half is out of sight.
+  // If half of a ball is visible, the other half is its mirror image. The other half of a larger ball is out
+  // of sight.
   const double seen = right.front().y - right.back().y;
   if (is_ball(nose) && !frame.is_buried && seen >= outline.depth * frame.scale * (1 - 1e-9)) {
     const double middle = frame.tip - outline.depth * frame.scale;

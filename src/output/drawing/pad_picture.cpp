@@ -56,8 +56,8 @@ class PadPicture {
     return text + "</g>\n";
   }
 
-  /// For scripts that move the pad: what is behind a layer, new, and how much of that is gone on the axis,
-  /// px.
+  /// Data for scripts that move the pad, px: the original thickness behind a layer and its shortening on the
+  /// axis.
   [[nodiscard]] std::string data_of_back(std::size_t layer) const {
     double behind = 0, shortened = 0;
     for (std::size_t j = layer + 1; j < moments_.layers.size(); ++j) {
@@ -126,7 +126,7 @@ class PadPicture {
   const Picture& picture_;
   double face_;        ///< y of the new pad's face, px
   double half_width_;  ///< px
-  double share_;       ///< of the strains at greatest penetration
+  double share_;       ///< share of the strains at greatest penetration
 };
 
 }  // namespace

@@ -10,11 +10,11 @@ namespace dashpad::output {
 
 namespace {
 
-/// Of half a break, each with a tip up and one down.
+/// The number of teeth on half a break.
 constexpr int teeth = 16;
-constexpr double max_of_sheet = 3.5;  ///< of its thickness as drawn, px
+constexpr double max_of_sheet = 3.5;  ///< largest drawn thickness of a sheet, px
 
-/// Two ragged lines with nothing between them.
+/// Two ragged lines with paper between them.
 std::string break_of_pad(const Scene& scene, const Picture& picture) {
   const double reach = scene.layout.half_width + 8, middle = scene.face(picture) + 0.66 * scene.layout.pad;
   std::vector<Place> places;
@@ -24,8 +24,8 @@ std::string break_of_pad(const Scene& scene, const Picture& picture) {
   return path_element("dd-break", places, true);
 }
 
-/// What a script needs to lead the picture of greatest penetration to other moments; nothing where it is not
-/// to scale or has no history. Metres but for px.
+/// Data with which a script moves the picture of greatest penetration to other moments; empty for a picture
+/// that is not to scale or has no history. Lengths are in m unless named px.
 std::string data_for_moving(const Scene& scene, const Picture& picture) {
   const DrawnMoments& moments = scene.moments;
   const Layout& layout = scene.layout;
@@ -39,7 +39,7 @@ std::string data_for_moving(const Scene& scene, const Picture& picture) {
       px(layout.pad_half_width(moments)), px(picture.deflection), px(picture.body_motion));
 }
 
-/// Where the nose has met what is behind the pad, or is about to.
+/// The line where the nose touches, or nearly touches, what is behind the pad.
 std::string struck_edge(const Scene& scene, const Picture& picture) {
   const double depth = std::max(0.03 * picture.penetration, 0.0);
   const double reach = std::clamp(scene.outline.radius(depth) * scene.layout.scale, 12.0,
@@ -58,12 +58,12 @@ NoseFrame nose_frame(const Scene& scene, const Picture& picture) {
           .is_buried = scene.moments.penetration > scene.outline.depth};
 }
 
-/// A sheet on the pad: a band below its face, and around the nose as far as that is in the pad. A symbol: its
-/// thickness is not known.
+/// A sheet on the pad: a band along its face and around the nose. It is a symbol, since its thickness is not
+/// known.
 std::string sheet_picture(const Scene& scene, const Picture& picture) {
   if (!(scene.impact.pad.sheet > 0)) return "";
   const double half = scene.pad_half_width(), face = scene.face(picture);
-  // What is left of the pad stays in sight.
+  // The sheet must not hide what is left of the pad.
   const double left =
       scene.layout.pad - scene.layout.below_face(scene.moments.penetration, scene.moments.thickness);
   const double thickness = std::clamp(0.3 * left, 0.8, max_of_sheet);

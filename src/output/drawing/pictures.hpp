@@ -1,6 +1,5 @@
 #pragma once
-/// Nose, pad and support of one of the two pictures, without what is written beside them, and the colours of
-/// strains.
+/// The pictures of nose, pad and support, the texts beside them, and the colours of strains.
 
 #include <string>
 #include <string_view>
@@ -17,20 +16,20 @@ std::string picture_clip(const Scene& scene, const Picture& picture);
 std::string hatchings(const DrawnMoments& moments);
 std::string picture_of(const Scene& scene, const Picture& picture);
 
-// Its parts.
+// The parts of a picture.
 
-/// Where the right half of a nose is drawn.
+/// The geometry in which a nose is drawn.
 struct NoseFrame {
   double axis = 0;         ///< x, px
   double tip = 0;          ///< y, px
   double scale = 0;        ///< px/m
-  double half_width = 0;   ///< of the picture, px; the nose may reach somewhat beyond
-  double height = 0;       ///< of the picture above the tip, px; likewise
+  double half_width = 0;   ///< half the width of the picture, px; the nose may reach slightly beyond
+  double height = 0;       ///< height of the picture above the tip, px; likewise
   bool is_buried = false;  ///< deeper than its widest section: its side goes on, as in the model
 };
 
-/// Depths behind the tip at which the outline has its corners, m, increasing from 0: as many as a smooth
-/// curve of this size needs, up to the widest section or as far as the picture shows.
+/// Depths behind the tip at which the outline has corners, m, increasing from 0 to the widest section or the
+/// edge of the picture, enough for a smooth curve.
 std::vector<double> outline_depths(const Sections& outline, const NoseFrame& frame);
 
 /// The right half of an outline, x from the axis on, with its mirror image before it.
@@ -39,12 +38,12 @@ std::vector<Place> both_halves(const std::vector<Place>& right, double axis);
 /// The nose as one closed path.
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style);
 
-/// The pad under the nose, columns shaded by strain, layers by their hatching: what the nose, drawn over it,
-/// leaves to be seen. Of a pad of layers only the axis is computed: away from it each layer's strain is taken
-/// to fall as the shortening of the whole column, which keeps their sum.
+/// The pad under the nose, columns shaded by strain, layers hatched. For several layers only the axis is
+/// computed; away from it the strain of each layer is taken to fall like the shortening of the whole column,
+/// which keeps their sum.
 std::string pad_picture(const Scene& scene, const Picture& picture);
 
-/// What the pad stands on, by symbols: panel, gap, springs, damper, ground or a free body.
+/// The support below the pad as symbols: panel, gap, springs, damper, ground or a free body.
 std::string support_picture(const Scene& scene, const Picture& picture);
 
 /// The colours of strains are of equal steps from 0 to 1.
@@ -52,8 +51,8 @@ inline constexpr int shades_of_strain = 20;
 /// The class of a shade, from 0 up: "dd-s0".
 std::string shade_class(int shade);
 
-/// The scale from 0 to 1 with its upper left corner there, `width` px wide: up to which strain the foams were
-/// tested, and the strains on the axis at greatest penetration.
+/// The scale of strains from 0 to 1, `width` px wide, with the tested strains and those on the axis at
+/// greatest penetration.
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width);
 /// px, of the legend.
 inline constexpr double strain_legend_height = 80;
@@ -79,8 +78,8 @@ std::string names_on_pad(const Scene& scene);
 /// Nose, pad and support in words, for below the left picture.
 std::vector<std::string> caption_lines(const Scene& scene);
 
-/// Places from above to below, each at least its own distance below the one before, within [lowest, highest]
-/// as far as they have room there, and otherwise near where they were wanted.
+/// Places near the wanted ones, from above to below, each at least its distance below the one before, within
+/// [lowest, highest] if they have room there.
 std::vector<double> kept_apart(std::vector<double> wanted, const std::vector<double>& distance, double lowest,
                                double highest);
 

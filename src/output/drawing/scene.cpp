@@ -17,8 +17,8 @@ double within(double value, double lowest, double highest) {
   return std::isfinite(value) ? std::clamp(value, lowest, highest) : lowest;
 }
 
-/// The entry of greatest penetration. A pad that is closed may stay so while its support goes on: then the
-/// entry of greatest motion among those.
+/// The entry of greatest penetration. If a closed pad moves on with its support, it is the one of greatest
+/// motion.
 std::optional<std::size_t> deepest_entry(const History& history) {
   double deepest = -1;
   for (const double penetration : history.penetration)
@@ -88,12 +88,12 @@ DrawnMoments drawn_moments(const ImpactCase& impact, const Solution& solution) {
 }
 
 constexpr double picture_height = 256;
-constexpr double min_nose = 60;  ///< of its height above the pad
+constexpr double min_nose = 60;  ///< least height of the nose above the pad
 constexpr double max_nose = 130;
-constexpr double min_pad = 44;         ///< of a pad thin against the nose
+constexpr double min_pad = 44;         ///< least height of a pad thin against the nose
 constexpr double min_nose_width = 30;  ///< half the width of a nose small against the pad
 constexpr double margin = 8;
-constexpr double solid_spring = 22;  ///< what is left of a spring at its greatest deflection
+constexpr double solid_spring = 22;  ///< length of a spring at its greatest deflection
 
 /// Heights at a scale, with the sink of the pad as given, px.
 SupportHeights support_heights(const ImpactCase& impact, const DrawnMoments& moments, double scale,
@@ -106,7 +106,7 @@ SupportHeights support_heights(const ImpactCase& impact, const DrawnMoments& mom
   if (impact.support.is_rigid() && backing.damping == 0) return heights;
   if (backing.gap > 0) {
     heights.gap = std::clamp(backing.gap * scale, 5.0, 40.0);
-    // Where the travel is not to scale the gap is not either, so that it closes if it did.
+    // A gap is shortened like the travel, so that it is closed in the drawing if it was closed in the impact.
     if (moments.deflection > 0 && deflection < moments.deflection * scale * (1 - 1e-9))
       heights.gap = std::clamp(backing.gap / moments.deflection * deflection, 5.0, 40.0);
   }

@@ -73,7 +73,7 @@ std::string support_picture(const Scene& scene, const Picture& picture) {
   if (heights.spring > 0) {
     const double top = std::max(at_rest, back + heights.plate);
     const double width = std::min(11.0, half / 4);
-    // Where its upper end is now; where it would be if nothing pressed on it, and if the pad's back did.
+    // For scripts: the upper end of the springs now, when unloaded, and when pressed by the back of the pad.
     text += fmt::format(
         "<g class=\"dd-springs\" data-top=\"{}\" data-base=\"{}\" data-free=\"{}\" data-touching=\"{}\">\n",
         px(top), px(base), px(at_rest), px(back + heights.plate));
@@ -93,7 +93,7 @@ std::string support_picture(const Scene& scene, const Picture& picture) {
           rectangle_element("dd-body", picture.axis - half, base, 2 * half, heights.base - 4);
   const double room = 2 * half - 8;
   const std::string mass = scene.shown(backing.body_mass, "kg");
-  // What has no room stands in the caption.
+  // A label that does not fit is left to the caption.
   for (const std::string& label : {"free body " + mass, mass})
     if (fitting(label, text_size, room) == label)
       return text + text_element("dd-text", {picture.axis, base + heights.base / 2 + 2}, "middle", label) +

@@ -17,7 +17,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// With spaces at which no line is broken: for a number and its unit.
+/// Replaces blanks by no-break spaces, to keep a number with its unit.
 std::string unbroken(std::string text) {
   replace_all(text, " ", "\u00a0");
   return text;
@@ -141,7 +141,7 @@ std::string heading(const Scene& scene, const Picture& picture, double end,
   return text_element("dd-heading", {x, 18}, "start", fitting(wordings[i], size, end - x));
 }
 
-/// With its time, where that is known.
+/// The wordings of the right heading, the longest first.
 std::vector<std::string> wordings_of_deepest(const Scene& scene) {
   const std::string words = scene.moments.is_so_far ? "Deepest so far" : "Greatest penetration";
   if (!scene.moments.time) return {words};

@@ -62,10 +62,10 @@ Json criterion(const injury::CriterionResult& result) {
           {"note", of.origin.note}};
 }
 
-Json figures_json(const injury::KeyFigures& key_figures) {
+Json figures_json(const injury::KeyFigures& figures) {
   Json all;
   for (const auto& [key, member] : figures_of_assessment) {
-    const injury::Figure& figure = key_figures.*member;
+    const injury::Figure& figure = figures.*member;
     const ResultQuantity& quantity = result_quantity(key);
     const double scale = scaled_unit(quantity.si_unit, plain_si()).scale;
     const auto shown = [&](double value) { return number(scale * value); };
@@ -75,7 +75,7 @@ Json figures_json(const injury::KeyFigures& key_figures) {
   return all;
 }
 
-/// What another choice of nose or speed would have said.
+/// The verdicts that other choices of nose or speed lead to.
 Json other_choices(const std::vector<injury::OtherChoice>& others) {
   const auto choice = [](bool is_other, bool is_kept) {
     return is_other ? Json(is_kept ? "case" : "standard") : Json(nullptr);

@@ -12,22 +12,19 @@ namespace dashpad::output {
 
 namespace {
 
-Json unknown_json(const fit::FittedUnknown& fitted_unknown) {
+Json unknown_json(const fit::FittedUnknown& unknown) {
   return {
-      {"key", fitted_unknown.key},
-      {"unit", fitted_unknown.unit},
-      {"value", number(fitted_unknown.value)},
-      {"standard_error", number(fitted_unknown.standard_error)},
-      {"interval",
-       {{"low", number(fitted_unknown.low)},
-        {"high", number(fitted_unknown.high)},
-        {"open", fitted_unknown.open()}}},
-      {"bounds", {{"lowest", number(fitted_unknown.lowest)}, {"highest", number(fitted_unknown.highest)}}},
-      {"at_bound", fitted_unknown.is_at_lowest    ? "lowest"
-                   : fitted_unknown.is_at_highest ? "highest"
-                                                  : "no"},
-      {"mostly_from_prior", fitted_unknown.rests_on_prior()},
-      {"nuisance", fitted_unknown.is_nuisance}};
+      {"key", unknown.key},
+      {"unit", unknown.unit},
+      {"value", number(unknown.value)},
+      {"standard_error", number(unknown.standard_error)},
+      {"interval", {{"low", number(unknown.low)}, {"high", number(unknown.high)}, {"open", unknown.open()}}},
+      {"bounds", {{"lowest", number(unknown.lowest)}, {"highest", number(unknown.highest)}}},
+      {"at_bound", unknown.is_at_lowest    ? "lowest"
+                   : unknown.is_at_highest ? "highest"
+                                           : "no"},
+      {"mostly_from_prior", unknown.rests_on_prior()},
+      {"nuisance", unknown.is_nuisance}};
 }
 
 Json loop_json(const fit::Loop& loop) {
@@ -36,77 +33,77 @@ Json loop_json(const fit::Loop& loop) {
           {"computed_return", number(loop.computed_return)}};
 }
 
-Json met_test_json(const fit::MetTest& met_test) {
-  return {{"file", met_test.file},
-          {"held_out", met_test.is_held_out},
-          {"points", met_test.points},
-          {"largest_stress_Pa", number(met_test.largest_stress)},
-          {"lowest_rate_per_s", number(met_test.lowest_rate)},
-          {"highest_rate_per_s", number(met_test.highest_rate)},
-          {"noise_Pa", number_if(met_test.noise > 0, met_test.noise)},
-          {"noise_stated", met_test.noise_is_stated},
-          {"offset_Pa", number(met_test.offset)},
-          {"rms_loading_Pa", number(met_test.rms_loading)},
-          {"rms_unloading_Pa", number(met_test.rms_unloading)},
-          {"loops", array_of(met_test.loops, loop_json)},
-          {"autocorrelation", number_if(!met_test.is_held_out, met_test.autocorrelation)},
-          {"effective_points", number(met_test.effective_points)},
-          {"strain", numbers(met_test.strain)},
-          {"measured_stress_Pa", numbers(met_test.measured)},
-          {"computed_stress_Pa", numbers(met_test.computed)}};
+Json met_test_json(const fit::MetTest& test) {
+  return {{"file", test.file},
+          {"held_out", test.is_held_out},
+          {"points", test.points},
+          {"largest_stress_Pa", number(test.largest_stress)},
+          {"lowest_rate_per_s", number(test.lowest_rate)},
+          {"highest_rate_per_s", number(test.highest_rate)},
+          {"noise_Pa", number_if(test.noise > 0, test.noise)},
+          {"noise_stated", test.noise_is_stated},
+          {"offset_Pa", number(test.offset)},
+          {"rms_loading_Pa", number(test.rms_loading)},
+          {"rms_unloading_Pa", number(test.rms_unloading)},
+          {"loops", array_of(test.loops, loop_json)},
+          {"autocorrelation", number_if(!test.is_held_out, test.autocorrelation)},
+          {"effective_points", number(test.effective_points)},
+          {"strain", numbers(test.strain)},
+          {"measured_stress_Pa", numbers(test.measured)},
+          {"computed_stress_Pa", numbers(test.computed)}};
 }
 
-Json comparison_json(const fit::ImpactComparison& impact_comparison) {
-  const fit::ImpactFigureName& name = name_of(impact_comparison.figure);
-  return {{"case", impact_comparison.file},
+Json comparison_json(const fit::ImpactComparison& comparison) {
+  const fit::ImpactFigureName& name = name_of(comparison.figure);
+  return {{"case", comparison.file},
           {"figure", name.key},
           {"unit", name.quantity->si_unit},
-          {"held_out", impact_comparison.is_held_out},
-          {"from_pulse", impact_comparison.is_of_pulse},
-          {"measured", number(impact_comparison.measured)},
-          {"computed", number(impact_comparison.computed)},
-          {"share", number(impact_comparison.share())}};
+          {"held_out", comparison.is_held_out},
+          {"from_pulse", comparison.is_of_pulse},
+          {"measured", number(comparison.measured)},
+          {"computed", number(comparison.computed)},
+          {"share", number(comparison.share())}};
 }
 
-Json met_figure_json(const fit::MetFigure& met_figure) {
-  const fit::ImpactFigureName& name = name_of(met_figure.figure);
-  return {{"case", met_figure.file},
+Json met_figure_json(const fit::MetFigure& figure) {
+  const fit::ImpactFigureName& name = name_of(figure.figure);
+  return {{"case", figure.file},
           {"figure", name.key},
           {"unit", name.quantity->si_unit},
-          {"held_out", met_figure.is_held_out},
-          {"measured", number(met_figure.measured)},
-          {"deviation", number(met_figure.deviation)},
-          {"computed", number(met_figure.computed)},
-          {"prediction_deviation", number(met_figure.prediction_deviation)}};
+          {"held_out", figure.is_held_out},
+          {"measured", number(figure.measured)},
+          {"deviation", number(figure.deviation)},
+          {"computed", number(figure.computed)},
+          {"prediction_deviation", number(figure.prediction_deviation)}};
 }
 
-Json met_pulse_json(const fit::MetPulse& met_pulse) {
+Json met_pulse_json(const fit::MetPulse& pulse) {
   const auto in_g = [](double value) { return number(value / standard_gravity); };
-  return {{"case", met_pulse.file},
-          {"file", met_pulse.pulse_file},
-          {"held_out", met_pulse.is_held_out},
-          {"samples", met_pulse.samples},
-          {"points", met_pulse.time.size()},
-          {"deviation_g", in_g(met_pulse.deviation)},
-          {"measured_peak_g", in_g(met_pulse.measured_peak)},
-          {"computed_peak_g", made_of(met_pulse.computed_peak, in_g)},
-          {"rms_g", made_of(met_pulse.rms, in_g)},
-          {"rms_share_of_peak",
-           number_if(met_pulse.rms.has_value(), met_pulse.rms.value_or(0) / met_pulse.measured_peak)},
-          {"shift_s", number(met_pulse.shift)},
-          {"autocorrelation", number_if(!met_pulse.is_held_out, met_pulse.autocorrelation)},
-          {"effective_points", number(met_pulse.effective_points)},
-          {"time_s", numbers(met_pulse.time)},
-          {"measured_g", array_of(met_pulse.measured, in_g)},
-          {"computed_g", array_of(met_pulse.computed, in_g)}};
+  return {
+      {"case", pulse.file},
+      {"file", pulse.pulse_file},
+      {"held_out", pulse.is_held_out},
+      {"samples", pulse.samples},
+      {"points", pulse.time.size()},
+      {"deviation_g", in_g(pulse.deviation)},
+      {"measured_peak_g", in_g(pulse.measured_peak)},
+      {"computed_peak_g", made_of(pulse.computed_peak, in_g)},
+      {"rms_g", made_of(pulse.rms, in_g)},
+      {"rms_share_of_peak", number_if(pulse.rms.has_value(), pulse.rms.value_or(0) / pulse.measured_peak)},
+      {"shift_s", number(pulse.shift)},
+      {"autocorrelation", number_if(!pulse.is_held_out, pulse.autocorrelation)},
+      {"effective_points", number(pulse.effective_points)},
+      {"time_s", numbers(pulse.time)},
+      {"measured_g", array_of(pulse.measured, in_g)},
+      {"computed_g", array_of(pulse.computed, in_g)}};
 }
 
 Json left_open_json(const fit::FitReport& report) {
   return {{"correlations", array_of(report.correlations,
-                                    [](const fit::StrongCorrelation& strong_correlation) {
-                                      return Json{{"first", strong_correlation.first},
-                                                  {"second", strong_correlation.second},
-                                                  {"correlation", number(strong_correlation.value)}};
+                                    [](const fit::StrongCorrelation& correlation) {
+                                      return Json{{"first", correlation.first},
+                                                  {"second", correlation.second},
+                                                  {"correlation", number(correlation.value)}};
                                     })},
           {"flat_directions", report.flat_directions}};
 }

@@ -1,5 +1,7 @@
 // A material test for programs.
 
+#include <array>
+
 #include "dashpad/output/materials.hpp"
 #include "json/json_values.hpp"
 #include "output/json/parts.hpp"
@@ -8,40 +10,39 @@ namespace dashpad::output {
 
 namespace {
 
-/// Null for what the kind of test has no use for.
-Json request_json(const laboratory::MaterialTest& material_test) {
-  const bool cyclic = material_test.kind == laboratory::TestKind::cyclic,
-             creep = material_test.kind == laboratory::TestKind::creep,
-             measured = material_test.kind == laboratory::TestKind::history;
-  return {{"kind", to_string(material_test.kind)},
-          {"strain", number_if(!creep && !measured, material_test.strain)},
-          {"hold_s",
-           number_if(creep || material_test.kind == laboratory::TestKind::relaxation, material_test.hold)},
-          {"stress_Pa", number_if(creep, material_test.stress)},
-          {"low_strain", number_if(cyclic, material_test.low)},
-          {"cycles", cyclic ? Json(material_test.cycles) : Json(nullptr)},
-          {"history", measured ? Json(material_test.history_name) : Json(nullptr)},
-          {"history_remarks", material_test.history_remarks},
-          {"stress_limits_Pa", numbers(material_test.stress_limits)},
-          {"steps_of_1984", made_of(material_test.steps_of_1984, [](int steps) { return steps; })}};
+/// The request. Entries that the kind of test does not use are null.
+Json request_json(const laboratory::MaterialTest& test) {
+  const bool cyclic = test.kind == laboratory::TestKind::cyclic,
+             creep = test.kind == laboratory::TestKind::creep,
+             measured = test.kind == laboratory::TestKind::history;
+  return {{"kind", to_string(test.kind)},
+          {"strain", number_if(!creep && !measured, test.strain)},
+          {"hold_s", number_if(creep || test.kind == laboratory::TestKind::relaxation, test.hold)},
+          {"stress_Pa", number_if(creep, test.stress)},
+          {"low_strain", number_if(cyclic, test.low)},
+          {"cycles", cyclic ? Json(test.cycles) : Json(nullptr)},
+          {"history", measured ? Json(test.history_name) : Json(nullptr)},
+          {"history_remarks", test.history_remarks},
+          {"stress_limits_Pa", numbers(test.stress_limits)},
+          {"steps_of_1984", made_of(test.steps_of_1984, [](int steps) { return steps; })}};
 }
 
-Json point(const laboratory::CushionPoint& cushion_point) {
-  return {{"strain", number(cushion_point.strain)},
-          {"stress_Pa", number(cushion_point.stress)},
-          {"energy_J_per_m3", number(cushion_point.energy)},
-          {"efficiency", number(cushion_point.efficiency)},
-          {"ideality", number(cushion_point.ideality)}};
+Json point(const laboratory::CushionPoint& point) {
+  return {{"strain", number(point.strain)},
+          {"stress_Pa", number(point.stress)},
+          {"energy_J_per_m3", number(point.energy)},
+          {"efficiency", number(point.efficiency)},
+          {"ideality", number(point.ideality)}};
 }
 
 Json figures(const laboratory::MaterialTestRun& run) {
-  const laboratory::CushionFigures& cushion_figures = run.figures;
-  return {{"peak_stress_Pa", number(cushion_figures.peak_stress)},
-          {"peak_stress_strain", number(cushion_figures.strain_at_peak)},
-          {"energy_in_J_per_m3", number(cushion_figures.energy_in)},
-          {"energy_returned_J_per_m3", number_if(run.unloads, cushion_figures.energy_returned)},
-          {"hysteresis", number_if(run.unloads, cushion_figures.hysteresis)},
-          {"best_efficiency", point(cushion_figures.best_efficiency)}};
+  const laboratory::CushionFigures& figures = run.figures;
+  return {{"peak_stress_Pa", number(figures.peak_stress)},
+          {"peak_stress_strain", number(figures.strain_at_peak)},
+          {"energy_in_J_per_m3", number(figures.energy_in)},
+          {"energy_returned_J_per_m3", number_if(run.unloads, figures.energy_returned)},
+          {"hysteresis", number_if(run.unloads, figures.hysteresis)},
+          {"best_efficiency", point(figures.best_efficiency)}};
 }
 
 Json limits(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
@@ -52,49 +53,40 @@ Json limits(const laboratory::MaterialTestReport& report, const laboratory::Mate
   return array;
 }
 
-Json relaxation(const laboratory::RelaxedStress& relaxed_stress) {
-  return {{"end_of_ramp_Pa", number(relaxed_stress.at_end_of_ramp)},
-          {"after_tenth_of_hold_Pa", number(relaxed_stress.after_tenth)},
-          {"after_hold_Pa", number(relaxed_stress.after_hold)}};
+Json relaxation(const laboratory::RelaxedStress& relaxed) {
+  return {{"end_of_ramp_Pa", number(relaxed.at_end_of_ramp)},
+          {"after_tenth_of_hold_Pa", number(relaxed.after_tenth)},
+          {"after_hold_Pa", number(relaxed.after_hold)}};
 }
 
-Json creep_json(const laboratory::CreptStrain& crept_strain) {
-  return {{"end_of_loading_strain", number(crept_strain.at_end_of_loading)},
-          {"after_hold_strain", number(crept_strain.after_hold)}};
+Json creep_json(const laboratory::CreptStrain& crept) {
+  return {{"end_of_loading_strain", number(crept.at_end_of_loading)},
+          {"after_hold_strain", number(crept.after_hold)}};
 }
 
-Json turn(const laboratory::StressAtTurn& stress_at_turn) {
-  return {{"last_loading_Pa", number(stress_at_turn.last_loading)},
-          {"next_Pa", number(stress_at_turn.next)},
-          {"jump_Pa", number(stress_at_turn.jump())}};
+Json turn(const laboratory::StressAtTurn& turn) {
+  return {{"last_loading_Pa", number(turn.last_loading)},
+          {"next_Pa", number(turn.next)},
+          {"jump_Pa", number(turn.jump())}};
 }
 
-Json update(const laboratory::UpdateOf1984& update_of1984) {
-  return {{"step_s", number(update_of1984.step)},
-          {"stress_discontinuity", made_of(update_of1984.update_at_turn, turn)},
-          {"exact_stress_at_the_same_times", made_of(update_of1984.exact_at_turn, turn)},
-          {"time_s", numbers(update_of1984.time)},
-          {"strain", numbers(update_of1984.strain)},
-          {"stress_Pa", numbers(update_of1984.stress)},
-          {"exact_stress_Pa", numbers(update_of1984.exact)}};
+Json update(const laboratory::UpdateOf1984& update) {
+  return {{"step_s", number(update.step)},
+          {"stress_discontinuity", made_of(update.update_at_turn, turn)},
+          {"exact_stress_at_the_same_times", made_of(update.exact_at_turn, turn)},
+          {"time_s", numbers(update.time)},
+          {"strain", numbers(update.strain)},
+          {"stress_Pa", numbers(update.stress)},
+          {"exact_stress_Pa", numbers(update.exact)}};
 }
 
-const char* name_of(laboratory::ColumnEvent::Kind kind) {
-  switch (kind) {
-    case laboratory::ColumnEvent::Kind::turned: return "turned";
-    case laboratory::ColumnEvent::Kind::reloaded: return "reloaded";
-    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
-    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
-  }
-  return "";
-}
-
-Json event_json(const laboratory::ColumnEvent& column_event) {
-  return {{"event", name_of(column_event.kind)},
-          {"time_s", number(column_event.time)},
-          {"strain", number(column_event.strain)},
-          {"stress_before_Pa", number(column_event.stress_before)},
-          {"stress_after_Pa", number(column_event.stress_after)}};
+Json event_json(const laboratory::ColumnEvent& event) {
+  constexpr std::array names{"turned", "reloaded", "contact lost", "contact taken up"};
+  return {{"event", names.at(static_cast<std::size_t>(event.kind))},
+          {"time_s", number(event.time)},
+          {"strain", number(event.strain)},
+          {"stress_before_Pa", number(event.stress_before)},
+          {"stress_after_Pa", number(event.stress_after)}};
 }
 
 Json run_json(const laboratory::MaterialTestReport& report, const laboratory::MaterialTestRun& run) {
@@ -128,9 +120,7 @@ Json run_json(const laboratory::MaterialTestReport& report, const laboratory::Ma
 }  // namespace
 
 std::string material_test_json(const laboratory::MaterialTestReport& report) {
-  const auto run = [&](const laboratory::MaterialTestRun& material_test_run) {
-    return run_json(report, material_test_run);
-  };
+  const auto run = [&](const laboratory::MaterialTestRun& each) { return run_json(report, each); };
   return result_json_text({{"test", request_json(report.test)},
                            {"material", material_json(report.material)},
                            {"runs", array_of(report.runs, run)},

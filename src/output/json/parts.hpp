@@ -1,5 +1,5 @@
 #pragma once
-/// What several JSONs have in common, in the units of plain_si().
+/// JSON that several results share, in the units of plain_si().
 
 #include <vector>
 
@@ -15,15 +15,13 @@ namespace dashpad::output {
 Json flags_json(const std::vector<Flag>& flags);
 
 /// The interval of a figure: `high` is null where there is no bound.
-Json interval_json(const FigureInterval& figure_interval);
+Json interval_json(const FigureInterval& interval);
 
-/// The figures of a pulse, computed or measured: {"hic15": {"value": 1661.2, "begin_s": 5.8e-3, "end_s":
-/// 2.0e-2, "error": 1.6e-3}, "clip_3ms": {"value_g": ...}, ...}. A measured pulse is taken as it is: without
-/// errors.
+/// The figures of a pulse: {"hic15": {"value": 1661.2, "begin_s": 5.8e-3, "end_s": 2.0e-2, "error": 1.6e-3},
+/// "clip_3ms": {"value_g": ...}, ...}. Measured pulses have no errors.
 Json injury_json(const injury::InjuryFigures& figures, bool with_errors);
 
-/// Limits and what became of them: [{"metric": "hic15", "value": 743, "limit": 1000, "margin": 257,
-/// "verdict": "pass", ...}, ...].
+/// The results of criteria: [{"metric": "hic15", "value": 743, "limit": 1000, "verdict": "pass", ...}, ...].
 Json criteria_json(const std::vector<injury::CriterionResult>& results);
 
 /// A pad material.

@@ -1,4 +1,4 @@
-// One impact for other programs, alone and as that of two bodies.
+// JSON of one impact, and of an impact between two bodies.
 
 #include <cmath>
 
@@ -12,22 +12,22 @@ namespace dashpad::output {
 
 namespace {
 
-Json moment(const EstimatedValue& estimated_value) {
-  return {{"time_s", number(estimated_value.value)}, {"velocity_m_per_s", number(estimated_value.velocity)}};
+Json moment(const EstimatedValue& estimate) {
+  return {{"time_s", number(estimate.value)}, {"velocity_m_per_s", number(estimate.velocity)}};
 }
 
 /// Every figure of the table, and the errors of those that have an estimate; null where it is absent.
 void add_figures(Json& result, Json& errors, const Summary& summary) {
   for (const SummaryQuantity& entry : summary_quantities()) {
     const ResultQuantity& quantity = *entry.quantity;
-    const EstimatedValue estimated_value = entry.of(summary);
-    const bool absent = std::isnan(estimated_value.value);
+    const EstimatedValue estimate = entry.of(summary);
+    const bool absent = std::isnan(estimate.value);
     if (quantity.part == Part::moment)
-      result[quantity.key] = absent ? Json(nullptr) : moment(estimated_value);
+      result[quantity.key] = absent ? Json(nullptr) : moment(estimate);
     else
       result[key_with_unit(quantity)] =
-          number(scaled_unit(quantity.si_unit, plain_si()).scale * estimated_value.value);
-    if (quantity.has_estimate()) errors[quantity.key] = number_if(!absent, estimated_value.error);
+          number(scaled_unit(quantity.si_unit, plain_si()).scale * estimate.value);
+    if (quantity.has_estimate()) errors[quantity.key] = number_if(!absent, estimate.error);
   }
 }
 
@@ -52,7 +52,7 @@ Json solver(const Summary& summary) {
           {"wall_time_s", number(summary.wall_time)}};
 }
 
-/// All numbers of an owner, null where it has none, under their keys and units.
+/// All numbers of an owner by key and unit; absent ones are null.
 template <class Owner>
 Json numbers_of(const Owner& owner) {
   Json json = Json::object();
@@ -110,9 +110,9 @@ Json curve_of(const Support& support) {
            })}};
 }
 
-Json support(const ImpactCase& impact_case) {
-  Json json = curve_of(impact_case.support);
-  json.update(numbers_of(impact_case.backing));
+Json support(const ImpactCase& impact) {
+  Json json = curve_of(impact.support);
+  json.update(numbers_of(impact.backing));
   return json;
 }
 
@@ -138,21 +138,21 @@ Json echo(const ImpactCase& impact) {
           {"blows", made_of(impact.blows, numbers_of<Blows>)}};
 }
 
-/// What grows from blow to blow; the last has all its figures at the top.
-Json blow_json(const BlowResult& blow_result) {
-  const Summary& summary = blow_result.summary;
+/// The figures of a blow that change from blow to blow; the last blow has all its figures at the top level.
+Json blow_json(const BlowResult& blow) {
+  const Summary& summary = blow.summary;
   return {{"blow", summary.blow},
           {"status", to_string(summary.status)},
-          {"earlier_penetration_m", number(blow_result.earlier_penetration)},
+          {"earlier_penetration_m", number(blow.earlier_penetration)},
           {"peak_acceleration_g", number(summary.peak_acceleration.value_or(NAN) / standard_gravity)},
-          {"hic15", number(blow_result.injury ? blow_result.injury->hic15.value : NAN)},
+          {"hic15", number(blow.injury ? blow.injury->hic15.value : NAN)},
           {"peak_force_N", number(summary.peak_force)},
           {"peak_penetration_m", number(summary.peak_penetration)},
           {"rebound_speed_m_per_s", number(summary.rebound_speed)},
           {"energy_absorbed_fraction", number(summary.energy_absorbed_fraction)}};
 }
 
-/// What is not known, then the figures with it.
+/// The sources of uncertainty, then the interval of each figure.
 Json intervals_json(const Intervals& intervals) {
   Json figures = Json::object();
   for (const FigureInterval& figure : intervals.figures)
@@ -172,7 +172,7 @@ Json fitted_json(const FittedRange& range) {
           {"highest_rate_per_s", number(range.highest_rate)}};
 }
 
-/// One of two bodies, before and after.
+/// One of the two bodies before and after the impact.
 Json body_json(const Body& body, double after, double error) {
   return {{"mass_kg", number(body.mass)},
           {"velocity_m_per_s", number(body.velocity)},
@@ -193,28 +193,27 @@ Json flags_json(const std::vector<Flag>& flags) {
   });
 }
 
-Json interval_json(const FigureInterval& figure_interval) {
-  const double scale = scaled_unit(result_quantity(figure_interval.key).si_unit, plain_si()).scale;
-  const Json sources = array_of(figure_interval.sources, [&](const Contribution& each) {
+Json interval_json(const FigureInterval& interval) {
+  const double scale = scaled_unit(result_quantity(interval.key).si_unit, plain_si()).scale;
+  const Json sources = array_of(interval.sources, [&](const Contribution& each) {
     return Json{{"source", to_string(each.source)},
                 {"low", number(scale * each.low)},
                 {"high", number(scale * each.high)}};
   });
-  return {{"low", number(scale * figure_interval.low)},
-          {"high", number(scale * figure_interval.high)},
-          {"sources", sources}};
+  return {
+      {"low", number(scale * interval.low)}, {"high", number(scale * interval.high)}, {"sources", sources}};
 }
 
 Json injury_json(const injury::InjuryFigures& figures, bool with_errors) {
   Json all = Json::object();
-  for (const injury::InjuryValue& injury_value : injury::injury_values(figures)) {
-    const ScaledUnit unit = scaled_unit(injury_value.quantity->si_unit, plain_si());
-    Json& entry = all[injury_value.quantity->key];
-    entry[name_with_unit("value", unit.unit)] = number(unit.scale * injury_value.value);
-    if (injury_value.time) entry["time_s"] = number(*injury_value.time);
-    if (injury_value.begin) entry["begin_s"] = number(*injury_value.begin);
-    if (injury_value.end) entry["end_s"] = number(*injury_value.end);
-    if (with_errors) entry["error"] = number(injury_value.error);
+  for (const injury::InjuryValue& figure : injury::injury_values(figures)) {
+    const ScaledUnit unit = scaled_unit(figure.quantity->si_unit, plain_si());
+    Json& entry = all[figure.quantity->key];
+    entry[name_with_unit("value", unit.unit)] = number(unit.scale * figure.value);
+    if (figure.time) entry["time_s"] = number(*figure.time);
+    if (figure.begin) entry["begin_s"] = number(*figure.begin);
+    if (figure.end) entry["end_s"] = number(*figure.end);
+    if (with_errors) entry["error"] = number(figure.error);
   }
   return all;
 }
@@ -248,8 +247,8 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
   result["intervals"] = made_of(summary.intervals, intervals_json);
   result["softening_rates_per_s"] = numbers(summary.softening_rates);
   result["layers"] = layers(impact.pad, summary);
-  result["injury"] = made_of(
-      injury, [](const injury::InjuryFigures& injury_figures) { return injury_json(injury_figures, true); });
+  result["injury"] =
+      made_of(injury, [](const injury::InjuryFigures& figures) { return injury_json(figures, true); });
   result["errors"] = errors;
   result["solver"] = solver(summary);
   result["case"] = echo(impact);

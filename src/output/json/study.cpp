@@ -70,17 +70,16 @@ Json levels_json(const study::StudyAnswers& answers, const study::Group& group) 
   return levels;
 }
 
-Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& of_group) {
+Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& group) {
   Json distributions = Json::array(), exceedances = Json::array(), sensitivities = Json::array();
-  for (std::size_t i = 0; i < of_group.distributions.size(); ++i) {
+  for (std::size_t i = 0; i < group.distributions.size(); ++i) {
     const std::string& response = answers.study.responses[answers.responses[i]];
-    distributions.push_back(distribution_json(response, of_group.distributions[i]));
-    if (of_group.sensitivities[i])
-      sensitivities.push_back(sensitivity_json(response, *of_group.sensitivities[i]));
+    distributions.push_back(distribution_json(response, group.distributions[i]));
+    if (group.sensitivities[i]) sensitivities.push_back(sensitivity_json(response, *group.sensitivities[i]));
   }
-  for (std::size_t i = 0; i < of_group.exceedances.size(); ++i)
-    exceedances.push_back(exceedance_json(answers.limits[i], of_group.exceedances[i]));
-  return {{"levels", levels_json(answers, of_group.group)},
+  for (std::size_t i = 0; i < group.exceedances.size(); ++i)
+    exceedances.push_back(exceedance_json(answers.limits[i], group.exceedances[i]));
+  return {{"levels", levels_json(answers, group.group)},
           {"distributions", distributions},
           {"exceedances", exceedances},
           {"sobol_indices", sensitivities}};
@@ -108,9 +107,7 @@ Json cushion_json(const study::CushionCurves& curves) {
 }  // namespace
 
 std::string study_json(const study::StudyAnswers& answers) {
-  const auto group = [&](const study::StudyAnswers::OfGroup& of_group) {
-    return group_json(answers, of_group);
-  };
+  const auto group = [&](const study::StudyAnswers::OfGroup& each) { return group_json(answers, each); };
   Json json = {{"program", program_json()},
                {"title", answers.study.title},
                {"computed_by", answers.program},

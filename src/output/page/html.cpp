@@ -22,17 +22,17 @@ constexpr double width_of_plots = 420;
 /// Fewer are seen at a glance.
 constexpr std::size_t min_figures_with_contents = 10;
 
-/// What changes with the units, under a name by which it is found.
+/// A part of the page that changes with the units; scripts find it by its name.
 std::string part(const std::string& name, const std::string& html) {
   return fmt::format("<div data-part=\"{}\">\n{}</div>\n", name, html);
 }
 
-std::string heading_of(const CaptionedPlot& captioned_plot) {
-  const std::string both = captioned_plot.name.empty() || captioned_plot.plot.title.empty() ? "" : ": ";
-  return one_line(captioned_plot.name) + both + one_line(captioned_plot.plot.title);
+std::string heading_of(const CaptionedPlot& figure) {
+  const std::string both = figure.name.empty() || figure.plot.title.empty() ? "" : ": ";
+  return one_line(figure.name) + both + one_line(figure.plot.title);
 }
 
-/// More single points make a page heavy and show nothing else: the page says so.
+/// The largest number of points in a series: more make a page heavy without showing more.
 constexpr std::size_t max_points = 1000;
 
 /// Leaves points out of series that have too many, evenly; returns for how many one stands at the most.
@@ -51,7 +51,7 @@ std::size_t thin_points(Plot& plot) {
   return most;
 }
 
-/// With a note where not all of its points are there.
+/// The plot, with a note if points are left out.
 std::string plot_html(Plot plot, InlineSvgs& svgs) {
   const std::size_t step = thin_points(plot);
   std::string html = svgs.add(plot, width_of_plots);
@@ -59,20 +59,19 @@ std::string plot_html(Plot plot, InlineSvgs& svgs) {
   return html;
 }
 
-std::string figure(const CaptionedPlot& captioned_plot, const std::string& id, InlineSvgs& svgs) {
+std::string figure(const CaptionedPlot& figure, const std::string& id, InlineSvgs& svgs) {
   std::string html = fmt::format("<figure id=\"{}\"><figcaption><h3>{}</h3></figcaption>\n", id,
-                                 xml_text(heading_of(captioned_plot)));
-  Plot plot = captioned_plot.plot;
+                                 xml_text(heading_of(figure)));
+  Plot plot = figure.plot;
   // The heading says it already.
   if (plot.panels.size() == 1 &&
-      heading_of(captioned_plot).find(one_line(plot.panels.front().title)) != std::string::npos)
+      heading_of(figure).find(one_line(plot.panels.front().title)) != std::string::npos)
     plot.panels.front().title.clear();
   plot.title.clear();
   plot.source.clear();
   html += plot_html(std::move(plot), svgs);
-  if (!captioned_plot.plot.source.empty())
-    html += "<p class=\"source\">" + text_html(captioned_plot.plot.source) + "</p>\n";
-  if (!captioned_plot.note.empty()) html += "<p class=\"note\">" + text_html(captioned_plot.note) + "</p>\n";
+  if (!figure.plot.source.empty()) html += "<p class=\"source\">" + text_html(figure.plot.source) + "</p>\n";
+  if (!figure.note.empty()) html += "<p class=\"note\">" + text_html(figure.note) + "</p>\n";
   return html + "</figure>\n";
 }
 
@@ -214,7 +213,7 @@ std::string drawing_in_other_units(const Lead& lead, const Lead& shown, InlineSv
   return "<ul data-texts-of=\"drawing\">\n" + html + "</ul>\n";
 }
 
-/// All of a page that is text, for when the reader wants it in those units.
+/// A template that holds all texts of a page in one unit system, for the script to swap in.
 std::string units_template(const DocumentInUnits& document_in_units, const Document& shown,
                            InlineSvgs& svgs) {
   const Document& page = document_in_units.document;

@@ -1,6 +1,5 @@
 #pragma once
-/// A page as HTML that needs no script, as a mail preview, a printer or a reader who allows no scripts sees
-/// it; and the file around it.
+/// Pages as HTML that is complete without scripts, as in a mail preview or in print.
 
 #include <set>
 #include <string>
@@ -19,16 +18,16 @@ std::string policy_hash(std::string_view text);
 extern const std::string_view page_style, page_script;
 
 struct PageHtml {
-  std::set<std::string> styles;  ///< those that its SVGs bring
-  std::string title;             ///< what browsers show above the page
+  std::set<std::string> styles;  ///< styles of its SVGs
+  std::string title;             ///< title in the browser's tab
   std::string body;
 };
 
-/// One HTML file. A policy in it allows its own script and styles, by their hashes, and nothing else: a
-/// script that got in some other way would not run.
+/// The HTML file. Its content security policy allows only its own script and styles, by their hashes: no
+/// injected script can run.
 std::string framed(const PageHtml& html);
 
-/// Throws std::invalid_argument if columns of a series or rows of a table differ in length, if an axis
+/// Throws std::invalid_argument if the columns of a series or the rows of a table differ in length, an axis
 /// cannot have its limits, or a bar its ends.
 void check(const Document& page);
 
@@ -37,9 +36,8 @@ struct DocumentInUnits {
   Document document;
 };
 
-/// One page in one or several unit systems, the first of which is shown. Of the others only the texts, tables
-/// and drawings are kept, out of sight: a script puts them in their places, and gives the axes of the plots,
-/// if they know their SI unit, the units that go with them.
+/// A page in one or several unit systems; the first is shown. Of the others the page keeps texts, tables and
+/// drawings, hidden, and its script swaps them in and converts the axes whose SI unit is known.
 PageHtml html_of(std::vector<DocumentInUnits> documents);
 /// The file.
 std::string to_html(std::vector<DocumentInUnits> documents);

@@ -1,6 +1,7 @@
 #include "output/page/html_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -35,23 +36,13 @@ std::string lines_html(const std::string& text) {
 }
 
 const char* class_of_tone(Tone tone) {
-  switch (tone) {
-    case Tone::good: return "good";
-    case Tone::doubtful: return "doubtful";
-    case Tone::bad: return "bad";
-    case Tone::plain: break;
-  }
-  return "plain";
+  constexpr std::array names{"plain", "good", "doubtful", "bad"};
+  return names.at(static_cast<std::size_t>(tone));
 }
 
 const char* sign_of_tone(Tone tone) {
-  switch (tone) {
-    case Tone::good: return "✓";
-    case Tone::doubtful: return "?";
-    case Tone::bad: return "✕";
-    case Tone::plain: break;
-  }
-  return "";
+  constexpr std::array signs{"", "✓", "?", "✕"};
+  return signs.at(static_cast<std::size_t>(tone));
 }
 
 namespace {
@@ -93,16 +84,16 @@ std::string bar_of(const ValueRow& figure) {
 }
 
 /// The interval, which fades where it has no end.
-std::string interval_of(const RangeBar& range_bar) {
+std::string interval_of(const RangeBar& range) {
   constexpr int slices = 10;
-  const double width = 100 * (range_bar.to - range_bar.from) / slices;
+  const double width = 100 * (range.to - range.from) / slices;
   std::string rects;
   for (int slice = 0; slice < slices; ++slice) {
     const double from_low = (slice + 0.5) / slices, to_high = 1 - from_low;
     double opacity = 0.55;
-    if (range_bar.open_below) opacity = std::min(opacity, from_low);
-    if (range_bar.open_above) opacity = std::min(opacity, to_high);
-    rects += rect("interval", 100 * range_bar.from + slice * width, width, opacity);
+    if (range.open_below) opacity = std::min(opacity, from_low);
+    if (range.open_above) opacity = std::min(opacity, to_high);
+    rects += rect("interval", 100 * range.from + slice * width, width, opacity);
   }
   return rects;
 }
@@ -128,13 +119,13 @@ std::string warning_html(const std::string& line) {
          "</li>\n";
 }
 
-std::string range_html(const RangeBar& range_bar) {
+std::string range_html(const RangeBar& range) {
   return fmt::format(
       "<li><p class=\"name\"><span>{}</span><b>{}</b></p>\n{}<p class=\"ends\"><span>{}</span>"
       "<span class=\"words\">{}</span><span>{}</span></p></li>\n",
-      text_html(range_bar.label), text_html(range_bar.value),
-      bar(text_html(range_bar.words), interval_of(range_bar), 100 * range_bar.place),
-      text_html(range_bar.lowest), text_html(range_bar.words), text_html(range_bar.highest));
+      text_html(range.label), text_html(range.value),
+      bar(text_html(range.words), interval_of(range), 100 * range.place), text_html(range.lowest),
+      text_html(range.words), text_html(range.highest));
 }
 
 std::string table_html(const Table& table) {
@@ -158,7 +149,8 @@ std::string table_html(const Table& table) {
       html += i == 0 ? "<th scope=\"row\">" + text_html(row[i]) + "</th>"
                      : fmt::format("<td data-column=\"{}\"{}>{}</td>",
                                    i < table.columns.size() ? text_html(table.columns[i]) : "",
-                                   // Without a head the rows are words on one thing, a number among them.
+                                   // In a table without a head, cells are texts about one subject, even if
+                                   // they are numbers.
                                    has_head && is_number_or_none(row[i]) ? " class=\"number\"" : "",
                                    text_html(row[i]));
     html += "</tr>\n";

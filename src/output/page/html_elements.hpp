@@ -11,32 +11,31 @@
 namespace dashpad::output {
 
 std::string text_html(const std::string& text);
-/// In lines that do not end between a number and its unit.
+/// The text as HTML in which no line ends between a number and its unit.
 std::string prose_html(const std::string& text);
 std::string paragraphs_html(const std::vector<std::string>& texts);
 /// Lines stay lines.
 std::string lines_html(const std::string& text);
 
 const char* class_of_tone(Tone tone);
-/// Beside the colour, which not all see; empty for a plain tone.
+/// A sign for readers who do not see the colour; empty for a plain tone.
 const char* sign_of_tone(Tone tone);
 
 std::string key_figure_html(const ValueRow& figure);
-/// Its first words, in capitals, are set apart.
+/// A warning; the words in capitals at its front are set apart.
 std::string warning_html(const std::string& line);
-std::string range_html(const RangeBar& range_bar);
+std::string range_html(const RangeBar& range);
 std::string table_html(const Table& table);
 
-/// SVGs on their way into one page. Their styles are for its head, once each: a drawing in other units takes
-/// the place of the first one, and must not take its style away.
+/// The SVGs of a page. Their styles go into its head, once each, so that a drawing in other units can replace
+/// the first one without removing its style.
 class InlineSvgs {
  public:
   /// The element without its style.
   std::string add(std::string svg);
   /// The same of a plot, `width` px wide; a sentence if there is nothing to draw.
   std::string add(const Plot& plot, double width);
-  /// A drawing with two pictures, and below it each half by itself: which of the two is shown is for the
-  /// style of the page to say.
+  /// A drawing with two pictures, followed by each half alone; the style of the page chooses what is shown.
   std::string add_with_halves(std::string svg);
   /// The texts of all styles so far.
   [[nodiscard]] const std::set<std::string>& styles() const { return styles_; }

@@ -38,7 +38,7 @@ void for_texts(const std::string& svg, const Use& use) {
   }
 }
 
-/// Without texts, and without the name that comes from them.
+/// The SVG without its texts and without the name that depends on them.
 std::string geometry_of(const std::string& svg) {
   std::string geometry;
   std::size_t done = 0;
@@ -54,7 +54,7 @@ std::string geometry_of(const std::string& svg) {
   return geometry;
 }
 
-/// What stands between the first `opening` and the next `closing`; nothing if they are not there.
+/// The text between the first `opening` and the next `closing`; empty if either is missing.
 std::string_view between(std::string_view text, std::string_view opening, std::string_view closing) {
   const std::size_t begin = text.find(opening);
   if (begin == std::string_view::npos) return {};

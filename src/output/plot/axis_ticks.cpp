@@ -13,11 +13,12 @@ namespace dashpad::output {
 
 namespace {
 
-/// Below this part of a decade the marks of a linear axis serve a logarithmic one better, too.
+/// A logarithmic axis that spans fewer decades than this has the marks of a linear one.
 constexpr double few_decades = 0.7;
-/// More decades have no marks between them; so many from label to label have no marks at all.
+/// An axis with more decades than this has marks at powers of ten only; with labels farther apart than
+/// that many decades, at labels only.
 constexpr int max_decades_with_digits = 6;
-/// Of an end: a mark that misses it by rounding is on it.
+/// The relative rounding error with which a mark still counts as the end of an axis.
 constexpr double off_a_mark = 1e-9;
 /// Whole numbers above it are not exact.
 constexpr double largest_count = 1e15;
@@ -55,7 +56,7 @@ bool has_linear_marks(const Span& span, bool logarithmic) {
 
 /// A span of at least some length around what has none, so that marks on it differ.
 Span widened(Span span, bool logarithmic) {
-  constexpr double least = 1e-9;  // of the numbers
+  constexpr double least = 1e-9;  // least relative length
   if (span.is_empty()) return logarithmic ? Span{1, 10} : Span{0, 1};
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   if (size > 0 && span.high / size - span.low / size > least) return span;

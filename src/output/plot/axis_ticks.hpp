@@ -1,6 +1,5 @@
 #pragma once
-/// The points of a series that the picture needs, whether a panel can be drawn at all, where axes end, and
-/// the marks on them: at 1, 2 and 5 times powers of ten.
+/// The points of a series that a picture needs, checks of panels, and the ranges and marks of axes.
 
 #include <cstddef>
 #include <limits>
@@ -14,13 +13,13 @@ namespace dashpad::output {
 struct PlotRow {
   double x = 0;
   double y = 0;
-  double y2 = 0;  ///< of bands; otherwise as y
+  double y2 = 0;  ///< second edge of a band; otherwise equal to y
 };
 
 /// A part of a series without a gap.
 using PlotRun = std::vector<PlotRow>;
 
-/// From the lowest to the highest of the numbers that it includes; none at first.
+/// The range of the numbers that were included; empty at first.
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -34,20 +33,18 @@ bool is_drawable(double value, const Axis& axis);
 /// Whether it lies within the ends that are given.
 bool is_within_limits(double value, const Axis& axis);
 
-/// Throws std::invalid_argument if columns of a series differ in length, or if an axis cannot have its
-/// limits.
+/// Throws std::invalid_argument if columns of a series differ in length or an axis cannot have its limits.
 void check(const Panel& panel);
 
-/// The parts of a line, a band or points that can be drawn on these axes and are not wholly beyond their
-/// ends.
+/// The runs of a line, band or point series that can be drawn on these axes and are not wholly outside them.
 std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Axis& y);
 
-/// Leaves out of a line or band what makes no difference to the picture: of neighbours within half a pixel in
-/// x, the first, last, lowest and highest stay. `span` is what the x axis shows.
+/// Thins a line or band without a visible change: of neighbours within half a pixel in x, the first, last,
+/// lowest and highest stay. `span` is what the x axis shows.
 PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
 
-/// Leaves out of many points those that lie on others: of all points within the same square of one and a half
-/// pixels, the first stays.
+/// Thins points that cover each other: of all points within a square of one and a half pixels, the first
+/// stays.
 PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
                        const Span& y_span);
 
@@ -66,15 +63,14 @@ struct AxisRange {
   [[nodiscard]] double share(double value) const;
 };
 
-/// From the limits of the axis or, where it has none, from the next mark beyond what it has to include, or
-/// half way to it.
-/// `most`: about how many labels there is room for.
+/// The range of an axis. An end without a limit lies at the next mark beyond what is to be included, or half
+/// way to it. `most` is the approximate number of labels that have room.
 AxisRange range_of(const Axis& axis, const Span& included, std::size_t most);
 
 /// The nearest of 1, 2 and 5 times powers of ten below a positive number, or above it.
 double round_number(double value, bool above);
 
-/// From low to high, within the range.
+/// The ticks within the range, rising.
 std::vector<Tick> ticks_of(const AxisRange& range, std::size_t most);
 
 }  // namespace dashpad::output

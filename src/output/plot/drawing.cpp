@@ -52,7 +52,7 @@ SeriesColour colour_of(const Series& series, std::size_t palette_index) {
   return {.class_name = fmt::format("dp-turn-{}", palette_index % colours_by_turn)};
 }
 
-/// Those of the values that the axis can show.
+/// The values that the axis can show.
 std::vector<double> shown(const std::vector<double>& values, const Axis& axis) {
   std::vector<double> result;
   for (const double value : values) {
@@ -77,7 +77,7 @@ SeriesDrawing drawing_of(const Series& series, const Panel& panel) {
   return drawing;
 }
 
-/// Those points of a line that have a gap on either side, which no line can show.
+/// Points of a line with a gap on either side, which no line can show.
 PlotRun lone_points(const SeriesDrawing& drawing) {
   PlotRun points;
   if (drawing.looks.style == SeriesStyle::points || is_ground(drawing.looks.style)) return points;
@@ -87,14 +87,14 @@ PlotRun lone_points(const SeriesDrawing& drawing) {
   return points;
 }
 
-/// Where an axis ends for certain.
+/// The span with the given ends of the axis.
 Span with_limits(Span span, const Axis& axis) {
   return {.low = axis.low.value_or(span.low), .high = axis.high.value_or(span.high)};
 }
 
 /// A line across at the very top would have no room for its name.
 void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
-  constexpr double height_of_name = 0.06;  // of the axis
+  constexpr double height_of_name = 0.06;  // as a share of the axis
   if (y.logarithmic || y.high) return;
   const double room = height_of_name * (drawing.y.high - y.low.value_or(drawing.y.low));
   if (!std::isfinite(room) || room <= 0) return;
@@ -103,7 +103,7 @@ void leave_room_above_lines(PanelDrawing& drawing, const Axis& y) {
       for (const double place : series.places) drawing.y.include(place + room);
 }
 
-/// What the axes have to include: along y, what the x axis shows.
+/// Finds what the axes have to include; along y only what the x axis shows counts.
 void find_spans(PanelDrawing& drawing, const Panel& panel) {
   Span shown_y, all_y;
   const auto include = [&](const PlotRow& row) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What there is to draw of a plot, and how it looks.
+/// The data of a plot that are drawn, and their looks.
 
 #include <cstddef>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace dashpad::output {
 
-/// Colours, dashes and shapes by turns; later turns begin again. The number of colours shares no
-/// factor with the others.
+/// The numbers of colours, dashes and shapes, which repeat. The number of colours shares no factor with the
+/// others.
 inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_turn = 6;
 
 /// Whether it is a line across the whole panel.
 bool is_marker(SeriesStyle style);
 /// Whether it goes from point to point.
 bool is_line(SeriesStyle style);
-/// Behind everything else.
+/// Whether the style is drawn behind all others.
 bool is_ground(SeriesStyle style);
 
-/// "#rrggbb" of a shade, between the colours of viridis (Smith, van der Walt 2015): as light as it is high,
-/// so that the colour-blind and grey prints tell the order.
+/// The colour of a shade, "#rrggbb", on the viridis scale (Smith, van der Walt 2015). Its lightness rises
+/// with the shade, so that it is legible in grey and for the colour-blind.
 std::string colour_of_shade(double shade);
 
 /// A class of the style sheet, which knows light and dark paper, or the colour of a shade.
@@ -37,15 +37,15 @@ struct Looks {
   SeriesStyle style = SeriesStyle::line;
   SeriesColour colour;
   double width = 0;         ///< px, of lines
-  std::size_t pattern = 0;  ///< of the dashes of a line by turns, or the shape of points
-  bool is_dot = false;      ///< in place of a line that has only one point
+  std::size_t pattern = 0;  ///< index of the dashes of a line, or of the shape of points
+  bool is_dot = false;      ///< a dot that replaces a line of a single point
 
   bool operator==(const Looks&) const = default;
 };
 
 Looks looks_of(const Series& series, std::size_t palette_index);
 
-/// What the legend would say of a series.
+/// An entry of the legend.
 struct LegendEntry {
   std::string label;
   Looks looks;
@@ -63,18 +63,18 @@ struct SeriesDrawing {
   bool has_arrow = false;
   Looks looks = {};
   std::vector<PlotRun> runs = {};   ///< thinned; none for vertical and horizontal lines
-  std::vector<double> places = {};  ///< of vertical and horizontal lines
+  std::vector<double> places = {};  ///< places of vertical and horizontal lines
 };
 LegendEntry entry_of(const SeriesDrawing& series);
 
 struct PanelDrawing {
-  std::vector<SeriesDrawing> series;  ///< those that have something to show, bands first
-  std::vector<LegendEntry> named;     ///< those that have a label, in their order
-  Span x, y;                          ///< what the axes have to include
+  std::vector<SeriesDrawing> series;  ///< series with something to show, bands first
+  std::vector<LegendEntry> named;     ///< series with a label, in their order
+  Span x, y;                          ///< ranges that the axes have to include
   bool has_data = false;              ///< more than vertical and horizontal lines
 };
 
-/// One for each panel. Throws std::invalid_argument if no panel has data.
+/// The drawings of all panels. Throws std::invalid_argument if no panel has data.
 std::vector<PanelDrawing> drawings_of(const Plot& plot);
 
 }  // namespace dashpad::output

@@ -12,10 +12,10 @@ namespace dashpad::output {
 namespace {
 
 constexpr std::size_t longest_end_label = 40;
-/// More labels, or longer ones, are easier to read in a legend.
+/// The largest number of labels, and of their lines, beside a plot; beyond it a legend is easier to read.
 constexpr std::size_t max_lines_named_at_ends = 4, max_lines_of_text = 2;
 constexpr double max_of_width = 0.29;
-/// Of labels that are what a plot is read by, such as the names of bars.
+/// The share of the width for labels that identify the rows of a plot, such as the names of bars.
 constexpr double max_of_width_for_rows = 0.36;
 constexpr double end_label_line = 16;  // px
 
@@ -41,7 +41,7 @@ std::vector<std::string> in_few_lines(const std::string& text, double width) {
   return size == readable(text).size() ? lines : std::vector<std::string>{};
 }
 
-/// Where a line ends, or where it turns if it comes back.
+/// The right end of a line, or where it turns if it comes back.
 Place end_of(const SeriesDrawing& series, const PanelScale& scale) {
   Place last{scale.size.width, scale.size.height}, farthest{-1, 0};
   for (const PlaceLine& part : parts_inside(series, scale)) {
@@ -62,7 +62,7 @@ struct Block {
   [[nodiscard]] double mean() const { return sum / static_cast<double>(size); }
 };
 
-/// From the line to its name, if that is not just beside it.
+/// A leader from the line to its label, unless the label is right beside the end of the line.
 std::string leader(const EndLabel& label, double width) {
   const bool is_beside = label.line_end.x > width - 1 && std::abs(label.line_end.y - label.height) < 1;
   if (is_beside) return {};
@@ -98,7 +98,7 @@ void place(std::vector<EndLabel>& labels, const PanelScale& scale) {
 void make_room(std::vector<EndLabel>& labels, double height) {
   if (labels.empty()) return;
   std::ranges::stable_sort(labels, {}, [](const EndLabel& label) { return label.line_end.y; });
-  // How far below the first each is if there is nothing between them.
+  // The distance of each label below the first if they are packed without gaps.
   std::vector<double> below{0};
   for (std::size_t i = 1; i < labels.size(); ++i)
     below.push_back(below.back() + (height_of(labels[i - 1]) + height_of(labels[i])) / 2);

@@ -77,7 +77,7 @@ class Areas {
   Outline pending_;
 };
 
-/// Between two corners of the grid, by their numbers, the lower first.
+/// An edge by the numbers of its two grid corners, the lower first.
 using Edge = std::pair<std::size_t, std::size_t>;
 /// Which edges the line joins to an edge: at most two.
 using Neighbours = std::map<Edge, std::vector<Edge>>;
@@ -112,7 +112,7 @@ void add_triangle(const Grid& grid, const std::array<std::size_t, 3>& corners, d
   neighbours[crossed[1]].push_back(crossed[0]);
 }
 
-/// On the same triangles as filled_areas().
+/// The edges crossed by a level, on the same triangles as filled_areas().
 Neighbours crossings(const Grid& grid, double level) {
   Neighbours neighbours;
   const std::size_t width = grid.across.size();
@@ -128,7 +128,7 @@ Neighbours crossings(const Grid& grid, double level) {
   return neighbours;
 }
 
-/// One line from that edge on, taken out of what is left. A ring ends where it began.
+/// Takes one line, beginning at an edge, out of the remaining crossings. A ring ends where it began.
 std::vector<Edge> taken_from(Neighbours& left, Edge at) {
   std::vector<Edge> line{at};
   while (!left[at].empty()) {
@@ -144,7 +144,7 @@ std::vector<Edge> taken_from(Neighbours& left, Edge at) {
 
 std::vector<double> round_levels(double least, double greatest) {
   constexpr double about = 9;
-  constexpr double rounding = 1e-9;  // of the numbers: what differs by less does not differ
+  constexpr double rounding = 1e-9;  // relative difference below which numbers count as equal
   const double range = greatest - least;
   if (!std::isfinite(range) || !(range > rounding * std::max(std::abs(least), std::abs(greatest)))) return {};
   const double rough = range / about;
@@ -160,11 +160,11 @@ std::vector<double> round_levels(double least, double greatest) {
 
 Series class_of_levels(const std::vector<double>& levels, std::size_t i, const std::string& unit) {
   const std::size_t classes = levels.size() - 1;
-  return {.label = fmt::format("{} to {}{}{}", four_digits(levels[i]), four_digits(levels[i + 1]),
-                               unit.empty() ? "" : " ", unit),
-          .style = SeriesStyle::area,
-          .palette_index = 0,
-          .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
+  return {
+      .label = with_unit(fmt::format("{} to {}", four_digits(levels[i]), four_digits(levels[i + 1])), unit),
+      .style = SeriesStyle::area,
+      .palette_index = 0,
+      .shade = classes < 2 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1)};
 }
 
 std::vector<Series> lone_dots(const std::vector<double>& across, const std::vector<double>& up,
@@ -173,7 +173,7 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
   const auto is_finite = [&](std::size_t line, std::size_t place) {
     return line < up.size() && place < across.size() && std::isfinite(values[line][place]);
   };
-  /// Of the cell below and before the corner.
+  /// Whether the cell whose last corner this is has all its values.
   const auto is_whole_before = [&](std::size_t line, std::size_t place) {
     return line > 0 && place > 0 && is_finite(line, place) && is_finite(line - 1, place) &&
            is_finite(line, place - 1) && is_finite(line - 1, place - 1);

@@ -14,59 +14,57 @@ namespace {
 
 constexpr std::size_t turn_of_model = 0, turn_of_data = 1, turn_of_way_back = 2;
 
-Series data_points(const char* label, std::size_t palette_index) {
-  Series series{.label = label, .style = SeriesStyle::points};
-  series.palette_index = palette_index;
-  return series;
-}
+Series zero_line() { return {.style = SeriesStyle::horizontal_line, .y = {0}}; }
 
-Series zero_line() {
-  Series series{.style = SeriesStyle::horizontal_line};
-  series.y = {0};
-  return series;
-}
+/// A quantity of a test: a series for loading and one for unloading.
+struct BothWays {
+  Series up, down;
 
-/// The model as it is compared: its line on the way up, and on the way down, with a gap where it turns.
-void add_model(Panel& panel, const fit::MetTest& test, const UnitSystem& units) {
-  Series up{.label = "model, loading", .style = SeriesStyle::solid_line};
-  Series down{.label = "model, unloading", .style = SeriesStyle::dashed_line};
-  up.palette_index = down.palette_index = turn_of_model;
-  const double offset = test.offset.value_or(0);
-  for (std::size_t i = 0; i < test.computed.size(); ++i) {
-    const double stress = value_in(units, test.computed[i] + offset, "Pa");
-    Series& own = test.course[i] > 0 ? up : down;
-    if (i > 0 && test.course[i] != test.course[i - 1]) {
-      // The turning point belongs to both; what was drawn of this way before is another cycle.
-      own.add(NAN, NAN);
-      own.add(test.strain[i - 1], value_in(units, test.computed[i - 1] + offset, "Pa"));
-    }
-    own.add(test.strain[i], stress);
+  Series& way(int course) { return course > 0 ? up : down; }
+  void add_to(Panel& panel) {
+    for (Series* series : {&up, &down})
+      if (!series->x.empty()) panel.series.push_back(std::move(*series));
   }
-  for (Series* series : {&up, &down})
-    if (!series->x.empty()) panel.series.push_back(std::move(*series));
+};
+
+/// The lines of the model, each with a gap before a new cycle.
+BothWays model_of(const fit::MetTest& test, double offset, const UnitSystem& units) {
+  BothWays model{
+      {.label = "model, loading", .style = SeriesStyle::solid_line, .palette_index = turn_of_model},
+      {.label = "model, unloading", .style = SeriesStyle::dashed_line, .palette_index = turn_of_model}};
+  for (std::size_t i = 0; i < test.computed.size(); ++i) {
+    Series& own = model.way(test.course[i]);
+    const auto add = [&](std::size_t k) {
+      own.add(test.strain[k], value_in(units, test.computed[k] + offset, "Pa"));
+    };
+    if (i > 0 && test.course[i] != test.course[i - 1]) {
+      own.add(NAN, NAN);
+      add(i - 1);  // the turning point belongs to both ways
+    }
+    add(i);
+  }
+  return model;
 }
 
 }  // namespace
 
 CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units) {
-  Panel stress{"Stress", {.label = "Strain"}, axis_with_unit("Stress", "Pa", units), {}};
-  Panel off{"Model minus test", {.label = "Strain"}, axis_with_unit("Stress", "Pa", units), {}};
-  stress.x.low = off.x.low = 0;
-  Series up = data_points("test, loading", turn_of_data),
-         down = data_points("test, unloading", turn_of_way_back);
-  Series off_up = up, off_down = down;
+  const Axis strain{.label = "Strain", .low = 0};
+  Panel stress{"Stress", strain, axis_with_unit("Stress", "Pa", units), {}};
+  Panel off{"Model minus test", strain, axis_with_unit("Stress", "Pa", units), {zero_line()}};
+  BothWays measured{
+      {.label = "test, loading", .style = SeriesStyle::points, .palette_index = turn_of_data},
+      {.label = "test, unloading", .style = SeriesStyle::points, .palette_index = turn_of_way_back}};
+  BothWays difference = measured;
   const double offset = test.offset.value_or(0);
   for (std::size_t i = 0; i < test.strain.size(); ++i) {
-    (test.course[i] > 0 ? up : down).add(test.strain[i], value_in(units, test.measured[i], "Pa"));
-    (test.course[i] > 0 ? off_up : off_down)
+    measured.way(test.course[i]).add(test.strain[i], value_in(units, test.measured[i], "Pa"));
+    difference.way(test.course[i])
         .add(test.strain[i], value_in(units, test.computed[i] + offset - test.measured[i], "Pa"));
   }
-  off.series.push_back(zero_line());
-  for (Series* series : {&up, &down})
-    if (!series->x.empty()) stress.series.push_back(std::move(*series));
-  add_model(stress, test, units);  // over the points
-  for (Series* series : {&off_up, &off_down})
-    if (!series->x.empty()) off.series.push_back(std::move(*series));
+  measured.add_to(stress);
+  model_of(test, offset, units).add_to(stress);  // over the points
+  difference.add_to(off);
   CaptionedPlot figure;
   figure.plot = {
       one_line(test.file) + (test.is_held_out ? ", predicted, not fitted" : ""),
@@ -80,10 +78,9 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
 
 CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& units) {
   Panel over_time{"Deceleration", axis_of("time", units), axis_of("deceleration", units), {}};
-  Panel off{"Model minus pulse", axis_of("time", units), axis_of("deceleration", units), {}};
-  Series model{.label = "model", .style = SeriesStyle::solid_line},
-      measured = data_points("pulse", turn_of_data);
-  model.palette_index = turn_of_model;
+  Panel off{"Model minus pulse", over_time.x, over_time.y, {}};
+  Series model{.label = "model", .style = SeriesStyle::solid_line, .palette_index = turn_of_model},
+      measured{.label = "pulse", .style = SeriesStyle::points, .palette_index = turn_of_data};
   Series rest = measured;
   for (std::size_t i = 0; i < pulse.time.size(); ++i) {
     const double time = value_in(units, pulse.time[i], "s");

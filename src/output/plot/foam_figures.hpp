@@ -1,5 +1,5 @@
 #pragma once
-/// What is plotted of foams: their own curves, tests of them, and what a fit met.
+/// Plots of foams: their curves, tests of them, and the data of fits.
 
 #include <optional>
 
@@ -12,13 +12,12 @@
 
 namespace dashpad::output {
 
-/// How much of its foam one impact uses: stress over strain in a first loading at the slowest tested rate,
-/// under the pad's condition: solid and shaded up to the largest strain of the impact, dashed beyond, with a
-/// line where the tests ended. Of a pad of layers, the one that is compressed most. Beside it the curve at
-/// the highest rate of the impact, where the foam knows rates.
+/// How an impact uses its foam: stress over strain in a first loading at the slowest tested rate, in the
+/// condition of the pad; solid and shaded up to the largest strain of the impact, dashed beyond, with a line
+/// where the tests end. Of several layers, the most compressed one is shown. For a foam with a rate effect
+/// the curve at the highest rate of the impact is added.
 ///
-/// The title says how far the foam is used. None where nothing was run, and for a pad whose law breaks a
-/// rule.
+/// The title says how far the foam is used. None if nothing was run or the law breaks a rule.
 std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, const UnitSystem& units);
 
 /// A line across where the foam's tests end; nothing where that is not known, or at full compression.
@@ -27,15 +26,15 @@ std::optional<Series> line_of_range(const Material& material);
 // The panels of a material test: one curve a rate, in the colour of its turn everywhere.
 
 Panel stress_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units);
-/// The time axis is logarithmic where the runs last so differently that a plain one would hide some, and for
-/// relaxation and creep.
+/// Stress over time. The time axis is logarithmic for relaxation and creep, and for runs of very different
+/// durations.
 Panel stress_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 Panel strain_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
-/// Of the first loading, as the rest.
+/// This panel and the following ones show the first loading.
 Panel energy_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 Panel efficiency_over_strain(const laboratory::MaterialTestReport& report);
 Panel ideality_over_strain(const laboratory::MaterialTestReport& report);
-/// With the stress limits that were asked for.
+/// Efficiency over stress, with lines at the requested stress limits.
 Panel efficiency_over_stress(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
 /// Stress over strain, and what the model of a fit is off by over strain.

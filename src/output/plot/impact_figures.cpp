@@ -21,7 +21,7 @@ CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
   return {.plot = {.title = std::move(title), .panels = {std::move(panel)}}, .note = std::move(note)};
 }
 
-/// There solid, and back dashed.
+/// Force over a distance, solid on the way in and dashed on the way back.
 Panel loop(const char* key, const std::vector<double>& way, const Solution& solution,
            const UnitSystem& units) {
   const std::vector<double> x = values_in(units, way, "m"), y = values_in(units, solution.history.force, "N");
@@ -39,7 +39,7 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   return panel;
 }
 
-/// What is plotted over time, in the colour of its turn and with its dashes.
+/// A quantity that is plotted over time.
 struct OverTime {
   const char* key;
   const std::vector<double>& values;  ///< SI, an entry for each of the history
@@ -92,27 +92,26 @@ std::string percent(double share) { return fmt::format("{} %", significant(100 *
 /// Nearer to full compression than half a hundredth, stress has no finite limit.
 double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
   double highest = 0;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    for (std::size_t i = 0; i < contact_snapshot.stress.size(); ++i)
-      if (contact_snapshot.strain[i] < 0.995) highest = std::max(highest, contact_snapshot.stress[i]);
+  for (const ContactSnapshot& snapshot : snapshots)
+    for (std::size_t i = 0; i < snapshot.stress.size(); ++i)
+      if (snapshot.strain[i] < 0.995) highest = std::max(highest, snapshot.stress[i]);
   return highest;
 }
 
-/// By how much the integrals of these stresses are off the force at most, of those that the law fixes; 0
-/// without any.
+/// The largest relative difference between the integral of these stresses and the force, among the stresses
+/// that the law determines; 0 without any.
 double deviation_of_stress(const std::vector<ContactSnapshot>& snapshots) {
   double deviation = 0;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    if (contact_snapshot.determined)
-      deviation =
-          std::max(deviation, std::abs(contact_snapshot.force_of_stress() / contact_snapshot.force - 1));
+  for (const ContactSnapshot& snapshot : snapshots)
+    if (snapshot.determined)
+      deviation = std::max(deviation, std::abs(snapshot.force_of_stress() / snapshot.force - 1));
   return deviation;
 }
 
 std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double highest) {
   const auto known = std::ranges::count_if(snapshots, &ContactSnapshot::determined);
-  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& contact_snapshot) {
-    return std::ranges::any_of(contact_snapshot.stress, [&](double stress) { return stress > highest; });
+  const bool leaves = std::ranges::any_of(snapshots, [&](const ContactSnapshot& snapshot) {
+    return std::ranges::any_of(snapshot.stress, [&](double stress) { return stress > highest; });
   });
   std::string note;
   if (known > 0)
@@ -126,14 +125,13 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
   return note.substr(0, note.find_last_not_of(' ') + 1);
 }
 
-/// Near full compression the stress on the axis dwarfs all others: then four decades, the last of which holds
-/// the highest.
+/// Sets the axis of stresses. Where the stress near full compression exceeds all others by far, it spans four
+/// decades up to that stress.
 void set_stress_axis(Axis& axis, const std::vector<ContactSnapshot>& snapshots, double highest,
                      double factor) {
   double lowest = highest;
-  for (const ContactSnapshot& contact_snapshot : snapshots)
-    if (!contact_snapshot.stress.empty())
-      lowest = std::min(lowest, std::ranges::max(contact_snapshot.stress));
+  for (const ContactSnapshot& snapshot : snapshots)
+    if (!snapshot.stress.empty()) lowest = std::min(lowest, std::ranges::max(snapshot.stress));
   if (!(highest > 0)) return;
   axis.low = 0;
   axis.high = 1.06 * highest * factor;
@@ -205,16 +203,16 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
   const double highest = highest_stress(snapshots);
   set_stress_axis(stress.y, snapshots, highest, value_in(units, 1, "Pa"));
   for (std::size_t palette_index = 0; palette_index < snapshots.size(); ++palette_index) {
-    const ContactSnapshot& contact_snapshot = snapshots[palette_index];
+    const ContactSnapshot& snapshot = snapshots[palette_index];
     const std::string label =
-        fmt::format("{}, {}", brief_quantity(contact_snapshot.time, "s", units, 3), contact_snapshot.when);
-    const std::vector<double> radius = values_in(units, contact_snapshot.radius, "m");
+        fmt::format("{}, {}", brief_quantity(snapshot.time, "s", units, 3), snapshot.when);
+    const std::vector<double> radius = values_in(units, snapshot.radius, "m");
     stress.series.push_back({.label = label,
                              .x = radius,
-                             .y = values_in(units, contact_snapshot.stress, "Pa"),
+                             .y = values_in(units, snapshot.stress, "Pa"),
                              .palette_index = palette_index});
     strain.series.push_back(
-        {.label = label, .x = radius, .y = contact_snapshot.strain, .palette_index = palette_index});
+        {.label = label, .x = radius, .y = snapshot.strain, .palette_index = palette_index});
   }
   // Next to full compression stations of their own do not find the force again.
   constexpr double max_deviation = 0.05;
@@ -231,7 +229,7 @@ ImpactEnergies impact_energies(const ImpactCase& impact, const History& history)
   const std::vector<double> back = work_of(history.force_of_pad(), [&](std::size_t i) {
     return history.support_deflection[i] + (history.body_motion.empty() ? 0 : history.body_motion[i]);
   });
-  // With the sheet on it, which takes its share from the impactor.
+  // A sheet on the pad takes its share of the energy from the impactor.
   const bool has_sheet = !history.pad_force.empty();
   ImpactEnergies energies;
   energies.pad = work_of(
@@ -240,7 +238,7 @@ ImpactEnergies impact_energies(const ImpactCase& impact, const History& history)
   for (std::size_t i = 0; i < history.size(); ++i) {
     if (has_sheet) energies.pad[i] -= back[i];
     energies.kinetic.push_back(impact.impactor.mass * history.velocity[i] * history.velocity[i] / 2);
-    // What a support has taken is a function of the force as long as it is only elastic.
+    // As long as a support is only elastic, its energy is a function of the force.
     const double elastic = impact.support.is_rigid() ? 0.0 : impact.support.energy(history.force_of_pad()[i]);
     energies.support.push_back(history.body_motion.empty() ? elastic : back[i]);
     energies.total.push_back(energies.kinetic[i] + energies.support[i] + energies.pad[i] -

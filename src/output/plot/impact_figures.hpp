@@ -1,5 +1,5 @@
 #pragma once
-/// All that is plotted of one impact: a figure each for pages, and what stills and other pages have of them.
+/// The figures of one impact for pages, and those that stills and other pages share.
 
 #include <cstddef>
 #include <optional>
@@ -31,25 +31,29 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
 /// "peaks at 76.3 g and holds 71.2 g for 3 ms".
 std::string peak_words(const injury::InjuryFigures& figures);
 
-/// The window of a head injury criterion: a bracket just above the axis of time, from the begin of the window
-/// to its end; a wash over half of the plot would hide what it is about. `peak`, with its sign, is that of
-/// the curve; `row` counts brackets from the axis on.
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
-                   int row = 0);
+/// The window of a head injury criterion as a bracket just above the time axis: shading would hide the curve.
+/// `value` is the criterion as it is shown; `peak`, with its sign, that of the curve, g; `row` counts
+/// brackets from the axis upwards.
+Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& value, double peak,
+                   std::size_t palette_index, const UnitSystem& units, int row = 0);
 
-/// Ends the axis of a force, or of what is in proportion to it, above what a pad that bottomed out on a rigid
-/// support had before the last hundredth of its penetration: at the end it has no finite limit, and would
-/// hide all the rest. `column` is what is plotted, an entry for each of the history.
+/// Adds a line across at the level of the 3 ms clip, g, with its value as it is shown. Level 0 adds nothing:
+/// the pulse is shorter than the clip.
+void add_clip(Panel& panel, double level, const std::string& value);
+
+/// Limits the axis of a force, or of a quantity proportional to it, if the pad bottomed out on a rigid
+/// support: the force has no finite limit there. The axis ends above the values before the last hundredth of
+/// the penetration. `column` has the plotted values, one for each entry of the history.
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column);
 /// The same of a panel over time, which begins at nothing, with a line across where the pad bottoms out.
 void show_bottoming(Panel& panel, const Solution& solution, const std::vector<double>& column,
                     const UnitSystem& units);
 
-/// Where the energy of an impact is, J, an entry for each of the history. Works are trapezoid sums of force
-/// over way, the work of the weight is part of the total.
+/// The energies of an impact over time, J, an entry for each of the history. Works are trapezoidal sums of
+/// force over distance; the total includes the work of the weight.
 struct ImpactEnergies {
   std::vector<double> kinetic, support, pad, total;
-  double largest_deviation = 0;  ///< of the total from what it was at first, as a share of that
+  double largest_deviation = 0;  ///< largest relative deviation of the total from its first value
 };
 ImpactEnergies impact_energies(const ImpactCase& impact, const History& history);
 

@@ -11,7 +11,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// One side of the rectangle: how far inside of it a place is.
+/// A side of the rectangle, from which the depth of a place inside is measured.
 struct Side {
   double Place::*coordinate;
   double at;
@@ -28,8 +28,8 @@ Place between(const Place& from, const Place& to, double part) {
   return {std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part)};
 }
 
-/// The part of the way from one place to another that is inside: from the first to the second share. Nothing
-/// if the first is not below the second. (Liang and Barsky 1984.)
+/// The part of a segment inside the rectangle, as shares of its length (Liang and Barsky 1984). The first is
+/// not below the second if no part is.
 std::pair<double, double> share_inside(const Place& from, const Place& to, const PlotSize& size) {
   double begin = 0, end = 1;
   for (const Side& side : sides_of(size)) {
@@ -45,8 +45,8 @@ double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a
 
 constexpr double unseen = 0.05;  // px
 
-/// The directions in which a line may go on from a place that stays, so that it passes all places since then
-/// close enough. As wedges of Williams (1978).
+/// The directions in which a line may continue from a place so that it passes all later places closely enough
+/// (the wedges of Williams, 1978).
 class Wedge {
  public:
   explicit Wedge(const Place& tip) : tip_(tip) {}
@@ -102,8 +102,8 @@ std::vector<PlaceLine> line_inside(const PlaceLine& line, const PlotSize& size) 
 }
 
 PlaceLine area_inside(PlaceLine outline, const PlotSize& size) {
-  // Side by side (Sutherland and Hodgman 1974). What is left of an area in several parts hangs together along
-  // the sides, which a filling does not show.
+  // Clipping side by side (Sutherland and Hodgman 1974) connects separate parts along the sides, which a
+  // filling does not show.
   for (const Side& side : sides_of(size)) {
     PlaceLine kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {

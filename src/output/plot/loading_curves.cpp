@@ -24,17 +24,17 @@ namespace dashpad::output {
 
 namespace {
 
-/// Of one foam.
+/// The range of a plot of one foam.
 constexpr double last_drawn_strain = 0.98;
-constexpr int places_of_curve = 196;  // of 0.005
-/// Of foams side by side.
+constexpr int places_of_curve = 196;  // steps of 0.005
+/// The range of a plot that compares foams.
 constexpr double last_compared_strain = 0.8;
-constexpr int places_of_compared = 400;  // of 0.002
-/// A pad that is pressed flat would make all else a line along the axis: there the plot ends at that many
-/// times what half the strain takes.
+constexpr int places_of_compared = 400;  // steps of 0.002
+/// The largest stress in a plot, as a multiple of the stress at half the strain: that of a pad pressed flat
+/// would hide the rest of the curve.
 constexpr double steepest = 10;
 
-/// At a strain between those of the curve.
+/// The stress at a strain between those of the curve.
 double stress_at_strain(const laboratory::LoadingCurve& curve, double strain) {
   const auto above = std::ranges::lower_bound(curve.strain, strain);
   if (above == curve.strain.end()) return curve.stress.back();
@@ -56,7 +56,7 @@ Series part_of_curve(const laboratory::LoadingCurve& curve, double from, double 
   return part;
 }
 
-/// Of foams side by side: solid as far as one was tested, dashed beyond.
+/// Adds the curve of a foam to a comparison: solid as far as it was tested, dashed beyond.
 void add_curve(Panel& panel, const Material& material, std::size_t palette_index, const UnitSystem& units) {
   const laboratory::LoadingCurve curve = laboratory::loading_curve(
       material, laboratory::tested_rates(material).front(), last_compared_strain, places_of_compared);
@@ -70,7 +70,7 @@ void add_curve(Panel& panel, const Material& material, std::size_t palette_index
   panel.series.back().end_label = one_line(material.name);
 }
 
-/// From what the softest foam carries at a small strain to the most that any carries, in round numbers.
+/// Sets limits from the stress of the softest foam at a small strain to the largest stress, in round numbers.
 void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
   constexpr double small_strain = 0.05;
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -86,13 +86,13 @@ void set_stress_limits(Axis& axis, const std::vector<Series>& series) {
   axis.high = round_number(high * 1.01, true);
 }
 
-/// One foam of a pad, and how far it was compressed.
+/// A foam of a pad and how far it was compressed.
 struct UsedFoam {
   const Material& material;
   const PadCondition& condition;
   double strain = 0;
   double rate = 0;        ///< the highest, 1/s
-  std::size_t layer = 0;  ///< from 1; 0: the pad is of one foam
+  std::size_t layer = 0;  ///< counted from 1; 0 for a pad of one foam
 };
 
 UsedFoam used_foam(const Pad& pad, const Summary& summary) {
@@ -116,14 +116,10 @@ std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRan
 
 /// "at 0.01 per second"; empty where the law knows no rate.
 std::string rate_words_of(const Material& material, double rate) {
-  const bool has_rate = std::visit(
-      []<class Law>(const Law& law) {
-        if constexpr (SharesSlip<Law>)
-          return !std::holds_alternative<NoRateEffect>(law.curves.rate_effect);
-        else
-          return !Law::memoryless;
-      },
-      material.law);
+  const FoamCurves* const curves = foam_curves(material.law);
+  const bool has_rate =
+      curves ? !std::holds_alternative<NoRateEffect>(curves->rate_effect)
+             : std::visit([]<class Law>(const Law&) { return !Law::memoryless; }, material.law);
   return has_rate ? fmt::format(" at {} per second", brief(rate, 3)) : "";
 }
 
@@ -133,14 +129,8 @@ double highest_shown(const laboratory::LoadingCurve& curve, double used) {
   return room * std::min(stress_at_strain(curve, used), steepest * stress_at_strain(curve, used / 2));
 }
 
-/// As highest_shown(), of a series.
-double fast_stress_shown(const Series& fast) {
-  const double half = fast.y[fast.y.size() / 2];
-  return std::min(fast.y.back(), steepest * half);
-}
-
-/// The curve at the highest rate of the impact, as far as it was used: the foam is stiffer there than where
-/// it was tested slowly. Nothing of a foam that knows no rate, or was not faster.
+/// The curve at the highest rate of the impact, up to the strain that was reached. None for a foam without a
+/// rate effect, or if the impact was not faster than the tests.
 std::optional<Series> curve_at_rate(const Material& material, const UsedFoam& foam, double slowest,
                                     const UnitSystem& units) {
   if (rate_words_of(material, foam.rate).empty() || !(foam.rate > slowest)) return std::nullopt;
@@ -193,7 +183,8 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   std::string source =
       fmt::format("{}: first loading{}", one_line(material.name), rate_words_of(material, rate));
   if (std::optional<Series> fast = curve_at_rate(material, foam, rate, units)) {
-    panel.y.high = std::max(*panel.y.high, 1.05 * fast_stress_shown(*fast));
+    const double shown = std::min(fast->y.back(), steepest * fast->y[fast->y.size() / 2]);
+    panel.y.high = std::max(*panel.y.high, 1.05 * shown);
     panel.series.push_back(*std::move(fast));
     source += ", and at the highest rate of this impact";
   }

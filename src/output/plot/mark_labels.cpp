@@ -12,9 +12,9 @@ namespace dashpad::output {
 namespace {
 
 constexpr double mark_line = 16;  // px
-/// From a line to the base of a text above it, below it, and to a text beside it, px.
+/// Distances from a line to the base line of a text above it and below it, and to a text beside it, px.
 constexpr double to_text_above = 4, to_text_below = 13, to_text_beside = 6;
-/// More are easier to read in a legend.
+/// The largest number of names on lines across; more are easier to read in a legend.
 constexpr std::size_t max_named_lines_across = 4;
 
 struct Box {
@@ -30,7 +30,7 @@ Box box_at(const TextPlace& place, double width) {
   return {left, place.at.y - ascent, left + width, place.at.y + descent};
 }
 
-/// What a text must not lie on.
+/// Everything that a text must not cover.
 struct Obstacles {
   PlotSize size;
   std::vector<PlaceLine> lines;
@@ -105,7 +105,7 @@ std::vector<TextPlace> beside_horizontal(double y, double width, const PlotSize&
 std::vector<TextPlace> beside_vertical(double x) {
   constexpr int rows = 8;
   std::vector<TextPlace> all;
-  // Where a curve runs along the line, on the other side of it.
+  // The second distance avoids a curve that runs along the line.
   for (const double away : {to_text_beside, 3 * to_text_beside})
     for (int row = 0; row < rows; ++row) {
       const double base = to_text_below + mark_line * row;
@@ -154,7 +154,7 @@ bool is_named_point(const SeriesDrawing& series) {
          !series.label.empty() && series.runs.size() == 1 && series.runs.front().size() == 1;
 }
 
-/// Where the name of a series could stand.
+/// The possible places for the name of a series, the best first.
 std::vector<TextPlace> places_for(const SeriesDrawing& series, const PanelScale& scale) {
   if (is_named_line_across(series))
     return series.looks.style == SeriesStyle::vertical_line

@@ -30,13 +30,12 @@ struct OfRun {
 OfRun strain_of_column() {
   return {{.label = "Strain", .low = 0}, [](const MaterialTestRun& run) { return run.column.strain; }};
 }
-OfRun strain_of_cushion() {
-  return {{.label = "Strain", .low = 0}, [](const MaterialTestRun& run) { return run.cushion.strain; }};
+/// A pure number of the first loading.
+OfRun of_cushion(const char* label, Values laboratory::CushionCurve::*values) {
+  return {{.label = label, .low = 0}, [values](const MaterialTestRun& run) { return run.cushion.*values; }};
 }
-OfRun efficiency() {
-  return {{.label = "Efficiency", .low = 0},
-          [](const MaterialTestRun& run) { return run.cushion.efficiency; }};
-}
+OfRun strain_of_cushion() { return of_cushion("Strain", &laboratory::CushionCurve::strain); }
+OfRun efficiency() { return of_cushion("Efficiency", &laboratory::CushionCurve::efficiency); }
 OfRun stress_of_column(const UnitSystem& units) {
   return {axis_with_unit("Stress", "Pa", units),
           [&](const MaterialTestRun& run) { return values_in(units, run.column.stress, "Pa"); }};
@@ -59,7 +58,7 @@ Series curve_of_run(const MaterialTestReport& report, std::size_t run, Values x,
   return {.label = rate_words(report.runs[run]), .x = std::move(x), .y = std::move(y), .palette_index = run};
 }
 
-/// One curve a run.
+/// A panel with one curve for each run.
 Panel panel_of_runs(const MaterialTestReport& report, const char* title, const OfRun& x, const OfRun& y) {
   Panel panel{.title = title, .x = x.axis, .y = y.axis};
   for (std::size_t i = 0; i < report.runs.size(); ++i)
@@ -96,15 +95,15 @@ Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& uni
   Panel panel = panel_of_runs(report, "Stress over strain", strain_of_column(), stress_of_column(units));
   for (Series& loop : panel.series) loop.has_arrow = true;
   add_points_of_1984(panel, report, units,
-                     [](const laboratory::UpdateOf1984& update_of1984) { return update_of1984.strain; });
+                     [](const laboratory::UpdateOf1984& update) { return update.strain; });
   return panel;
 }
 
 Panel stress_over_time(const MaterialTestReport& report, const UnitSystem& units) {
   Panel panel =
       panel_of_runs(report, "Stress over time", time_of_column(report, units), stress_of_column(units));
-  add_points_of_1984(panel, report, units, [&](const laboratory::UpdateOf1984& update_of1984) {
-    return values_in(units, update_of1984.time, "s");
+  add_points_of_1984(panel, report, units, [&](const laboratory::UpdateOf1984& update) {
+    return values_in(units, update.time, "s");
   });
   return panel;
 }
@@ -124,9 +123,8 @@ Panel efficiency_over_strain(const MaterialTestReport& report) {
 }
 
 Panel ideality_over_strain(const MaterialTestReport& report) {
-  const OfRun ideality{{.label = "Ideality", .low = 0},
-                       [](const MaterialTestRun& run) { return run.cushion.ideality; }};
-  return panel_of_runs(report, "Ideality over strain", strain_of_cushion(), ideality);
+  return panel_of_runs(report, "Ideality over strain", strain_of_cushion(),
+                       of_cushion("Ideality", &laboratory::CushionCurve::ideality));
 }
 
 Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem& units) {

@@ -11,15 +11,12 @@ namespace dashpad::output {
 
 namespace {
 
-// All px.
+// All lengths are in px.
 constexpr double tick_length = 5, tick_gap = 8, panel_title_line = 21, axis_title_line = 18;
-constexpr double below_numbers = 20, below_panel = 17;  // from the axis on, and from the title on
+constexpr double below_numbers = 20, below_panel = 17;  // distances from the axis and from the title
 constexpr std::size_t max_y_labels = 7;
 
-/// How many labels there is room for, whatever they say.
-std::size_t max_x_labels(double plot_width) { return plot_width < 480 ? 7 : 9; }
-
-/// Of the axes, px: narrow plots are less high, and not as flat as wide ones.
+/// The height of the axes, px. Narrow plots are less high, but not as flat as wide ones.
 double height_of_axes(double plot_width) { return 160 + plot_width * 160 / 900; }
 
 /// The title of an axis, with the name of the axis for scripts that change units.
@@ -139,7 +136,7 @@ bool is_named_by_axis(const PanelDrawing& drawing, const Panel& panel) {
 PanelFrame::PanelFrame(const Panel& panel_to_draw, const PanelDrawing& drawing_of_panel, double plot_width)
     : panel(&panel_to_draw),
       drawing(&drawing_of_panel),
-      x_labels(max_x_labels(plot_width)),
+      x_labels(plot_width < 480 ? 7 : 9),
       scale{.x = range_of(panel->x, drawing->x, x_labels),
             .y = range_of(panel->y, drawing->y, max_y_labels),
             .size = {.width = 0, .height = height_of_axes(plot_width)}},
@@ -184,8 +181,7 @@ std::vector<LegendEntry> PanelFrame::not_named() const {
 }
 
 std::string panel_svg(const PanelFrame& frame, double left, double top, double edge) {
-  // The inner coordinates begin at the axes, and a script that zooms has something that can hide what leaves
-  // them.
+  // The inner SVG has its origin at the axes, and lets a script that zooms hide what leaves them.
   return fmt::format(
       "<g class=\"dp-panel\" {}>\n{}<svg class=\"dp-inside\" x=\"{}\" y=\"{}\" width=\"{}\" "
       "height=\"{}\" overflow=\"visible\">\n{}</svg>\n</g>\n",

@@ -1,6 +1,6 @@
 #pragma once
-/// A panel as SVG: axes, marks, series, and the names of what it shows, written in it and to the right of it.
-/// Places are in px from the upper left corner of the axes.
+/// Panels as SVG: axes, marks, series, and the names in and beside them. Places are in px from the upper left
+/// corner of the axes.
 
 #include <cstddef>
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace dashpad::output {
 
-/// From the axes to the names of lines at their right, px.
+/// The distance from the axes to the labels at their right, px.
 inline constexpr double beside_axes = 18;
 
 /// A name at the right of a panel, beside the end of its line.
 struct EndLabel {
   const SeriesDrawing* series;
-  std::vector<std::string> lines;  ///< of text
-  Place line_end = {};             ///< of a line that goes forth and back, where it turns
-  double height = 0;               ///< of the middle of the text
+  std::vector<std::string> lines;  ///< lines of text
+  Place line_end = {};             ///< end of the line, or where it turns if it comes back
+  double height = 0;               ///< y of the middle of the text
 };
 
-/// The names that are to stand there, not placed yet: those that series ask for, and the labels of lines if
-/// these are few enough and short enough to be read beside a plot of that width.
+/// The labels at the right of a panel, not placed yet: those that series ask for, and those of lines if they
+/// are few and short enough for a plot of that width.
 std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width);
 
 /// Sets all places.
 void place(std::vector<EndLabel>& labels, const PanelScale& scale);
 
-/// Sets the heights so that no text lies on another and each is as near to the end of its line as that allows
-/// (least squares); on the way down the order of the ends stays. `height`: of the axes.
+/// Sets the heights so that no texts overlap and each is as near to the end of its line as possible (least
+/// squares). The order of the ends is kept. `height` is that of the axes.
 void make_room(std::vector<EndLabel>& labels, double height);
 
-/// What lines and texts take, in px.
+/// The width of the labels and their leaders, px.
 double width_beside_axes(const std::vector<EndLabel>& labels);
 
 std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale& scale);
@@ -40,33 +40,33 @@ std::string end_labels_svg(const std::vector<EndLabel>& labels, const PanelScale
 enum class TextAnchor { start, middle, end };
 
 struct TextPlace {
-  Place at;  ///< of the base line
+  Place at;  ///< place of the base line
   TextAnchor anchor = TextAnchor::start;
 };
 
-/// The name of a line across a panel, a bracket, a contour, a single point or a line that ends early, beside
-/// it within the axes.
+/// The name of a line across, a bracket, a contour, a single point or a line that ends early, beside it
+/// within the axes.
 struct MarkLabel {
   const SeriesDrawing* series;
   TextPlace place;
 };
 
-/// Those that have a place within the axes where they lie neither on each other nor on a line or a point.
-/// `ends`: placed, since their leaders are lines too. Names of lines that end far from the right of the axes
-/// are taken from there if they have room beside that end.
+/// The names that have a place within the axes where they cover neither each other nor a line or point.
+/// `ends` must be placed, since their leaders are lines too. Names of lines that end far from the right of
+/// the axes are moved from there to beside the end of the line if they have room.
 std::vector<MarkLabel> mark_labels_of(const PanelDrawing& panel, std::vector<EndLabel>& ends,
                                       const PanelScale& scale);
 
 std::string mark_labels_svg(const std::vector<MarkLabel>& labels);
 
-/// Around a plot, px.
+/// The margin around a plot, px.
 inline constexpr double plot_edge = 16;
 
-/// What a panel needs to be placed. Lengths are in px.
+/// The data from which a panel is laid out. Lengths are in px.
 struct PanelFrame {
   const Panel* panel;
   const PanelDrawing* drawing;
-  std::size_t x_labels;  ///< that have room
+  std::size_t x_labels;  ///< number of labels that have room
   PanelScale scale;      ///< its width is set when all panels are known
   std::vector<Tick> x_ticks, y_ticks;
   std::vector<std::string> title, y_title;  ///< lines
@@ -80,12 +80,12 @@ struct PanelFrame {
   /// Sets where the axes begin and how wide they are, and places the names.
   void place_across(double left, double width);
 
-  /// What is not named in the panel: it has to be in the legend.
+  /// The entries that are not named in the panel, for the legend.
   [[nodiscard]] std::vector<LegendEntry> not_named() const;
 
   /// Room that the numbers on the y axis take.
   [[nodiscard]] double left_margin() const;
-  /// From its upper edge to the axes, and from there to its lower edge.
+  /// The heights from the upper edge to the axes, and from the axes to the lower edge.
   [[nodiscard]] double above_axes() const;
   [[nodiscard]] double below_axes() const;
 };

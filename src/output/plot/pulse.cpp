@@ -18,7 +18,7 @@ namespace dashpad::output {
 namespace {
 
 constexpr std::size_t turn_of_computed = 0, turn_of_measured = 6;
-constexpr double room = 0.1;  // of the contact, beside it
+constexpr double room = 0.1;  // share of the contact that is shown on either side of it
 constexpr std::size_t turn_of_filtered = 0, turn_of_raw = 3, turn_of_hic15 = 1, turn_of_hic36 = 2;
 
 /// The pulse, `shift` s later; `side` -1 turns it over.
@@ -38,15 +38,7 @@ double side_of_peak(const injury::PulseReport& report) {
   return 1;
 }
 
-/// `peak`: of the pulse, with its sign, g.
-Series window(const char* key, const injury::Hic& hic, double peak, std::size_t palette_index, int row,
-              const UnitSystem& units) {
-  return hic_bracket(fmt::format("{} {}", result_quantity(key).title, brief(hic.value, 4)),
-                     value_in(units, hic.begin, "s"), value_in(units, hic.end, "s"), peak, palette_index,
-                     row);
-}
-
-/// Of a record that is much longer than its impact the impact, with the windows and something on either side.
+/// Limits the time axis of a much longer record to the impact, with its windows and a margin.
 void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& units) {
   constexpr double beside = 0.3, much_longer = 1.5;
   if (report.pulse.time.empty()) return;
@@ -65,34 +57,34 @@ void show_impact(Axis& x, const injury::PulseReport& report, const UnitSystem& u
 }  // namespace
 
 Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem& units) {
-  const injury::PulseComparison& pulse_comparison = report.comparison;
-  double begin = pulse_comparison.measured.contact.begin + pulse_comparison.shift,
-         end = pulse_comparison.measured.contact.end + pulse_comparison.shift;
-  if (!pulse_comparison.computed_pulse.time.empty()) {
-    begin = std::min(begin, pulse_comparison.computed ? pulse_comparison.computed->contact.begin
-                                                      : pulse_comparison.computed_pulse.time.front());
-    end = std::max(end, pulse_comparison.computed ? pulse_comparison.computed->contact.end
-                                                  : pulse_comparison.computed_pulse.time.back());
+  const injury::PulseComparison& comparison = report.comparison;
+  const auto& computed = comparison.computed;
+  double begin = comparison.measured.contact.begin + comparison.shift,
+         end = comparison.measured.contact.end + comparison.shift;
+  if (const std::vector<double>& time = comparison.computed_pulse.time; !time.empty()) {
+    begin = std::min(begin, computed ? computed->contact.begin : time.front());
+    end = std::max(end, computed ? computed->contact.end : time.back());
   }
   Panel panel{.x = axis_of("time", units), .y = axis_of("deceleration", units)};
-  if (pulse_comparison.computed)
-    panel.title = fmt::format("The computed peak is {} g, the measured one {} g",
-                              brief(pulse_comparison.computed->peak.magnitude / standard_gravity, 3),
-                              brief(pulse_comparison.measured.peak.magnitude / standard_gravity, 3));
+  const double peak = comparison.measured.peak.magnitude;
+  if (computed)
+    panel.title =
+        fmt::format("The computed peak is {} g, the measured one {} g",
+                    brief(computed->peak.magnitude / standard_gravity, 3), brief(peak / standard_gravity, 3));
   else
-    panel.y.high = 1.5 * pulse_comparison.measured.peak.magnitude / standard_gravity;
+    panel.y.high = 1.5 * peak / standard_gravity;
   panel.x.low = value_in(units, begin - room * (end - begin), "s");
   panel.x.high = value_in(units, end + room * (end - begin), "s");
-  panel.series = {line("computed", pulse_comparison.computed_pulse, turn_of_computed, units,
-                       pulse_comparison.computed ? pulse_comparison.computed->side : -1),
-                  line("measured", report.pulse.pulse, turn_of_measured, units,
-                       pulse_comparison.measured.side, pulse_comparison.shift)};
+  panel.series = {
+      line("computed", comparison.computed_pulse, turn_of_computed, units, computed ? computed->side : -1),
+      line("measured", report.pulse.pulse, turn_of_measured, units, comparison.measured.side,
+           comparison.shift)};
   return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
           .panels = {std::move(panel)},
           .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
                                 one_line(report.pulse.file), one_line(report.case_file),
                                 report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
-                                injury::to_string(pulse_comparison.alignment))};
+                                injury::to_string(comparison.alignment))};
 }
 
 Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
@@ -103,8 +95,10 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
               .y = axis_of("acceleration", units)};
   const double peak = side * figures.peak.magnitude / standard_gravity;
   if (figures.hic36.begin != figures.hic15.begin || figures.hic36.end != figures.hic15.end)
-    panel.series.push_back(window("hic36", figures.hic36, peak, turn_of_hic36, 1, units));
-  panel.series.push_back(window("hic15", figures.hic15, peak, turn_of_hic15, 0, units));
+    panel.series.push_back(
+        hic_bracket("hic36", figures.hic36, brief(figures.hic36.value, 4), peak, turn_of_hic36, units, 1));
+  panel.series.push_back(
+      hic_bracket("hic15", figures.hic15, brief(figures.hic15.value, 4), peak, turn_of_hic15, units));
   if (report.filter) {
     panel.series.push_back(line("as measured", report.measured.pulse, turn_of_raw, units));
     panel.series.push_back(line(fmt::format("CFC{}", report.filter->channel_frequency_class), report.pulse,
@@ -112,12 +106,8 @@ Plot pulse_plot(const injury::PulseReport& report, const UnitSystem& units) {
   } else {
     panel.series.push_back(line("pulse", report.pulse, turn_of_filtered, units));
   }
-  // A pulse may be shorter than the clip.
-  if (const double level = side * figures.clip_3ms.level / standard_gravity; level != 0)
-    panel.series.push_back(
-        {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, brief(std::abs(level), 4)),
-         .style = SeriesStyle::horizontal_line,
-         .y = {level}});
+  const double clip = side * figures.clip_3ms.level / standard_gravity;
+  add_clip(panel, clip, brief(std::abs(clip), 4));
   if (report.limits)
     for (Series& limit : acceleration_limits(report.limits->results, units)) {
       limit.y.front() *= side;

@@ -16,7 +16,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// What the pad made of the energy, or what is plotted where that is not known.
+/// The share of the energy that the pad keeps, or the name of the plot where that is not known.
 std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
   constexpr double rounding = 1e-9;
   const double kept = summary.energy_absorbed_fraction;
@@ -24,12 +24,6 @@ std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
     return "Force over displacement and penetration";
   return fmt::format("Of an impact energy of {} the pad keeps {:.0f} %",
                      brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
-}
-
-std::string bottoming_words(const Moment& bottomed, const UnitSystem& units) {
-  return fmt::format("The pad bottoms out after {} with {} left",
-                     brief_quantity(bottomed.time, "s", units, 3),
-                     brief_quantity(bottomed.velocity, "m/s", units, 3));
 }
 
 /// Force over displacement and penetration.
@@ -61,15 +55,23 @@ std::string peak_words(const injury::InjuryFigures& figures) {
   return words;
 }
 
-Series hic_bracket(std::string label, double begin, double end, double peak, std::size_t palette_index,
-                   int row) {
+Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& value, double peak,
+                   std::size_t palette_index, const UnitSystem& units, int row) {
   const double foot = (0.02 + 0.11 * row) * peak, arm = foot + 0.05 * peak;
-  return {.label = std::move(label),
+  const double begin = value_in(units, hic.begin, "s"), end = value_in(units, hic.end, "s");
+  return {.label = fmt::format("{} {}", result_quantity(key).title, value),
           .style = SeriesStyle::solid_line,
           .x = {begin, begin, end, end},
           .y = {arm, foot, foot, arm},
           .palette_index = palette_index,
           .label_place = LabelPlace::middle};
+}
+
+void add_clip(Panel& panel, double level, const std::string& value) {
+  if (level != 0)
+    panel.series.push_back({.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, value),
+                            .style = SeriesStyle::horizontal_line,
+                            .y = {level}});
 }
 
 void end_before_bottoming(Axis& axis, const Solution& solution, const std::vector<double>& column) {
@@ -96,24 +98,20 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
                          const UnitSystem& units) {
   const std::string name = result_quantity("deceleration").title;
   Panel panel{.title = name, .x = axis_of("time", units), .y = axis_of("deceleration", units)};
-  if (bottomed_on_rigid_support(solution.summary))
-    panel.title = bottoming_words(*solution.summary.bottomed, units);
+  if (const auto& bottomed = solution.summary.bottomed; bottomed_on_rigid_support(solution.summary))
+    panel.title = fmt::format("The pad bottoms out after {} with {} left",
+                              brief_quantity(bottomed->time, "s", units, 3),
+                              brief_quantity(bottomed->velocity, "m/s", units, 3));
   else if (injury)
     panel.title = "The deceleration " + peak_words(*injury);
   std::vector<double> deceleration;
   for (const double value : solution.history.acceleration) deceleration.push_back(-value / standard_gravity);
   show_bottoming(panel, solution, deceleration, units);
   if (injury) {
-    panel.series.push_back(
-        hic_bracket(fmt::format("{} {}", result_quantity("hic15").title, significant(injury->hic15.value, 4)),
-                    value_in(units, injury->hic15.begin, "s"), value_in(units, injury->hic15.end, "s"),
-                    injury->peak.magnitude / standard_gravity, 1));
-    // A pulse may be shorter than the clip.
-    if (const double level = injury->clip_3ms.level / standard_gravity; level > 0)
-      panel.series.push_back(
-          {.label = fmt::format("{} {} g", result_quantity("clip_3ms").title, significant(level, 4)),
-           .style = SeriesStyle::horizontal_line,
-           .y = {level}});
+    const double clip = injury->clip_3ms.level / standard_gravity;
+    panel.series.push_back(hic_bracket("hic15", injury->hic15, significant(injury->hic15.value, 4),
+                                       injury->peak.magnitude / standard_gravity, 1, units));
+    add_clip(panel, clip, significant(clip, 4));
   }
   panel.series.push_back({.label = name,
                           .style = SeriesStyle::solid_line,

@@ -25,8 +25,8 @@ constexpr std::size_t few_points = 20'000;
 double on_scale(double value, const Axis& axis) { return axis.logarithmic ? std::log10(value) : value; }
 double from_scale(double place, const Axis& axis) { return axis.logarithmic ? std::pow(10, place) : place; }
 
-/// The cell of a value when an axis is cut into `count`. Cell -1 is all that lies before the axis, cell
-/// `count` all that lies behind it.
+/// Divides an axis into `count` cells. Cell -1 is everything before the axis, cell `count` everything behind
+/// it.
 class AxisCells {
  public:
   AxisCells(const Axis& axis, const Span& span, int count)
@@ -34,7 +34,7 @@ class AxisCells {
         count_(count),
         begin_(on_scale(span.low, axis)),
         scale_(count / (on_scale(span.high, axis) - begin_)) {
-    // Nothing to cut.
+    // An empty span has only one cell.
     if (!std::isfinite(scale_)) scale_ = 0;
   }
   [[nodiscard]] int cell(double value) const {
@@ -62,8 +62,8 @@ bool is_beyond(const PlotRun& run, const Axis& x_axis, const Axis& y_axis) {
   return is_beyond(x, x_axis) || is_beyond(y, y_axis);
 }
 
-/// Adds points where the line crosses the ends of the x axis: the ends of the y axis follow from the points
-/// that the x axis shows.
+/// Adds points where the line crosses the ends of the x axis, since the ends of the y axis depend on the
+/// points shown.
 PlotRun with_crossings(const PlotRun& run, const Axis& x, const Axis& y) {
   PlotRun result;
   for (const PlotRow& row : run) {

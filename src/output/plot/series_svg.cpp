@@ -11,7 +11,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// Beyond it a place is as good as there: renderers count in thousandths of a px in 32 bits.
+/// The largest coordinate that is written: renderers count thousandths of a px in 32 bits.
 constexpr double far_away = 1e7;  // px
 
 std::string pair(const Place& place) { return px(place.x) + " " + px(place.y); }
@@ -28,8 +28,8 @@ std::string path_of(const PlaceLine& line) {
   return path;
 }
 
-/// Of points: what each adds to its place, and its class. With round ends, a line of no length is a disc.
-/// (With square ones cairo leaves some out.)
+/// The shape of a point: a path relative to its place, and a class. With round ends, a line of zero length is
+/// a disc; cairo leaves out some with square ends.
 struct PointShape {
   const char* around;
   const char* class_name;
@@ -72,7 +72,7 @@ std::string area_path(const PlaceLine& outline, const PanelScale& scale) {
   return path.empty() ? path : path + "z";
 }
 
-/// There along y, and back along y2.
+/// The outline of a band: forth along y, back along y2.
 std::string band_path(const PlotRun& run, const PanelScale& scale) {
   PlaceLine outline = places_of(run, scale);
   for (auto row = run.rbegin(); row != run.rend(); ++row) outline.push_back(scale.place(row->x, row->y2));
@@ -122,10 +122,11 @@ const char* word_of(const SeriesDrawing& series) {
   }
 }
 
-/// Empty on lines that are shorter than two arrows.
+/// The path of an arrow; empty for lines shorter than two arrows.
 std::string arrow_path(const std::vector<PlaceLine>& parts) {
   constexpr double half_length = 5.5, half_width = 4;  // px
-  // Of the way along a line. A loop that begins and ends at nothing is on its way back there.
+  // The place of the arrow as a share of the line: there, a loop that begins and ends at zero is on its way
+  // back.
   constexpr double share_before = 0.7;
   if (parts.empty()) return {};
   const PlaceLine& line = *std::ranges::max_element(parts, {}, length_of);

@@ -1,6 +1,6 @@
 #pragma once
-/// Series as SVG, and lines within the rectangle of a panel. Places and lengths are in px, from its upper
-/// left corner.
+/// Series as SVG, and lines within the rectangle of a panel. Places and lengths are in px from its upper left
+/// corner.
 
 #include <string>
 #include <vector>
@@ -25,14 +25,14 @@ PlaceLine area_inside(PlaceLine outline, const PlotSize& size);
 bool is_inside(const Place& place, const PlotSize& size);
 
 double length_of(const PlaceLine& line);
-/// After that length from the begin of a line that has a place; its end if it is shorter.
+/// The place at that length along a line with at least one place; the end of a shorter line.
 Place place_on(const PlaceLine& line, double length);
 
-/// Leaves out places that are no farther than a twentieth of a px from the line between two that stay. The
-/// first, the last and those where the line turns back stay.
+/// Removes places closer than a twentieth of a px to the line between two that stay. The first, the last and
+/// turning points stay.
 PlaceLine simplified(const PlaceLine& line);
 
-/// Where a panel shows its numbers: px from the upper left corner of its rectangle.
+/// The scale of a panel: its coordinates are px from the upper left corner of its rectangle.
 struct PanelScale {
   AxisRange x, y;
   PlotSize size;
@@ -42,15 +42,14 @@ struct PanelScale {
   [[nodiscard]] Place place(double x_value, double y_value) const { return {across(x_value), down(y_value)}; }
 };
 
-/// The group of a series, with its label and style as data for scripts. Each point begins with its own place
-/// ("M"), whatever its shape; a line goes through its points in their order.
+/// The group of a series with its label and style as data for scripts. Each point begins with its place
+/// ("M"); a line passes through its points in their order.
 std::string series_svg(const SeriesDrawing& series, const PanelScale& scale);
 
 /// The parts of its runs that lie within the axes, in px.
 std::vector<PlaceLine> parts_inside(const SeriesDrawing& series, const PanelScale& scale);
 
-/// An arrow in the direction in which a line is gone through, on the last third of each that wants one; empty
-/// without such.
+/// Arrows in the direction of the lines that ask for them, on their last third; empty without such lines.
 std::string arrows_svg(const PanelDrawing& panel, const PanelScale& scale);
 
 /// A piece of such a series for the legend.

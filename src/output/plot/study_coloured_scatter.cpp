@@ -109,21 +109,16 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
     const study::Factor &across = answers.study.factors[leading[0]], &up = answers.study.factors[leading[1]];
     std::vector<Series> points = classes(rows, levels, shown.unit);
     if (!rows.struck.x.empty()) points.push_back(rows.struck);
-    figures.push_back(
-        {.plot = {.title = fmt::format("{} over {} and {}", title_of(name), factor_words(across.key),
-                                       factor_words(up.key)),
-                  .panels = {{.title = title_of(name),
-                              .x = axis_of_factor(across, units),
-                              .y = axis_of_factor(up, units),
-                              .series = std::move(points)}},
-                  .source = study_source(answers)},
-         .note = fmt::format(
-             "A point is a row, over the two sampled factors that the response follows most. The first and "
-             "the last class hold all beyond. At most {} rows{} are drawn.",
-             max_coloured_dots,
-             answers.groups.size() > 1
-                 ? " of " + words_of_levels(answers, answers.groups.front().group, units)
-                 : "")});
+    figures.push_back(study_figure(
+        answers,
+        fmt::format("{} over {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
+        {{title_of(name), axis_of_factor(across, units), axis_of_factor(up, units), std::move(points)}},
+        fmt::format(
+            "A point is a row, over the two sampled factors that the response follows most. The first and "
+            "the last class hold all beyond. At most {} rows{} are drawn.",
+            max_coloured_dots,
+            answers.groups.size() > 1 ? " of " + words_of_levels(answers, answers.groups.front().group, units)
+                                      : "")));
   }
   return figures;
 }

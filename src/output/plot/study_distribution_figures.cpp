@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -15,11 +14,11 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t max_steps = 400;        ///< of a distribution function
-constexpr std::size_t max_plain_dots = 1000;  ///< of a scatter plot
+constexpr std::size_t max_steps = 400;        ///< points of a distribution function
+constexpr std::size_t max_plain_dots = 1000;  ///< dots of a scatter plot
 
-/// The share of rows at or below each value; rows that bottomed out on a rigid support or have no value count
-/// as above all.
+/// The share of rows at or below each value. Rows without a value or bottomed out on a rigid support count as
+/// above all.
 Series distribution_function(std::vector<double> values, double scale) {
   const auto all = static_cast<double>(values.size());
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
@@ -48,16 +47,16 @@ std::optional<Series> struck_through_line(const std::vector<double>& values) {
 }
 
 Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, const UnitSystem& units) {
-  const std::string name = response_name(answers, i), unit = si_unit_of(name);
-  const ScaledUnit shown = shown_as(unit, units);
+  const std::string name = response_name(answers, i);
+  const double scale = shown_as(si_unit_of(name), units).scale;
   Panel panel{.title = title_of(name),
-              .x = {.label = label(name, unit, units)},
+              .x = {.label = label(name, units)},
               .y = {.label = "Rows at or below (%)", .low = 0, .high = 100}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), max_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     const std::vector<double> values =
         study::values_of(answers.study, answers.records, of, answers.responses[i]);
-    panel.series.push_back(distribution_function(values, shown.scale));
+    panel.series.push_back(distribution_function(values, scale));
     panel.series.back().label = words_of_levels(answers, of, units);
     panel.series.back().palette_index = group;
     if (std::optional<Series> rest = struck_through_line(values)) {
@@ -76,7 +75,7 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
   Panel panel{.title = fmt::format("{} over {}", title_of(name), factor_words(of.key)),
               .x = axis_of_factor(of, units),
-              .y = {.label = label(name, si_unit_of(name), units)}};
+              .y = {.label = label(name, units)}};
   const std::size_t groups = std::min(answers.groups.size(), max_lines_drawn);
   Series struck = struck_through_marks();
   for (std::size_t i = 0; i < groups; ++i) {
@@ -140,32 +139,29 @@ Panel index_panel(const std::string& response, const study::Sensitivity& sensiti
 
 std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
-  // One row has no distribution.
+  // A single row has no distribution.
   if (answers.records.rows.size() < 2) return figures;
+  const std::string note = answers.groups.size() > max_lines_drawn
+                               ? fmt::format("The first {} combinations of levels.", max_lines_drawn)
+                               : "";
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    figures.push_back({.plot = {.title = "Distribution of " + title_of(response_name(answers, i)),
-                                .panels = {distribution_panel(answers, i, units)},
-                                .source = study_source(answers)},
-                       .note = answers.groups.size() > max_lines_drawn
-                                   ? fmt::format("The first {} combinations of levels.", max_lines_drawn)
-                                   : ""});
+    figures.push_back(study_figure(answers, "Distribution of " + title_of(response_name(answers, i)),
+                                   {distribution_panel(answers, i, units)}, note));
   return figures;
 }
 
 std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    Plot plot{.title = title_of(response_name(answers, i)) + " over each factor",
-              .panels = {},
-              .source = study_source(answers)};
+    std::vector<Panel> panels;
     for (const std::size_t factor : sampled_factors(answers.study))
-      plot.panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
-    if (!plot.panels.empty())
+      panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
+    if (!panels.empty())
       figures.push_back(
-          {.plot = std::move(plot),
-           .note = answers.records.rows.size() > max_plain_dots
-                       ? fmt::format("Of all rows {} are drawn, chosen at random.", max_plain_dots)
-                       : ""});
+          study_figure(answers, title_of(response_name(answers, i)) + " over each factor", std::move(panels),
+                       answers.records.rows.size() > max_plain_dots
+                           ? fmt::format("Of all rows {} are drawn, chosen at random.", max_plain_dots)
+                           : ""));
   }
   return figures;
 }
@@ -174,11 +170,10 @@ std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers) {
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& sensitivity = answers.groups.front().sensitivities[i];
-    if (!sensitivity) continue;
-    figures.push_back({.plot = {.title = "Sobol' indices of " + title_of(response_name(answers, i)),
-                                .panels = {index_panel(response_name(answers, i), *sensitivity)},
-                                .source = study_source(answers)},
-                       .note = "Bands: 95 % intervals by bootstrap over draws."});
+    if (sensitivity)
+      figures.push_back(study_figure(answers, "Sobol' indices of " + title_of(response_name(answers, i)),
+                                     {index_panel(response_name(answers, i), *sensitivity)},
+                                     "Bands: 95 % intervals by bootstrap over draws."));
   }
   return figures;
 }

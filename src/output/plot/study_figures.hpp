@@ -34,44 +34,44 @@ Axis axis_of_factor(const study::Factor& factor, const UnitSystem& units);
 /// Lines across at the limits of a response, with their values.
 std::vector<Series> limit_lines(const study::StudyAnswers& answers, const std::string& response,
                                 SeriesStyle style, const UnitSystem& units);
-/// Marks that point upwards, in the colour of that turn, red by default, for rows that bottomed out on a
-/// rigid support: their force is beyond any axis.
+/// Triangles for rows that bottomed out on a rigid support, whose force is beyond any axis; red by default.
 Series struck_through_marks(std::size_t colour = 1);
-/// Where such marks stand if they are not to hide the values: a little above all of them.
+/// The height for such marks at which they hide no values: slightly above all of them.
 double above_all(const std::vector<Series>& series);
 
-/// At most `most` of `count` rows, in their order: drawn at random, since every n-th of an even sequence lies
-/// in one part of a factor's range. The same each time.
+/// At most `most` of `count` rows, in their order. They are chosen at random, always the same ones: every
+/// n-th row of an even sequence would cover only a part of a factor's range.
 std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t most);
 
-/// Two factors of a grid and a response over them; other factors at their middle level. Levels increase.
+/// A response over two factors of a grid, with all other factors at their middle levels. Levels increase.
 struct GridPlane {
   std::size_t across = 0;                   ///< factor with the most levels
   std::optional<std::size_t> lines;         ///< the next one
   std::vector<double> across_levels;        ///< SI
   std::vector<double> line_levels;          ///< SI; {0} without a second factor
   std::vector<std::vector<double>> values;  ///< [line][across], SI; NaN for none, infinite: struck through
-  /// Of draws, the 5 % and 95 % quantiles beside them; empty without draws.
+  /// The 5 % and 95 % quantiles of draws; empty for a grid without draws.
   std::vector<std::vector<double>> low, high;
   std::string at;          ///< levels of the other factors, in words; may be empty
-  bool is_median = false;  ///< of draws, not of single rows
+  bool is_median = false;  ///< whether the values are medians of draws, not of single rows
 };
 
-/// Absent where no number has two levels or more. `response` counts in StudyAnswers::responses.
+/// The plane of a response, an index in StudyAnswers::responses. Absent if no numeric factor has at least two
+/// levels.
 std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units);
 
 // A value over two axes as areas between round levels, each in its colour.
 
-/// Round values from `least` to `greatest`, both ends covered: steps of 1, 2 or 5 times a power of ten, about
-/// nine. Empty where there is no range.
+/// About nine round values that cover `least` to `greatest`, in steps of 1, 2 or 5 times a power of ten.
+/// Empty if the range is empty.
 std::vector<double> round_levels(double least, double greatest);
 
 /// "100 to 120 g", and the shade of the class between levels i and i + 1.
 Series class_of_levels(const std::vector<double>& levels, std::size_t i, const std::string& unit);
 
-/// Values at the corners of a grid, [line][across]; linear between them on the two triangles of each cell. A
-/// cell with a corner without a value (NaN) stays empty. A series for each class that occurs.
+/// Areas of values at the corners of a grid, [line][across], linear on the two triangles of each cell: a
+/// series for each class that occurs. Cells with a missing corner (NaN) stay empty.
 std::vector<Series> filled_areas(const std::vector<double>& across, const std::vector<double>& up,
                                  const std::vector<std::vector<double>>& values,
                                  const std::vector<double>& levels, const std::string& unit);
@@ -81,12 +81,13 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
                               const std::vector<std::vector<double>>& values,
                               const std::vector<double>& levels, const std::string& unit);
 
-/// Where the same values are `level`: lines with pale edges, with a gap after each but the last. Empty where
-/// they are nowhere.
+/// The contour of a level: lines with pale edges, separated by gaps. Empty if the values do not cross the
+/// level.
 Series contour(const std::vector<double>& across, const std::vector<double>& up,
                const std::vector<std::vector<double>>& values, double level);
 
-/// The small print.
-std::string study_source(const study::StudyAnswers& answers);
+/// A figure with the version, the number of rows and the title of the study in small print.
+CaptionedPlot study_figure(const study::StudyAnswers& answers, std::string title, std::vector<Panel> panels,
+                           std::string note = {});
 
 }  // namespace dashpad::output

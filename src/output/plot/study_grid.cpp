@@ -22,19 +22,19 @@ namespace {
 struct Cell {
   std::vector<double> levels;
   double value = 0;
-  double low = 0, high = 0;  ///< of draws: between them lie nine in ten
+  double low = 0, high = 0;  ///< range that holds nine draws in ten
 };
 
 std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t response) {
   std::vector<Cell> cells;
   const std::vector<std::size_t> factors = level_factors(answers.study);
   if (answers.groups.front().group.drawn) {
-    for (const study::StudyAnswers::OfGroup& of_group : answers.groups) {
+    for (const study::StudyAnswers::OfGroup& group : answers.groups) {
       const auto at = [&](double probability) {
-        const auto found = study::quantile(of_group.distributions[response], probability);
+        const auto found = study::quantile(group.distributions[response], probability);
         return found ? found->value : std::numeric_limits<double>::quiet_NaN();
       };
-      cells.push_back({of_group.group.levels, at(0.5), at(0.05), at(0.95)});
+      cells.push_back({group.group.levels, at(0.5), at(0.05), at(0.95)});
     }
     return cells;
   }
@@ -110,9 +110,13 @@ std::vector<std::size_t> rows_drawn(std::size_t count, std::size_t most) {
   return drawn;
 }
 
-std::string study_source(const study::StudyAnswers& answers) {
-  return fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
-                     one_line(answers.study.title));
+CaptionedPlot study_figure(const study::StudyAnswers& answers, std::string title, std::vector<Panel> panels,
+                           std::string note) {
+  return {.plot = {.title = std::move(title),
+                   .panels = std::move(panels),
+                   .source = fmt::format("dashpad {}; {} rows; {}", version(), answers.records.rows.size(),
+                                         one_line(answers.study.title))},
+          .note = std::move(note)};
 }
 
 std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
@@ -144,8 +148,8 @@ std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::siz
   for (std::size_t i = 2; i < order.size(); ++i) {
     const std::vector<double> levels = sorted(levels_of(factor_at(order[i])));
     middle[order[i]] = levels[levels.size() / 2];
-    plane.at += fmt::format("{}{} {}", plane.at.empty() ? "" : ", ", factor_words(factor_at(order[i]).key),
-                            level_text(answers.study, factors[order[i]], middle[order[i]], units));
+    plane.at += (plane.at.empty() ? "" : ", ") +
+                output::factor_at(answers.study, factors[order[i]], middle[order[i]], units);
   }
   plane.values.assign(
       plane.line_levels.size(),

@@ -15,7 +15,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// More lie on each other.
+/// The largest number of bands in a plot; more would cover each other.
 constexpr std::size_t max_bands = 3;
 
 std::vector<double> scaled(std::vector<double> values, double scale) {
@@ -36,8 +36,8 @@ std::size_t rows_in(const std::vector<Series>& lines) {
   return rows;
 }
 
-/// Above all values, one row of marks for each line with rows that bottomed out, in its colour if there are
-/// several lines.
+/// Marks above all values for rows that bottomed out: one row of marks for each line that has any, in its
+/// colour if there are several lines.
 std::vector<Series> struck_through_above(const std::vector<Series>& series) {
   constexpr double between_rows = 0.05;
   const double above = above_all(series);
@@ -61,13 +61,12 @@ std::vector<Series> struck_through_above(const std::vector<Series>& series) {
 
 bool has_bands(const GridPlane& plane) { return plane.is_median && plane.values.size() <= max_bands; }
 
-Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
-            const UnitSystem& units) {
+CaptionedPlot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
+                     const UnitSystem& units) {
   const std::string name = response_name(answers, response);
   const study::Factor& across = answers.study.factors[plane.across];
-  Panel panel{.title = title_of(name),
-              .x = axis_of_factor(across, units),
-              .y = {.label = label(name, si_unit_of(name), units)}};
+  Panel panel{
+      .title = title_of(name), .x = axis_of_factor(across, units), .y = {.label = label(name, units)}};
   const std::size_t count = plane.values.size(), lines = std::min(count, max_lines_drawn);
   const std::vector<double> x = scaled(plane.across_levels, shown_as(across.unit, units).scale);
   const double y_scale = shown_as(si_unit_of(name), units).scale;
@@ -94,13 +93,13 @@ Plot curves(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   if (rows_struck == rows_in(panel.series))
     panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1 * double(struck.size())};
   panel.add(std::move(struck));
-  return {.title = fmt::format("{} over {}", title_of(name), factor_words(across.key)),
-          .panels = {panel},
-          .source = study_source(answers)};
+  return study_figure(answers, fmt::format("{} over {}", title_of(name), factor_words(across.key)), {panel},
+                      (has_bands(plane) ? "Bands hold nine draws in ten. " : "") + note_of(plane));
 }
 
-Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::size_t response,
-            const UnitSystem& units) {
+/// The map of a response; none if no area can be filled.
+std::optional<CaptionedPlot> map_of(const study::StudyAnswers& answers, const GridPlane& plane,
+                                    std::size_t response, const UnitSystem& units) {
   const std::string name = response_name(answers, response);
   const study::Factor &across = answers.study.factors[plane.across],
                       &up = answers.study.factors[*plane.lines];
@@ -124,7 +123,7 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
   panel.y.high = y.back();
   const std::vector<double> levels = round_levels(least, greatest);
   panel.series = filled_areas(x, y, values, levels, shown.unit);
-  if (panel.series.empty()) return {};
+  if (panel.series.empty()) return std::nullopt;
   std::set<std::string> named;
   for (const Series& area : panel.series) named.insert(area.label);
   for (Series& dots : lone_dots(x, y, values, levels, shown.unit)) {
@@ -142,10 +141,12 @@ Plot map_of(const study::StudyAnswers& answers, const GridPlane& plane, std::siz
     for (std::size_t place = 0; place < x.size(); ++place)
       if (std::isinf(values[line][place])) struck.add(x[place], y[line]);
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
-  return {.title = fmt::format("{} over {} and {}", title_of(name), factor_words(across.key),
-                               factor_words(up.key)),
-          .panels = {panel},
-          .source = study_source(answers)};
+  return study_figure(
+      answers,
+      fmt::format("{} over {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
+      {panel},
+      "Interpolated linearly between neighbours of the grid; a dot is a row beside others without a value. " +
+          note_of(plane));
 }
 
 Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, const UnitSystem& units) {
@@ -176,8 +177,7 @@ std::vector<CaptionedPlot> curve_figures(const study::StudyAnswers& answers, con
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     if (const std::optional<GridPlane> plane = grid_plane(answers, i, units))
-      figures.push_back({"", curves(answers, *plane, i, units),
-                         (has_bands(*plane) ? "Bands hold nine draws in ten. " : "") + note_of(*plane)});
+      figures.push_back(curves(answers, *plane, i, units));
   return figures;
 }
 
@@ -188,34 +188,33 @@ std::vector<CaptionedPlot> map_figures(const study::StudyAnswers& answers, const
     if (!plane || !plane->lines || plane->line_levels.size() < 3 || plane->across_levels.size() < 3 ||
         answers.study.factors[*plane->lines].unit.empty())
       continue;
-    Plot map = map_of(answers, *plane, i, units);
-    if (map.panels.empty()) continue;
-    figures.push_back({"", std::move(map),
-                       "Interpolated linearly between neighbours of the grid; a dot is a row beside others "
-                       "without a value. " +
-                           note_of(*plane)});
+    if (std::optional<CaptionedPlot> map = map_of(answers, *plane, i, units))
+      figures.push_back(*std::move(map));
   }
   return figures;
 }
 
 std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (!answers.cushion_curves) return {};
-  const ImpactCase& base = answers.study.base;
-  const std::string nose = with_article(words_of(base.impactor.nose));
-  Plot plot{.title = "Cushion curves of " + nose, .panels = {}, .source = study_source(answers)};
-  for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops)
-    plot.panels.push_back(cushion_panel(drop, answers.cushion_curves->whole_cushion, units));
-  for (Panel& panel : plot.panels)
-    panel.add(limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units));
-  if (answers.cushion_curves->whole_cushion)
-    return {{"", std::move(plot),
-             "In the manner of ASTM D1596, of " + nose +
-                 " that covers all of the cushion. They are computed, of a cushion that does not bulge."}};
-  return {
-      {"", std::move(plot),
-       "In the manner of ASTM D1596, but of " + nose +
-           ", not of a platen wider than the cushion: the loaded area is the projected contact area at the "
-           "largest penetration. Do not mix them with a maker's curves."}};
+  const bool whole_cushion = answers.cushion_curves->whole_cushion;
+  const std::string nose = with_article(words_of(answers.study.base.impactor.nose));
+  std::vector<Panel> panels;
+  for (const study::CushionCurves::Drop& drop : answers.cushion_curves->drops) {
+    panels.push_back(cushion_panel(drop, whole_cushion, units));
+    panels.back().add(limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units));
+  }
+  const std::string note =
+      whole_cushion
+          ? fmt::format(
+                "In the manner of ASTM D1596, of {} that covers all of the cushion. They are "
+                "computed, of a cushion that does not bulge.",
+                nose)
+          : fmt::format(
+                "In the manner of ASTM D1596, but of {}, not of a platen wider than the cushion: the "
+                "loaded area is the projected contact area at the largest penetration. Do not mix "
+                "them with a maker's curves.",
+                nose);
+  return {study_figure(answers, "Cushion curves of " + nose, std::move(panels), note)};
 }
 
 }  // namespace dashpad::output

@@ -13,7 +13,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// More bars are a list.
+/// The largest number of bars in a plot.
 constexpr std::size_t max_bars = 24;
 
 struct Bar {
@@ -34,7 +34,7 @@ std::vector<Bar> bars_of(const study::StudyAnswers& answers, std::size_t respons
   return bars;
 }
 
-/// Where the axis ends, so that one bar beyond all measure does not hide the others.
+/// The end of the axis, chosen so that one extreme bar does not hide the others.
 double end_of_axis(const std::vector<Bar>& bars, const std::vector<study::StudyLimit>& limits,
                    const std::string& response) {
   constexpr double times_middle = 4;
@@ -52,7 +52,7 @@ Panel panel_of(const study::StudyAnswers& answers, const std::string& name, cons
   const double scale = shown_as(si_unit_of(name), units).scale;
   const double end = scale * end_of_axis(bars, answers.limits, name);
   Panel panel{.title = title_of(name),
-              .x = {.label = label(name, si_unit_of(name), units), .low = 0},
+              .x = {.label = label(name, units), .low = 0},
               .y = {.has_numbers = false, .low = 0.5, .high = static_cast<double>(bars.size()) + 0.5}};
   if (end > 0) panel.x.high = end;
   Series struck = struck_through_marks();
@@ -65,8 +65,7 @@ Panel panel_of(const study::StudyAnswers& answers, const std::string& name, cons
          .y = {height, height},
          .palette_index = 0,
          .end_label = fmt::format("{}: {}", bars[i].name, three_digits(name, bars[i].value, units))});
-    if (is_finite) continue;
-    struck.add(end, height);
+    if (!is_finite) struck.add(end, height);
   }
   panel.add(limit_lines(answers, name, SeriesStyle::vertical_line, units));
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
@@ -84,10 +83,9 @@ std::vector<CaptionedPlot> named_figures(const study::StudyAnswers& answers, con
     const std::vector<Bar> bars = bars_of(answers, i, units);
     const bool has_value = std::ranges::any_of(bars, [](const Bar& bar) { return std::isfinite(bar.value); });
     if (bars.size() > max_bars || !has_value || bars.front().value < 0) continue;
-    figures.push_back(
-        {.plot = {.title = fmt::format("{} by {}", title_of(name), factor_words(factors.front().key)),
-                  .panels = {panel_of(answers, name, bars, units)},
-                  .source = study_source(answers)}});
+    figures.push_back(study_figure(answers,
+                                   fmt::format("{} by {}", title_of(name), factor_words(factors.front().key)),
+                                   {panel_of(answers, name, bars, units)}));
   }
   return figures;
 }

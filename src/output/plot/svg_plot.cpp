@@ -12,12 +12,12 @@ namespace dashpad::output {
 
 namespace {
 
-// All px.
+// All lengths are in px.
 constexpr double title_line = 26, below_title = 6, source_line = 16;
 constexpr double min_right_margin = 24;
 
-/// Sets the widths of the axes and places the names in them: the axes of all begin at the same place, which
-/// this returns, and end at the same.
+/// Gives the axes of all panels the same left and right ends, places the names in them, and returns the left
+/// end.
 double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   double left = 0, right = min_right_margin;
   for (const PanelFrame& frame : frames) {
@@ -28,8 +28,8 @@ double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   return left;
 }
 
-/// The legend of what no panel names itself, from `top` on, to which its height is added: in columns as wide
-/// as the longest label needs; a label that has no room in the whole width goes on in further lines.
+/// The legend of the series that no panel names, from `top` on, to which its height is added. Columns are as
+/// wide as the longest label; labels longer than the whole width continue on further lines.
 std::string legend_svg(const std::vector<PanelFrame>& frames, double width, double& top) {
   constexpr double row_height = 20, line_height = 17, sample = 38, between_columns = 24;
   std::vector<LegendEntry> entries;
@@ -66,9 +66,9 @@ std::string name_of(const Plot& plot) {
   return plot.panels.front().title.empty() ? "Plot" : plot.panels.front().title;
 }
 
-// The colours by turns are Okabe and Ito's, which the colour-blind tell apart, but for yellow, which is too
-// pale on white; on dark paper the same, lighter. Letters on white are darker than lines, to be read. Series
-// take theirs as currentColor: not every renderer has variables.
+// The colours are those of Okabe and Ito, which the colour-blind can tell apart, without yellow, which is too
+// pale on white; they are lighter on dark paper. Text on white is darker than lines. Series use currentColor,
+// since not all renderers have variables.
 constexpr std::string_view colours = R"(
 .dp-plot{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
 .dp-paper{fill:#fff}
@@ -133,7 +133,7 @@ constexpr std::string_view colours = R"(
 }
 )";
 
-/// All in proportion to one, by which a page makes them smaller together.
+/// Font sizes relative to one of them, so that a page can scale them together.
 std::string sizes() {
   const auto rule = [](const char* name, double size) {
     return fmt::format(".{}{{font-size:{:.4g}em}}\n", name, size / label_text);

@@ -95,7 +95,7 @@ std::string pdf_of(std::string_view svg, const std::string& title) {
   const Owned<cairo_surface_t> surface{cairo_pdf_surface_create_for_stream(
       append, &bytes, points_per_px * drawing.width(), points_per_px * drawing.height())};
   check_status(cairo_surface_status(surface.get()));
-  // Without these, cairo writes the time of day: the same plot would not give the same file.
+  // Without fixed dates cairo writes the time of day, and the same plot would give different files.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_MOD_DATE, "2000-01-01T00:00:00Z");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, readable(title).c_str());

@@ -18,7 +18,7 @@ constexpr std::array<int, 95> widths{
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
     667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-/// Of any other character, and of those from U+3000 on, most of which are as wide as high.
+/// Widths of all other characters: those from U+3000 on are mostly as wide as high.
 constexpr int usual_width = 600, full_width = 1000;
 /// DejaVu Sans, which Linux often takes, is a tenth wider than Helvetica, and some of its letters are more.
 constexpr double width_of_wide_font = 1.18;
@@ -38,7 +38,7 @@ double text_width(std::string_view text, double size) {
   return sum * size / 1000;
 }
 
-/// Of one character: also the C1 controls and the separators of lines and paragraphs.
+/// Whether a character is a control, one of C1 or a separator of lines or paragraphs.
 bool is_control(std::string_view character) {
   const auto last = static_cast<unsigned char>(character.back());
   if (character.size() == 1) return last < 0x20 || last == 0x7f;
@@ -78,7 +78,7 @@ bool parts_a_quantity(std::string_view text, std::size_t blank) {
   return std::ranges::find(units, next) != units.end();
 }
 
-/// Where the text may be broken, before that place; npos where nowhere.
+/// The last blank before `end` at which the text may be broken; npos if there is none.
 std::size_t last_blank(std::string_view text, std::size_t end) {
   std::size_t blank = text.substr(0, end).rfind(' ');
   while (blank != std::string_view::npos && parts_a_quantity(text, blank))

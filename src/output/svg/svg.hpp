@@ -1,6 +1,6 @@
 #pragma once
-/// What every SVG that Dashpad writes is made of: numbers, texts and the room they take, colours, elements;
-/// and an SVG as a picture of another kind.
+/// The parts of all SVGs that Dashpad writes: numbers, texts and their widths, colours and elements; and the
+/// conversion of an SVG to other picture formats.
 
 #include <array>
 #include <cstddef>
@@ -40,8 +40,8 @@ std::vector<std::string> lines_within(std::string_view text, double size, double
 
 /// Red, green and blue, from 0 to 255.
 using Colour = std::array<double, 3>;
-/// "#rrggbb" on a scale with these colours at equal distances, two or more; `share`: from 0, at the first, to
-/// 1.
+/// A colour, "#rrggbb", on a scale of two or more colours at equal distances; `share` is 0 at the first, 1 at
+/// the last.
 std::string colour_on_scale(std::span<const Colour> stops, double share);
 
 // Elements, each with its class and in a line of its own.
@@ -61,11 +61,12 @@ std::string text_elements(std::string_view style, Place first, double distance,
 /// `anchor`: "start", "middle" or "end".
 std::string text_element(std::string_view style, Place place, std::string_view anchor, std::string_view text);
 
-// By librsvg and cairo. Both throw std::runtime_error with the words of the library that failed.
+// Conversions by librsvg and cairo. They throw std::runtime_error with the message of the library that
+// failed.
 
-/// With two pixels to one px.
+/// A PNG with two pixels to one px.
 std::string png_of(std::string_view svg);
-/// One page as large as the SVG, 96 px to an inch. It holds no date.
+/// A PDF of one page as large as the SVG, at 96 px to an inch, without a date.
 std::string pdf_of(std::string_view svg, const std::string& title);
 
 }  // namespace dashpad::output

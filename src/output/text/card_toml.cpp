@@ -38,18 +38,6 @@ std::string quantities_toml(const std::string& key, const std::vector<double>& v
   return text + "]\n";
 }
 
-std::string temperature_toml(const TemperatureTable& table) {
-  if (table.temperature.empty()) return "";
-  return table_head("", "temperature") + quantities_toml("temperatures", table.temperature, "K") +
-         toml_line("factors", table.factor);
-}
-
-std::string measured_by_toml(const std::optional<double>& nose_over_pad) {
-  if (!nose_over_pad) return "";
-  return table_head("", "measured_by") + toml_line("nose", "sphere") +
-         toml_line("nose_over_pad", *nose_over_pad, "1");
-}
-
 std::string rate_toml(const RateEffect& effect, const std::string& prefix) {
   return std::visit(
       [&]<class Form>(const Form& form) -> std::string {
@@ -186,8 +174,13 @@ std::string card_toml(const Material& material) {
       text += "  " + toml_string(reservation) + ",\n";
     text += "]\n";
   }
-  text += law_toml(material) + temperature_toml(material.temperature_table) +
-          measured_by_toml(material.nose_over_pad);
+  text += law_toml(material);
+  if (const auto& [temperature, factor] = material.temperature_table; !temperature.empty())
+    text += table_head("", "temperature") + quantities_toml("temperatures", temperature, "K") +
+            toml_line("factors", factor);
+  if (material.nose_over_pad)
+    text += table_head("", "measured_by") + toml_line("nose", "sphere") +
+            toml_line("nose_over_pad", *material.nose_over_pad, "1");
   if (!material.also_published.empty()) {
     text += table_head("", "also_published");
     for (const auto& [key, value] : material.also_published)

@@ -61,8 +61,7 @@ std::string pad_text(const Pad& pad, const UnitSystem& units) {
                      pad.layers.size() == 1 ? "layer" : "layers", text);
 }
 
-/// `, cut to 0.01 m2, under a sheet of 4 kg/m2, struck before to a depth of 12 mm,`; empty of a pad that is
-/// none of it
+/// The condition of a pad: `, cut to 0.01 m2, under a sheet of 4 kg/m2,`; empty without any.
 std::string condition_text(const Pad& pad, const UnitSystem& units) {
   std::string text;
   if (pad.area) text += ", cut to " + brief_quantity(*pad.area, "m2", units);
@@ -84,7 +83,7 @@ std::string support_text(const Support& support, const UnitSystem& units) {
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
 }
 
-/// What happens between blows, by the law and by what the case says of it.
+/// What happens to the pad between blows.
 std::string rests_text(const PadLaw& law, const Blows& blows) {
   switch (blow_memory(law)) {
     case BlowMemory::none:

@@ -51,7 +51,7 @@ std::string profile_toml(const Profile& profile) {
 /// `prefix`: of the tables of the law.
 std::string material_toml(const Material& material, const PadCondition& condition,
                           const std::string& prefix) {
-  // The law of a case has no card whose density or temperature could be changed: its stresses are written as
+  // A case file has no card whose density or temperature could change the law: its stresses are written as
   // used.
   Material as_used = material;
   as_used.law = scaled(material.law, stress_factor(condition, material));
@@ -75,7 +75,7 @@ std::string pad_toml(const Pad& pad) {
 }  // namespace
 
 std::string toml_string(const std::string& text) {
-  // What JSON writes, but for what TOML forbids.
+  // JSON strings are valid TOML strings, except for characters that one_line() removes.
   return nlohmann::json(one_line(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

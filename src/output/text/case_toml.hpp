@@ -9,15 +9,14 @@
 
 namespace dashpad::output {
 
-/// TOML in SI that read_case() reads as the same numbers. It holds the law itself, so that no card is needed;
-/// where the material comes from is a comment.
+/// The case as TOML in SI, which read_case() reads as the same numbers. It contains the law, so that no card
+/// is needed; the source of the material is a comment.
 std::string case_toml(const ImpactCase& impact, const Options& options);
 
 /// A basic string of TOML, in one line; what is not UTF-8 is mended.
 std::string toml_string(const std::string& text);
 
-/// A number with the fewest digits that are read as the same number; a text with its unit where that is
-/// not 1.
+/// The shortest number that reads back exactly, as a text with its unit unless that is 1.
 std::string toml_value(double number, const std::string& unit);
 
 /// `key = value` and the end of the line.

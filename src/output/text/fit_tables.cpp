@@ -10,7 +10,8 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double width_of_95 = 1.96;  ///< of a normal distribution, in deviations
+constexpr double width_of_95 =
+    1.96;  ///< half width of the 95 % interval of a normal distribution, in deviations
 
 std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
   if (!rms) return "not tested";
@@ -29,19 +30,16 @@ std::string loops_text(const fit::MetTest& test) {
 
 Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"unknown", "value", "standard error", "95 % interval", ""}};
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    table.rows.push_back({fitted_unknown.key,
-                          brief_quantity(fitted_unknown.value, fitted_unknown.unit, units, 4),
-                          fitted_unknown.standard_error
-                              ? brief_quantity(*fitted_unknown.standard_error, fitted_unknown.unit, units, 2)
-                              : "none",
-                          interval_words(fitted_unknown, units),
-                          fitted_unknown.wants_beyond()
-                              ? fitted_unknown.is_at_lowest ? "at its lower bound" : "at its upper bound"
-                          : fitted_unknown.is_at_lowest     ? "as small as it can be"
-                          : fitted_unknown.is_at_highest    ? "as large as it can be"
-                          : fitted_unknown.rests_on_prior() ? "mostly from its prior"
-                                                            : ""});
+  for (const fit::FittedUnknown& unknown : report.unknowns)
+    table.rows.push_back(
+        {unknown.key, brief_quantity(unknown.value, unknown.unit, units, 4),
+         unknown.standard_error ? brief_quantity(*unknown.standard_error, unknown.unit, units, 2) : "none",
+         interval_words(unknown, units),
+         unknown.wants_beyond()     ? unknown.is_at_lowest ? "at its lower bound" : "at its upper bound"
+         : unknown.is_at_lowest     ? "as small as it can be"
+         : unknown.is_at_highest    ? "as large as it can be"
+         : unknown.rests_on_prior() ? "mostly from its prior"
+                                    : ""});
   return table;
 }
 
@@ -58,35 +56,32 @@ Table table_of_tests(const fit::FitReport& report, const UnitSystem& units) {
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "figure", "measured", "deviation", "model", "the model's own 95 %",
                           "off by", ""}};
-  for (const fit::MetFigure& met_figure : report.figures) {
-    const fit::ImpactFigureName& name = name_of(met_figure.figure);
+  for (const fit::MetFigure& figure : report.figures) {
+    const fit::ImpactFigureName& name = name_of(figure.figure);
     const auto shown = [&](double value, int digits) {
       return brief_quantity(value, name.quantity->si_unit, units, digits);
     };
     table.rows.push_back(
-        {met_figure.file, name.quantity->title, shown(met_figure.measured, 4), shown(met_figure.deviation, 2),
-         met_figure.computed ? shown(*met_figure.computed, 4) : "none",
-         met_figure.prediction_deviation ? "± " + shown(width_of_95 * *met_figure.prediction_deviation, 2)
-                                         : "",
-         met_figure.computed
-             ? fmt::format("{:+.1f} deviations",
-                           (*met_figure.computed - met_figure.measured) / met_figure.deviation)
+        {figure.file, name.quantity->title, shown(figure.measured, 4), shown(figure.deviation, 2),
+         figure.computed ? shown(*figure.computed, 4) : "none",
+         figure.prediction_deviation ? "± " + shown(width_of_95 * *figure.prediction_deviation, 2) : "",
+         figure.computed
+             ? fmt::format("{:+.1f} deviations", (*figure.computed - figure.measured) / figure.deviation)
              : "",
-         met_figure.is_held_out ? "held out: predicted" : ""});
+         figure.is_held_out ? "held out: predicted" : ""});
   }
   return table;
 }
 
 Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "figure", "measured", "model", "off by", ""}};
-  for (const fit::ImpactComparison& impact_comparison : report.comparison) {
-    const fit::ImpactFigureName& name = name_of(impact_comparison.figure);
+  for (const fit::ImpactComparison& comparison : report.comparison) {
+    const fit::ImpactFigureName& name = name_of(comparison.figure);
     const auto shown = [&](double value) { return brief_quantity(value, name.quantity->si_unit, units, 4); };
-    table.rows.push_back(
-        {impact_comparison.file, name.quantity->title, shown(impact_comparison.measured),
-         impact_comparison.computed ? shown(*impact_comparison.computed) : "none",
-         impact_comparison.computed ? fmt::format("{:+.1f} %", 100 * *impact_comparison.share()) : "",
-         impact_comparison.is_held_out ? "held out: predicted" : "fitted"});
+    table.rows.push_back({comparison.file, name.quantity->title, shown(comparison.measured),
+                          comparison.computed ? shown(*comparison.computed) : "none",
+                          comparison.computed ? fmt::format("{:+.1f} %", 100 * *comparison.share()) : "",
+                          comparison.is_held_out ? "held out: predicted" : "fitted"});
   }
   return table;
 }
@@ -104,20 +99,18 @@ Table table_of_loops(const fit::FitReport& report) {
 Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units) {
   Table table{.columns = {"impact", "pulse", "points", "peak, measured and model", "model minus pulse, rms",
                           "shift", ""}};
-  for (const fit::MetPulse& met_pulse : report.pulses) {
+  for (const fit::MetPulse& pulse : report.pulses) {
     const auto shown = [&](double value, int digits) { return brief_quantity(value, "m/s2", units, digits); };
     table.rows.push_back(
-        {met_pulse.file, met_pulse.pulse_file,
-         met_pulse.time.size() < met_pulse.samples
-             ? fmt::format("{} of {}", met_pulse.time.size(), met_pulse.samples)
-             : fmt::format("{}", met_pulse.time.size()),
-         fmt::format("{}, {}", shown(met_pulse.measured_peak, 4),
-                     met_pulse.computed_peak ? shown(*met_pulse.computed_peak, 4) : "none"),
-         met_pulse.rms ? fmt::format("{}, {:.2g} %", shown(*met_pulse.rms, 3),
-                                     100 * *met_pulse.rms / met_pulse.measured_peak)
-                       : "none",
-         met_pulse.shift ? brief_quantity(*met_pulse.shift, "s", units, 2) : "onsets at one time",
-         met_pulse.is_held_out ? "held out: predicted" : ""});
+        {pulse.file, pulse.pulse_file,
+         pulse.time.size() < pulse.samples ? fmt::format("{} of {}", pulse.time.size(), pulse.samples)
+                                           : fmt::format("{}", pulse.time.size()),
+         fmt::format("{}, {}", shown(pulse.measured_peak, 4),
+                     pulse.computed_peak ? shown(*pulse.computed_peak, 4) : "none"),
+         pulse.rms ? fmt::format("{}, {:.2g} %", shown(*pulse.rms, 3), 100 * *pulse.rms / pulse.measured_peak)
+                   : "none",
+         pulse.shift ? brief_quantity(*pulse.shift, "s", units, 2) : "onsets at one time",
+         pulse.is_held_out ? "held out: predicted" : ""});
   }
   return table;
 }

@@ -11,10 +11,6 @@ namespace dashpad::output {
 
 namespace {
 
-std::string count_of(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 /// "a, b and c".
 std::string listed(const std::vector<std::string>& parts) {
   std::string text;
@@ -38,19 +34,17 @@ std::string words_of(const Misses& misses) {
   return listed(parts);
 }
 
-/// Of the unknowns of the material.
+/// Counts of the unknowns of the material.
 struct Determined {
   std::size_t all = 0, by_data = 0, by_prior = 0, open = 0;
 };
 
 Determined determined(const fit::FitReport& report) {
   Determined count;
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns) {
-    if (fitted_unknown.is_nuisance) continue;
+  for (const fit::FittedUnknown& unknown : report.unknowns) {
+    if (unknown.is_nuisance) continue;
     ++count.all;
-    ++(!fitted_unknown.is_identified()   ? count.open
-       : fitted_unknown.rests_on_prior() ? count.by_prior
-                                         : count.by_data);
+    ++(!unknown.is_identified() ? count.open : unknown.rests_on_prior() ? count.by_prior : count.by_data);
   }
   return count;
 }
@@ -69,26 +63,25 @@ std::string beside_data(const Determined& determined) {
 
 Misses misses(const fit::FitReport& report, bool held_out) {
   Misses most;
-  for (const fit::MetTest& met_test : report.tests)
-    if (met_test.is_held_out == held_out)
-      for (const auto& rms : {met_test.rms_loading, met_test.rms_unloading})
-        if (rms) grow(most.tests, *rms / met_test.largest_stress);
-  for (const fit::MetFigure& met_figure : report.figures)
-    if (met_figure.is_held_out == held_out && met_figure.computed)
-      grow(most.figures, std::abs(*met_figure.computed - met_figure.measured) / met_figure.deviation);
-  for (const fit::MetPulse& met_pulse : report.pulses)
-    if (met_pulse.is_held_out == held_out && met_pulse.rms)
-      grow(most.pulses, *met_pulse.rms / met_pulse.measured_peak);
+  for (const fit::MetTest& test : report.tests)
+    if (test.is_held_out == held_out)
+      for (const auto& rms : {test.rms_loading, test.rms_unloading})
+        if (rms) grow(most.tests, *rms / test.largest_stress);
+  for (const fit::MetFigure& figure : report.figures)
+    if (figure.is_held_out == held_out && figure.computed)
+      grow(most.figures, std::abs(*figure.computed - figure.measured) / figure.deviation);
+  for (const fit::MetPulse& pulse : report.pulses)
+    if (pulse.is_held_out == held_out && pulse.rms) grow(most.pulses, *pulse.rms / pulse.measured_peak);
   return most;
 }
 
 std::string fit_headline(const fit::FitReport& report) {
   const Determined of = determined(report);
-  std::string text = of.by_data == of.all ? of.all == 1
-                                                ? "The data determine the unknown"
-                                                : fmt::format("The data determine all {} unknowns", of.all)
-                                          : fmt::format("The data determine {} of {}{}", of.by_data,
-                                                        count_of(of.all, "unknown"), beside_data(of));
+  std::string text = of.by_data == of.all
+                         ? of.all == 1 ? "The data determine the unknown"
+                                       : fmt::format("The data determine all {} unknowns", of.all)
+                         : fmt::format("The data determine {} of {}{}", of.by_data, plural(of.all, "unknown"),
+                                       beside_data(of));
   const std::string missed = words_of(misses(report, false));
   return text + (missed.empty() ? "." : "; the model misses " + missed + ".");
 }
@@ -99,26 +92,24 @@ std::string prediction_words(const fit::FitReport& report) {
 }
 
 std::string fit_answer(const fit::FitReport& report) {
-  const auto fitted = static_cast<std::size_t>(
-      std::ranges::count_if(report.tests, [](const fit::MetTest& test) { return !test.is_held_out; }));
-  const auto figures = static_cast<std::size_t>(std::ranges::count_if(
-      report.figures, [](const fit::MetFigure& met_figure) { return !met_figure.is_held_out; }));
-  std::size_t pulses = 0, points_of_pulses = 0;
-  for (const fit::MetPulse& pulse : report.pulses)
-    if (!pulse.is_held_out) {
-      ++pulses;
-      points_of_pulses += pulse.time.size();
-    }
+  const auto fitted_in = [](const auto& all) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(all, [](const auto& one) { return !one.is_held_out; }));
+  };
+  const std::size_t tests = fitted_in(report.tests), figures = fitted_in(report.figures),
+                    pulses = fitted_in(report.pulses);
+  std::size_t points_of_pulses = 0;
+  for (const fit::MetPulse& pulse : fit::fitted(report.pulses)) points_of_pulses += pulse.time.size();
   const Determined of = determined(report);
   std::vector<std::string> data;
-  if (fitted > 0)
-    data.push_back(count_of(report.points - figures - points_of_pulses, "point") + " of " +
-                   count_of(fitted, "test"));
-  if (figures > 0) data.push_back(count_of(figures, "figure") + " of impacts");
+  if (tests > 0)
+    data.push_back(plural(report.points - figures - points_of_pulses, "point") + " of " +
+                   plural(tests, "test"));
+  if (figures > 0) data.push_back(plural(figures, "figure") + " of impacts");
   if (pulses > 0)
-    data.push_back(count_of(points_of_pulses, "point") + " of " + count_of(pulses, "pulse") + " of impacts");
-  if (report.priors > 0) data.push_back(count_of(report.priors, "prior"));
-  std::string text = count_of(of.all, "unknown") + " from " + listed(data);
+    data.push_back(plural(points_of_pulses, "point") + " of " + plural(pulses, "pulse") + " of impacts");
+  if (report.priors > 0) data.push_back(plural(report.priors, "prior"));
+  std::string text = plural(of.all, "unknown") + " from " + listed(data);
   text += of.by_data == of.all ? ": the data determine all of them. "
                                : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
@@ -137,13 +128,13 @@ std::string words_on_added(const fit::FitReport& report) {
          "is sought too, from 0 to 1. State it where it is known.";
 }
 
-std::string interval_words(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units) {
-  const auto shown = [&](double value) { return brief_quantity(value, fitted_unknown.unit, units, 4); };
-  if (fitted_unknown.is_identified())
-    return shown(fitted_unknown.low.value_or(fitted_unknown.lowest)) + " to " +
-           shown(fitted_unknown.high.value_or(fitted_unknown.highest));
-  if (fitted_unknown.low) return "above " + shown(*fitted_unknown.low) + ", open above";
-  if (fitted_unknown.high) return "below " + shown(*fitted_unknown.high) + ", open below";
+std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units) {
+  const auto shown = [&](double value) { return brief_quantity(value, unknown.unit, units, 4); };
+  if (unknown.is_identified())
+    return shown(unknown.low.value_or(unknown.lowest)) + " to " +
+           shown(unknown.high.value_or(unknown.highest));
+  if (unknown.low) return "above " + shown(*unknown.low) + ", open above";
+  if (unknown.high) return "below " + shown(*unknown.high) + ", open below";
   return "open on both sides";
 }
 
@@ -159,9 +150,9 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   for (const std::vector<std::string>& keys : report.flat_directions)
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
                                                    : " are not told apart by these data."));
-  for (const fit::StrongCorrelation& strong_correlation : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.",
-                              strong_correlation.first, strong_correlation.second, strong_correlation.value));
+  for (const fit::StrongCorrelation& correlation : report.correlations)
+    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", correlation.first,
+                              correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
     all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
   return all;

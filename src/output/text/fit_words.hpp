@@ -1,5 +1,5 @@
 #pragma once
-/// What is said of a fit, in the terminal and on the page.
+/// Words and tables of a fit.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace dashpad::output {
 
-/// By how much the model misses what is held out, or what is fitted, at most; absent where there is none.
+/// The largest misses of the held-out or of the fitted data; absent where there are no such data.
 struct Misses {
   std::optional<double> tests;    ///< root mean square over the largest stress
   std::optional<double> figures;  ///< over the stated deviation
@@ -22,23 +22,23 @@ Misses misses(const fit::FitReport& report, bool held_out);
 /// "7 unknowns from 150 points of 1 test: the data determine all of them." and how many starts came to it.
 std::string fit_answer(const fit::FitReport& report);
 
-/// What was sought though the fit file does not name it, and why; empty without.
+/// The unknown that the program added to those of the fit file, and why; empty if it added none.
 std::string words_on_added(const fit::FitReport& report);
 
 /// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (root mean
 /// square)."
 std::string fit_headline(const fit::FitReport& report);
 
-/// What was predicted, not fitted, and by how much that is off; empty where nothing was held out.
+/// The accuracy of the predictions of held-out data; empty if nothing was held out.
 std::string prediction_words(const fit::FitReport& report);
 
 /// "1.2 to 3.4 kPa", "above 1.2 kPa, open above", "open on both sides"; a natural bound ends it as well.
-std::string interval_words(const fit::FittedUnknown& fitted_unknown, const UnitSystem& units);
+std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units);
 
-/// What cannot be told from the data, a sentence each.
+/// Unknowns that the data do not determine, a sentence each.
 std::vector<std::string> open_matters(const fit::FitReport& report);
 
-/// Where the noise comes from, and what correlated residuals are worth; a sentence each.
+/// The origin of the noise and the effect of correlated residuals, a sentence each.
 std::vector<std::string> notes_on_noise(const fit::FitReport& report);
 
 /// "1.5 s", "15 min", "2.5 h".

@@ -9,7 +9,7 @@
 
 namespace dashpad::output {
 
-/// To what share a figure is known at best where a foam is used beyond its tests.
+/// The smallest relative uncertainty of a figure that rests on a foam beyond its tests.
 inline constexpr double known_beyond_tests = 0.15;
 
 /// "tested" for laws with curves, "fitted" for others.

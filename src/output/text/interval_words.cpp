@@ -22,7 +22,7 @@ int digits_between(double low, double high) {
 
 const FigureInterval* first_asked(const Intervals& intervals) {
   for (const char* key : {"hic15", "peak_acceleration", "peak_penetration"})
-    if (const FigureInterval* figure_interval = intervals.find(key)) return figure_interval;
+    if (const FigureInterval* interval = intervals.find(key)) return interval;
   return nullptr;
 }
 
@@ -30,24 +30,22 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// What gives no interval, and why.
+/// Sources without an interval, and why they have none.
 std::vector<std::string> unknown_words(const Intervals& intervals) {
   std::vector<std::string> all;
-  for (const OpenSource& open_source : intervals.sources)
-    if (!open_source.why_not.empty())
-      all.push_back(one_line(open_source.words) + ": " + one_line(open_source.why_not));
+  for (const OpenSource& source : intervals.sources)
+    if (!source.why_not.empty()) all.push_back(one_line(source.words) + ": " + one_line(source.why_not));
   return all;
 }
 
-std::string figure_words(const FigureInterval& figure_interval, const Intervals& intervals,
+std::string figure_words(const FigureInterval& interval, const Intervals& intervals,
                          const UnitSystem& units) {
-  const ResultQuantity& quantity = result_quantity(figure_interval.key);
-  const std::string value = brief_quantity(figure_interval.nominal, quantity.si_unit, units, 4);
-  if (figure_interval.sources.empty())
+  const ResultQuantity& quantity = result_quantity(interval.key);
+  const std::string value = brief_quantity(interval.nominal, quantity.si_unit, units, 4);
+  if (interval.sources.empty())
     return fmt::format("{} {}: nothing that is open moves it.", quantity.title, value);
-  return fmt::format("{} {}, {} at 95 %, by {}.", quantity.title, value,
-                     interval_words(figure_interval, units),
-                     joined(source_words(figure_interval, intervals, units)));
+  return fmt::format("{} {}, {} at 95 %, by {}.", quantity.title, value, interval_words(interval, units),
+                     joined(source_words(interval, intervals, units)));
 }
 
 }  // namespace
@@ -62,19 +60,18 @@ std::string range_words(double low, double high, const std::string& si_unit, con
   return brief(rounded_to(low, digits)) + " to " + brief(rounded_to(high, digits)) + name;
 }
 
-std::string interval_words(const FigureInterval& figure_interval, const UnitSystem& units) {
-  return range_words(figure_interval.low, figure_interval.high, result_quantity(figure_interval.key).si_unit,
-                     units);
+std::string interval_words(const FigureInterval& interval, const UnitSystem& units) {
+  return range_words(interval.low, interval.high, result_quantity(interval.key).si_unit, units);
 }
 
-std::vector<std::string> source_words(const FigureInterval& figure_interval, const Intervals& intervals,
+std::vector<std::string> source_words(const FigureInterval& interval, const Intervals& intervals,
                                       const UnitSystem& units) {
   std::vector<std::string> all;
-  for (const Contribution& each : figure_interval.sources) {
+  for (const Contribution& each : interval.sources) {
     const OpenSource* const source = intervals.find(each.source);
     all.push_back(
         fmt::format("{}: {} alone", source ? one_line(source->words) : to_string(each.source),
-                    range_words(each.low, each.high, result_quantity(figure_interval.key).si_unit, units)));
+                    range_words(each.low, each.high, result_quantity(interval.key).si_unit, units)));
   }
   return all;
 }
@@ -82,18 +79,18 @@ std::vector<std::string> source_words(const FigureInterval& figure_interval, con
 void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const UnitSystem& units) {
   if (!summary.intervals) return;
   for (ValueRow& row : rows)
-    if (const FigureInterval* figure_interval = summary.intervals->find(row.key);
-        figure_interval && !figure_interval->sources.empty())
-      row.interval = interval_words(*figure_interval, units);
+    if (const FigureInterval* interval = summary.intervals->find(row.key);
+        interval && !interval->sources.empty())
+      row.interval = interval_words(*interval, units);
 }
 
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked) {
   const Intervals& intervals = *summary.intervals;
   Table table{.caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}};
   std::vector<Source> open;
-  for (const OpenSource& open_source : intervals.sources)
-    if (open_source.why_not.empty() && std::ranges::find(open, open_source.source) == open.end())
-      open.push_back(open_source.source);
+  for (const OpenSource& source : intervals.sources)
+    if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
+      open.push_back(source.source);
   for (const Source source : open) table.columns.push_back(capitalised(to_string(source)));
   for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
     if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
@@ -113,10 +110,10 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
 
 std::string source_paragraph(const Intervals& intervals) {
   std::vector<std::string> all;
-  for (const OpenSource& open_source : intervals.sources)
-    all.push_back(fmt::format(
-        "{}: {}{}", to_string(open_source.source), one_line(open_source.words),
-        open_source.why_not.empty() ? "" : "; no interval, for " + one_line(open_source.why_not)));
+  for (const OpenSource& source : intervals.sources)
+    all.push_back(
+        fmt::format("{}: {}{}", to_string(source.source), one_line(source.words),
+                    source.why_not.empty() ? "" : "; no interval, for " + one_line(source.why_not)));
   return all.empty() ? "" : capitalised(joined(all)) + ".";
 }
 
@@ -124,8 +121,8 @@ std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitS
   if (!summary.intervals) return {};
   const Intervals& intervals = *summary.intervals;
   std::vector<std::string> all;
-  if (const FigureInterval* figure_interval = first_asked(intervals))
-    all.push_back(figure_words(*figure_interval, intervals, units));
+  if (const FigureInterval* interval = first_asked(intervals))
+    all.push_back(figure_words(*interval, intervals, units));
   if (const std::vector<std::string> unknown = unknown_words(intervals); !unknown.empty())
     all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
   return all;

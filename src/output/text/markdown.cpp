@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "output/document.hpp"
-#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -41,7 +40,7 @@ std::string row_of(const std::vector<std::string>& row) {
   return line + "\n";
 }
 
-/// Its first words, in capitals, are set apart.
+/// A warning as a list item; the words in capitals at its front are bold.
 std::string warning_line(const std::string& warning) {
   const std::string text = one_line(warning);
   const std::size_t end = capitals_in_front(text);

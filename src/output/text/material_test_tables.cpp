@@ -1,5 +1,6 @@
 // The tables of a material test.
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -49,16 +50,13 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
                           cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
                           "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::CushionFigures& cushion_figures = run.figures;
-    table.rows.push_back({rate_cell(run), cells.stress(cushion_figures.peak_stress),
-                          significant(cushion_figures.strain_at_peak),
-                          cells.stress(cushion_figures.energy_in),
-                          run.unloads ? cells.stress(cushion_figures.energy_returned) : "-",
-                          run.unloads ? percent(cushion_figures.hysteresis) : "-",
-                          significant(cushion_figures.best_efficiency.efficiency),
-                          significant(cushion_figures.best_efficiency.strain),
-                          cells.stress(cushion_figures.best_efficiency.stress),
-                          significant(cushion_figures.best_efficiency.ideality)});
+    const laboratory::CushionFigures& figures = run.figures;
+    table.rows.push_back(
+        {rate_cell(run), cells.stress(figures.peak_stress), significant(figures.strain_at_peak),
+         cells.stress(figures.energy_in), run.unloads ? cells.stress(figures.energy_returned) : "-",
+         run.unloads ? percent(figures.hysteresis) : "-", significant(figures.best_efficiency.efficiency),
+         significant(figures.best_efficiency.strain), cells.stress(figures.best_efficiency.stress),
+         significant(figures.best_efficiency.ideality)});
   }
   return table;
 }
@@ -69,13 +67,11 @@ Table limits_table(const laboratory::MaterialTestReport& report, const Cells& ce
                           cells.in_energy("Energy"), "Efficiency", "Ideality"}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     for (std::size_t i = 0; i < run.at_limits.size(); ++i) {
-      Row row{rate_cell(run), cells.stress(report.test.stress_limits[i])};
-      if (const auto& at = run.at_limits[i])
-        row.insert(row.end(), {significant(at->strain), cells.stress(at->energy), significant(at->efficiency),
-                               significant(at->ideality)});
-      else
-        row.insert(row.end(), {"not reached", "-", "-", "-"});
-      table.rows.push_back(row);
+      const auto& at = run.at_limits[i];
+      const std::string limit = cells.stress(report.test.stress_limits[i]);
+      table.rows.push_back(at ? Row{rate_cell(run), limit, significant(at->strain), cells.stress(at->energy),
+                                    significant(at->efficiency), significant(at->ideality)}
+                              : Row{rate_cell(run), limit, "not reached", "-", "-", "-"});
     }
   return table;
 }
@@ -88,10 +84,10 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
               .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
                           after(0.1 * report.test.hold), after(report.test.hold), "left (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::RelaxedStress& relaxed_stress = *run.relaxed;
-    table.rows.push_back({rate_cell(run), cells.stress(relaxed_stress.at_end_of_ramp),
-                          cells.stress(relaxed_stress.after_tenth), cells.stress(relaxed_stress.after_hold),
-                          percent(relaxed_stress.after_hold / relaxed_stress.at_end_of_ramp)});
+    const laboratory::RelaxedStress& relaxed = *run.relaxed;
+    table.rows.push_back({rate_cell(run), cells.stress(relaxed.at_end_of_ramp),
+                          cells.stress(relaxed.after_tenth), cells.stress(relaxed.after_hold),
+                          percent(relaxed.after_hold / relaxed.at_end_of_ramp)});
   }
   return table;
 }
@@ -114,33 +110,25 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
-    const laboratory::UpdateOf1984& update_of1984 = *run.update_of_1984;
-    const auto add = [&](const char* name, const std::optional<laboratory::StressAtTurn>& turn) {
-      Row row{rate_cell(run), cells.time(update_of1984.step), name};
-      if (turn)
-        row.insert(
-            row.end(),
-            {cells.stress(turn->last_loading), cells.stress(turn->next), cells.stress(turn->jump()),
-             turn->last_loading > 0 ? fmt::format("{:+.2f}", 100 * turn->jump() / turn->last_loading) : "-"});
-      else
-        row.insert(row.end(), {"-", "-", "-", "-"});
-      table.rows.push_back(row);
-    };
-    add("1984", update_of1984.update_at_turn);
-    add("exact", update_of1984.exact_at_turn);
+    const laboratory::UpdateOf1984& update = *run.update_of_1984;
+    for (const auto& [name, turn] :
+         {std::pair{"1984", update.update_at_turn}, {"exact", update.exact_at_turn}}) {
+      Row row{rate_cell(run), cells.time(update.step), name, "-", "-", "-", "-"};
+      if (turn) {
+        row[3] = cells.stress(turn->last_loading);
+        row[4] = cells.stress(turn->next);
+        row[5] = cells.stress(turn->jump());
+        if (turn->last_loading > 0) row[6] = fmt::format("{:+.2f}", 100 * turn->jump() / turn->last_loading);
+      }
+      table.rows.push_back(std::move(row));
+    }
   }
   return table;
 }
 
-const char* words_for(laboratory::ColumnEvent::Kind kind) {
-  switch (kind) {
-    case laboratory::ColumnEvent::Kind::turned: return "unloading begins";
-    case laboratory::ColumnEvent::Kind::reloaded: return "loading begins again";
-    case laboratory::ColumnEvent::Kind::contact_lost: return "contact lost";
-    case laboratory::ColumnEvent::Kind::contact_taken_up: return "contact taken up";
-  }
-  return "";
-}
+/// In the order of laboratory::ColumnEvent::Kind.
+constexpr std::array names_of_events{"unloading begins", "loading begins again", "contact lost",
+                                     "contact taken up"};
 
 Table events_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{
@@ -151,9 +139,9 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
     const auto& events = run.column.events;
     for (std::size_t i = 0; i < events.size() && i < max_events; ++i) {
       const laboratory::ColumnEvent& event = events[i];
-      table.rows.push_back({rate_cell(run), words_for(event.kind), strain_cell(event.strain),
-                            cells.time(event.time), cells.stress(event.stress_before),
-                            cells.stress(event.stress_after)});
+      table.rows.push_back({rate_cell(run), names_of_events.at(static_cast<std::size_t>(event.kind)),
+                            strain_cell(event.strain), cells.time(event.time),
+                            cells.stress(event.stress_before), cells.stress(event.stress_after)});
     }
     if (events.size() > max_events)
       table.rows.push_back(

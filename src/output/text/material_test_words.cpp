@@ -17,34 +17,29 @@ using laboratory::MaterialTestRun;
 
 std::string number(double value) { return brief(rounded_to(value, 3)); }
 
-/// The first limit.
-std::string answer_to_limit(const MaterialTestReport& report, const MaterialTestRun& run,
-                            const MaterialTestValues& shown) {
-  const std::string limit = shown.stress(report.test.stress_limits.front());
-  if (const std::optional<CushionPoint>& at = run.at_limits.front())
-    return fmt::format("Takes {} before its stress reaches {}", shown.energy(at->energy), limit);
-  return fmt::format("Takes {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
-}
-
 std::string answer_without_rate(const MaterialTestReport& report, const MaterialTestRun& run,
                                 const MaterialTestValues& shown) {
   const std::string hold = brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed && run.relaxed->at_end_of_ramp > 0)
     return fmt::format("Keeps {} of its stress for {} at a strain of {}",
                        MaterialTestValues::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp), hold,
-                       MaterialTestValues::strain(report.test.strain));
+                       brief(report.test.strain, 3));
   if (run.crept)
     return fmt::format("Creeps from a strain of {} to {} in {} under {}",
-                       MaterialTestValues::strain(run.crept->at_end_of_loading),
-                       MaterialTestValues::strain(run.crept->after_hold), hold,
+                       brief(run.crept->at_end_of_loading, 3), brief(run.crept->after_hold, 3), hold,
                        shown.stress(report.test.stress));
-  if (!run.at_limits.empty()) return answer_to_limit(report, run, shown);
+  if (!run.at_limits.empty()) {
+    const std::string limit = shown.stress(report.test.stress_limits.front());
+    if (const std::optional<CushionPoint>& at = run.at_limits.front())
+      return fmt::format("Takes {} before its stress reaches {}", shown.energy(at->energy), limit);
+    return fmt::format("Takes {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
+  }
   const CushionPoint& best = run.figures.best_efficiency;
   if (runs_out(run))
     return fmt::format("Best used at {}: it has then taken {}", shown.stress(best.stress),
                        shown.energy(best.energy));
   return fmt::format("Takes {} up to a strain of {}, and has not run out there", shown.energy(best.energy),
-                     MaterialTestValues::strain(best.strain));
+                     brief(best.strain, 3));
 }
 
 }  // namespace
@@ -67,8 +62,6 @@ std::string MaterialTestValues::stress(double value) const {
 std::string MaterialTestValues::energy(double value) const {
   return number(value_in(units, value, "Pa")) + " " + energy_density_unit(units);
 }
-
-std::string MaterialTestValues::strain(double value) { return brief(value, 3); }
 
 std::string MaterialTestValues::share(double value) { return number(100 * value) + " %"; }
 

@@ -14,7 +14,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// What decides: of a fail the criterion that is exceeded most, of a pass the one that is kept least.
+/// The figure that decides the verdict: that of the criterion with the least relative margin.
 std::string decisive_figure(const injury::Assessment& assessment, const UnitSystem& units) {
   const auto margin = [](const injury::CriterionResult& result) {
     return result.relative_margin.value_or(-std::numeric_limits<double>::infinity());

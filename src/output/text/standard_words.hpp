@@ -15,13 +15,13 @@ struct NamedValue {
   const injury::StandardValue* value;
 };
 
-/// Of the impactor.
+/// The values that a standard states for its impactor.
 std::array<NamedValue, 3> values_of(const injury::Standard& standard);
 
 /// "6.67 m/s (after a fall of 2.3 m)", or that it is the case's.
 std::string value_text(const NamedValue& entry, const UnitSystem& units);
 
-/// With the variants in force: "fmvss-218:hemispherical:small".
+/// The name with the variants in force: "fmvss-218:hemispherical:small".
 std::string full_name(const injury::Standard& standard);
 
 }  // namespace dashpad::output

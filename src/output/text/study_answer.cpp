@@ -33,7 +33,7 @@ ExtremeGroups extreme_groups(const study::StudyAnswers& answers, const ValueOf& 
   return extremes;
 }
 
-/// Of draws at each of several combinations of levels: where the limit is kept best, and where worst.
+/// The combinations of levels at which draws exceed the limit least and most often.
 std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit, const UnitSystem& units) {
   const auto probability = [&](const study::StudyAnswers::OfGroup& group) {
     return group.exceedances[limit].probability.value;
@@ -51,7 +51,7 @@ std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit
                      share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
 }
 
-/// Of the limit that is exceeded most.
+/// The answer about the limit that is exceeded most often.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::size_t number = strictest_limit(answers);
   const study::StudyLimit& limit = answers.limits[number];
@@ -72,7 +72,7 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
                      count.undecided > 0 ? fmt::format("; {} more are undecided", count.undecided) : "");
 }
 
-/// Of the first response with indices; empty without any.
+/// The answer about the first response with Sobol' indices; empty without any.
 std::string index_answer(const study::StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const auto& of = answers.groups.front().sensitivities[i];
@@ -101,7 +101,7 @@ double greatest_finite(const study::StudyAnswers& answers) {
   return greatest;
 }
 
-/// Of the first response over a grid.
+/// The range of the first response over a grid.
 std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
   const study::Distribution& distribution = answers.groups.front().distributions.front();
@@ -118,7 +118,7 @@ std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& u
                      three_digit_range(name, distribution.least, distribution.greatest, units));
 }
 
-/// Where the curves of the highest drop are lowest.
+/// The minima of the cushion curves from the greatest drop height.
 std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem& units) {
   const study::CushionCurves::Drop& drop = curves.drops.back();
   std::string minima;
@@ -135,15 +135,15 @@ std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem&
                                       brief_quantity(drop.height, "m", units, 3), minima);
 }
 
-/// Over several combinations of levels, where the median of the draws is least and greatest.
+/// The combinations of levels with the least and the greatest median.
 std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   const std::string& name = response_name(answers, 0);
   const auto [least, greatest] = extreme_medians(answers, 0);
   if (least == nullptr) return "";
-  const auto part = [&](const study::StudyAnswers::OfGroup& of_group) {
+  const auto part = [&](const study::StudyAnswers::OfGroup& group) {
     return fmt::format("{} at {}",
-                       three_digits(name, study::quantile(of_group.distributions.front(), 0.5)->value, units),
-                       words_of_levels(answers, of_group.group, units));
+                       three_digits(name, study::quantile(group.distributions.front(), 0.5)->value, units),
+                       words_of_levels(answers, group.group, units));
   };
   return fmt::format("The median of {} goes from {} to {}", uncapitalised(title_of(name)), part(*least),
                      part(*greatest));
@@ -168,8 +168,8 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
 }  // namespace
 
 ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response) {
-  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& of_group) {
-    const auto median = study::quantile(of_group.distributions[response], 0.5);
+  return extreme_groups(answers, [&](const study::StudyAnswers::OfGroup& group) {
+    const auto median = study::quantile(group.distributions[response], 0.5);
     return median ? median->value : NAN;
   });
 }

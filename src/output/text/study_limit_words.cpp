@@ -18,8 +18,8 @@ namespace {
 /// A level of a factor, and whether the limit is exceeded there.
 using LevelRow = std::pair<double, bool>;
 
-/// Of the row with which that changes for the only time, the number; nothing where it changes more than once
-/// or not at all. In the order of the levels.
+/// The index of the only row, in the order of the levels, at which exceeding starts or ends; none if there
+/// are several such rows or none.
 std::optional<std::size_t> only_change(const std::vector<LevelRow>& rows) {
   std::optional<std::size_t> change;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -30,7 +30,7 @@ std::optional<std::size_t> only_change(const std::vector<LevelRow>& rows) {
   return change;
 }
 
-/// With which names the limit is exceeded, or, where those are fewer, with which it is not.
+/// The names with which the limit is exceeded, or those with which it is not if they are fewer.
 std::string by_name(const study::StudyAnswers& answers, const std::vector<LevelRow>& rows,
                     const study::StudyLimit& limit, const UnitSystem& units) {
   std::string above, below;
@@ -64,7 +64,7 @@ std::string level_words(const study::Study& study, std::size_t factor, double le
                                                         : level_text(study, factor, level, units);
 }
 
-/// Where along a factor the limit is kept: "up to 4.5 m/s". Empty where that is no stretch to one end.
+/// The range of a factor within which the limit is kept: "up to 4.5 m/s". Empty if it does not reach one end.
 std::string where_kept(const study::Study& study, std::size_t factor, const std::vector<LevelRow>& rows,
                        const UnitSystem& units) {
   if (std::ranges::none_of(rows, &LevelRow::second)) return "everywhere";
@@ -75,7 +75,7 @@ std::string where_kept(const study::Study& study, std::size_t factor, const std:
                               : "from " + level_words(study, factor, rows[*change].first, units) + " on";
 }
 
-/// Along the factor with more levels, at the first and the last level of the other one.
+/// The ranges along the factor with more levels, at the first and the last level of the other one.
 std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>& is_above,
                      const study::StudyLimit& limit, const UnitSystem& units) {
   const study::Group& group = answers.groups.front().group;
@@ -84,7 +84,8 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
   const auto level = [&](std::size_t factor, std::size_t row) {
     return answers.records.factors[factor][group.places[row]];
   };
-  std::map<double, std::vector<LevelRow>> lines[2];  // by the levels of either factor, along the other one
+  std::map<double, std::vector<LevelRow>>
+      lines[2];  // for each factor: its levels, and the rows along the other factor
   for (std::size_t row = 0; row < is_above.size(); ++row)
     for (std::size_t given = 0; given < 2; ++given)
       lines[given][level(given, row)].emplace_back(level(1 - given, row), is_above[row]);

@@ -14,10 +14,11 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
-/// Of a grid the others say where its levels are, not what to expect.
+/// The only quantile of a grid that is shown: the others depend on the choice of its levels.
 constexpr double median = 0.5;
 
-/// Of so many rows: "229 (22.9 %)". Only what grows with the force is unbounded then.
+/// The number of rows that bottomed out, with its share: "229 (22.9 %)"; "-" for responses that stay finite
+/// then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
   const ResultQuantity* kind = study::find_response_kind(response);
   if (kind == nullptr || kind->role.growth != Growth::with_force) return "-";
@@ -32,17 +33,17 @@ std::string share_above(const study::Exceedance& exceedance) {
 }
 
 void add_distributions(Table& table, const study::StudyAnswers& answers,
-                       const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
+                       const study::StudyAnswers::OfGroup& group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::string name = response_name(answers, i);
-    const study::Distribution& distribution = of_group.distributions[i];
+    const study::Distribution& distribution = group.distributions[i];
     const ScaledUnit shown = shown_as(si_unit_of(name), units);
     const auto digits = [&](double value) { return four_digits_or_struck(shown.scale * value); };
-    Row row{label(name, si_unit_of(name), units)};
-    if (of_group.group.drawn)
+    Row row{label(name, units)};
+    if (group.group.drawn)
       row.insert(row.end(), {with_interval(distribution.mean, shown.scale), digits(distribution.deviation)});
     for (const study::Distribution::Quantile& quantile : distribution.quantiles)
-      if (of_group.group.drawn
+      if (group.group.drawn
               ? std::ranges::find(shown_quantiles, quantile.probability) != std::end(shown_quantiles)
               : quantile.probability == median)
         row.push_back(with_interval(quantile.value, shown.scale));
@@ -59,13 +60,12 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
 }
 
 void add_exceedances(Table& table, const study::StudyAnswers& answers,
-                     const study::StudyAnswers::OfGroup& of_group, const UnitSystem& units) {
+                     const study::StudyAnswers::OfGroup& group, const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.limits.size(); ++i) {
     const study::StudyLimit& limit = answers.limits[i];
-    const study::Exceedance& exceedance = of_group.exceedances[i];
+    const study::Exceedance& exceedance = group.exceedances[i];
     const ScaledUnit shown = shown_as(si_unit_of(limit.response), units);
-    Row row{title_of(limit.response),
-            four_digits(shown.scale * limit.value) + (shown.unit.empty() ? "" : " " + shown.unit),
+    Row row{title_of(limit.response), with_unit(four_digits(shown.scale * limit.value), shown.unit),
             share_above(exceedance), std::to_string(exceedance.exceeding)};
     if (answers.records.struck_through > 0)
       row.push_back(
@@ -77,15 +77,14 @@ void add_exceedances(Table& table, const study::StudyAnswers& answers,
   }
 }
 
-void add_indices(Table& table, const study::StudyAnswers& answers,
-                 const study::StudyAnswers::OfGroup& of_group,
+void add_indices(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& group,
                  const UnitSystem& /*none of them has a unit*/) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
-    if (!of_group.sensitivities[i]) continue;
-    for (const study::Sensitivity::Index& index : of_group.sensitivities[i]->indices)
+    if (!group.sensitivities[i]) continue;
+    for (const study::Sensitivity::Index& index : group.sensitivities[i]->indices)
       table.rows.push_back({title_of(response_name(answers, i)), factor_title(index.factor),
                             share_with_interval(index.first), share_with_interval(index.total),
-                            std::to_string(of_group.sensitivities[i]->draws)});
+                            std::to_string(group.sensitivities[i]->draws)});
   }
 }
 
@@ -103,11 +102,11 @@ Table over_groups(Table table, const study::StudyAnswers& answers, const UnitSys
   const bool named = answers.groups.size() > 1;
   if (named) table.columns.insert(table.columns.begin(), "At");
   for (std::size_t i = 0; i < answers.groups.size() && i < max_groups_shown; ++i) {
-    const study::StudyAnswers::OfGroup& of_group = answers.groups[i];
+    const study::StudyAnswers::OfGroup& group = answers.groups[i];
     const std::size_t begin = table.rows.size();
-    add(table, answers, of_group, units);
+    add(table, answers, group, units);
     for (std::size_t row = begin; named && row < table.rows.size(); ++row)
-      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, of_group.group, units));
+      table.rows[row].insert(table.rows[row].begin(), words_of_levels(answers, group.group, units));
   }
   return table;
 }
@@ -176,15 +175,16 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   std::vector<std::string> texts;
   const study::Records& records = answers.records;
   const std::size_t rows = records.rows.size();
+  const auto add = [&](std::uint64_t count, const char* name, const char* words) {
+    if (count > 0) texts.push_back(fmt::format("{} {} of {} rows {}", name, count, rows, words));
+  };
   if (rows < answers.rows)
     texts.push_back(fmt::format(
         "NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same command goes on.",
         rows, answers.rows));
-  if (records.doubtful > 0)
-    texts.push_back(
-        fmt::format("DOUBTFUL: {} of {} rows miss the tolerance, make no valid case or lack a figure that "
-                    "was asked for. No limit is decided by them.",
-                    records.doubtful, rows));
+  add(records.doubtful, "DOUBTFUL:",
+      "miss the tolerance, make no valid case or lack a figure that was asked for. No limit is decided by "
+      "them.");
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
@@ -193,26 +193,16 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
         records.struck_through, rows,
         four_digits(100 * static_cast<double>(records.struck_through) / static_cast<double>(rows))));
   if (records.bottomed > records.struck_through)
-    texts.push_back(
-        fmt::format("BOTTOMED: in {} of {} rows the pad was fully compressed and only the support gave way; "
-                    "they count by their figures.",
-                    records.bottomed - records.struck_through, rows));
-  if (records.time_limit > 0)
-    texts.push_back(fmt::format(
-        "TIME LIMIT: in {} of {} rows the impactor was still on the pad when the time limit was reached. "
-        "Their largest values are lower bounds: a limit that they do not exceed is undecided.",
-        records.time_limit, rows));
-  if (records.beyond_strain > 0)
-    texts.push_back(fmt::format(
-        "EXTRAPOLATED STRAIN: {} of {} rows go beyond the tested strain, where the foam is a guess.",
-        records.beyond_strain, rows));
-  if (records.beyond_rate > 0)
-    texts.push_back(
-        fmt::format("EXTRAPOLATED RATE: {} of {} rows go beyond the tested rates, where the foam is a law.",
-                    records.beyond_rate, rows));
-  if (records.extrapolated > 0 && records.beyond_strain + records.beyond_rate == 0)
-    texts.push_back(fmt::format("EXTRAPOLATED: {} of {} rows go beyond what the material was measured for.",
-                                records.extrapolated, rows));
+    add(records.bottomed - records.struck_through, "BOTTOMED: in",
+        "the pad was fully compressed and only the support gave way; they count by their figures.");
+  add(records.time_limit, "TIME LIMIT: in",
+      "the impactor was still on the pad when the time limit was reached. Their largest values are lower "
+      "bounds: a limit that they do not exceed is undecided.");
+  add(records.beyond_strain,
+      "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam is a guess.");
+  add(records.beyond_rate, "EXTRAPOLATED RATE:", "go beyond the tested rates, where the foam is a law.");
+  if (records.beyond_strain + records.beyond_rate == 0)
+    add(records.extrapolated, "EXTRAPOLATED:", "go beyond what the material was measured for.");
   if (answers.groups.size() > max_groups_shown)
     texts.push_back(fmt::format("CUT: the first {} of {} combinations of levels are shown; --json has all.",
                                 max_groups_shown, answers.groups.size()));
@@ -221,8 +211,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
 
 namespace {
 
-/// Factors that are correlated with one before them: the product with the Cholesky factor takes their draws
-/// out of their strata.
+/// Factors correlated with an earlier one: the Cholesky factor moves their draws out of their strata.
 std::string unstratified_factors(const study::Study& study) {
   std::vector<bool> is_later(study.factors.size());
   for (const study::Correlation& pair : study.correlations)

@@ -41,7 +41,7 @@ std::string_view meaning_of(std::string_view key) {
   return "";
 }
 
-/// What the numbers under a table of the case belong to.
+/// The owners of the numbers in the tables of a case.
 constexpr std::array<Words, 5> owners{{{"pad.parameters.", " of the foam"},
                                        {"pad.curve.", " of the foam"},
                                        {"pad.rate.", " of the foam's rate effect"},
@@ -104,7 +104,7 @@ std::string with_interval(const study::Estimate& estimate, double scale) {
 }
 
 std::string share_with_interval(const study::Estimate& share) {
-  // What rounds to zero has no sign.
+  // Adding zero removes the sign of a value that rounds to zero.
   const auto rounded = [](double value) { return std::round(1000 * value) / 1000 + 0.0; };
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", rounded(share.value), rounded(share.low),
                      rounded(share.high));
@@ -133,7 +133,7 @@ std::string si_unit_of(const std::string& response) {
 std::string three_digits(const std::string& response, double value, const UnitSystem& units) {
   if (!std::isfinite(value)) return value == HUGE_VAL ? "bottomed out" : "unknown";
   const ScaledUnit shown = shown_as(si_unit_of(response), units);
-  return brief(rounded_to(shown.scale * value, 3)) + (shown.unit.empty() ? "" : " " + shown.unit);
+  return with_unit(brief(rounded_to(shown.scale * value, 3)), shown.unit);
 }
 
 std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units) {
@@ -144,9 +144,9 @@ std::string three_digit_range(const std::string& response, double low, double hi
   return from + " to " + to;
 }
 
-std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units) {
-  const std::string unit = shown_as(si_unit, units).unit;
-  return unit.empty() ? title_of(name) : fmt::format("{} ({})", title_of(name), unit);
+std::string label(const std::string& response, const UnitSystem& units) {
+  const std::string unit = shown_as(si_unit_of(response), units).unit;
+  return title_of(response) + (unit.empty() ? "" : fmt::format(" ({})", unit));
 }
 
 std::vector<std::size_t> level_factors(const study::Study& study) {
@@ -156,19 +156,12 @@ std::vector<std::size_t> level_factors(const study::Study& study) {
   return numbers;
 }
 
-std::vector<std::size_t> sampled_factors(const study::Study& study) {
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < study.factors.size(); ++i)
-    if (study.factors[i].is_sampled()) numbers.push_back(i);
-  return numbers;
-}
-
 std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units) {
   const study::Factor& of = study.factors[factor];
   const auto number = static_cast<std::size_t>(std::max(value, 0.0));
   if (of.unit.empty() && number < study.materials.size()) return one_line(study.materials[number].name);
   const ScaledUnit shown = shown_as(of.unit, units);
-  return four_digits(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+  return with_unit(four_digits(shown.scale * value), shown.unit);
 }
 
 std::string factor_at(const study::Study& study, std::size_t factor, double value, const UnitSystem& units) {
@@ -187,9 +180,7 @@ std::string words_of_levels(const study::StudyAnswers& answers, const study::Gro
 
 std::string shown_factor(const std::string& unit, double value, const Material& material,
                          const UnitSystem& units) {
-  if (unit.empty()) return one_line(material.name);
-  const ScaledUnit shown = shown_as(unit, units);
-  return brief(shown.scale * value) + (shown.unit.empty() ? "" : " " + shown.unit);
+  return unit.empty() ? one_line(material.name) : brief_quantity(value, unit, units);
 }
 
 }  // namespace dashpad::output

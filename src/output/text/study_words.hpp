@@ -9,21 +9,21 @@
 
 namespace dashpad::output {
 
-/// More lines than this tell nothing.
+/// The largest number of lines in a plot of a study.
 inline constexpr std::size_t max_lines_drawn = 8;
 
 /// Four significant digits: what a study of some thousand rows can tell. "-" if not finite.
 std::string four_digits(double value);
 /// The same of a value that is infinite where the pad bottomed out on a rigid support: those words then.
 std::string four_digits_or_struck(double value);
-/// "12.3 (11.9 to 12.8)", "12.3 (below 13)" for a bound at one side only; without brackets where there is no
-/// interval. An infinite value is "bottomed out".
+/// An estimate with its interval: "12.3 (11.9 to 12.8)", "12.3 (below 13)"; no brackets without an interval.
+/// An infinite value is "bottomed out".
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);
 /// A share in per cent, with three digits: "12.3 %"; "undecided" if not finite.
 std::string per_cent(double share);
-/// In per cent.
+/// The estimate of a share, in per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
 
 /// The response that is the i-th with answers.
@@ -31,16 +31,15 @@ const std::string& response_name(const study::StudyAnswers& answers, std::size_t
 /// "Peak force" of the response peak_force.
 std::string title_of(const std::string& name);
 std::string si_unit_of(const std::string& response);
-/// With its unit and three digits, large values too: "9170 N", "HIC15" without a unit.
+/// The value with its unit and three digits, large values too: "9170 N".
 std::string three_digits(const std::string& response, double value, const UnitSystem& units);
 /// "2080 to 9170 N".
 std::string three_digit_range(const std::string& response, double low, double high, const UnitSystem& units);
 /// "Peak force (kN)".
-std::string label(const std::string& name, const std::string& si_unit, const UnitSystem& units);
+std::string label(const std::string& response, const UnitSystem& units);
 
-/// Numbers in Study::factors of those with levels, and of those with distributions.
+/// The indices in Study::factors of the factors with levels.
 std::vector<std::size_t> level_factors(const study::Study& study);
-std::vector<std::size_t> sampled_factors(const study::Study& study);
 
 /// "5 m/s", or the name of a material.
 std::string level_text(const study::Study& study, std::size_t factor, double value, const UnitSystem& units);
@@ -50,8 +49,8 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units);
 
-/// "thickness of the pad" of pad.thickness, "plateau stress of the foam" of pad.curve.plateau_stress; a key
-/// that is no quantity of a case stays as it is.
+/// The words for a key: "plateau stress of the foam" for pad.curve.plateau_stress; other keys stay as they
+/// are.
 std::string factor_words(const std::string& key);
 
 /// The same, to begin a text with: "Thickness of the pad".

@@ -6,7 +6,6 @@
 
 #include "output/document.hpp"
 #include "output/svg/svg.hpp"
-#include "output/text/table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -27,7 +26,7 @@ std::size_t column_of(const std::vector<ValueRow>& rows, Part&& part) {
   return width == 0 ? 0 : width + gap;
 }
 
-/// One line in which numbers keep their units: between the two is no place for a break.
+/// The text in one line, with no-break spaces between numbers and their units.
 std::string kept_whole(const std::string& text) { return quantities_whole(one_line(text)); }
 
 std::string with_blanks(std::string text) {
@@ -56,7 +55,7 @@ std::size_t longest_word(std::string_view text) {
   return longest;
 }
 
-/// How narrow a column can be: neither words nor numbers with their units are broken, nor names of rows.
+/// The least width of a column at which no words, quantities or row names are broken.
 std::size_t narrowest(const Table& table, std::size_t column) {
   constexpr std::size_t longest_name = 35;
   const bool has_numbers = is_column_of_numbers(table, column);

@@ -93,7 +93,8 @@ using WithMemory = decltype(tuple_with_memory<Of>(static_cast<const PadLaw*>(nul
 /// All rules that the law's parameters break: each parameter's bounds, and rules between parameters.
 std::vector<Violation> violations(const PadLaw& law);
 
-/// Whether the law is made of the curves of tests (SharesSlip).
+/// The curves of tests that the law is made of (SharesSlip); null for any other law.
+const FoamCurves* foam_curves(const PadLaw& law);
 bool has_curves(const PadLaw& law);
 
 BlowMemory blow_memory(const PadLaw& law);

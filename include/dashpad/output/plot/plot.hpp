@@ -11,20 +11,20 @@
 namespace dashpad::output {
 
 enum class SeriesStyle {
-  line,             ///< in the colour and with the dashes of its turn: told apart in grey, too
-  solid_line,       ///< in the colour of its turn
-  dashed_line,      ///< in the colour of its turn
-  points,           ///< in the colour and shape of its turn
+  line,             ///< colour and dashes by palette index, distinguishable in grey, too
+  solid_line,       ///< colour by palette index
+  dashed_line,      ///< colour by palette index
+  points,           ///< colour and shape by palette index
   band,             ///< the area from y to y2, pale, behind everything else
   area,             ///< closed outlines, one after each gap, filled, behind everything else
   vertical_line,    ///< across the whole panel, at each x
   horizontal_line,  ///< across the whole panel, at each y
 };
 
-/// Where the label of a series is written. What has no room there goes to the legend.
+/// Where the label of a series is placed. Labels without room go to the legend.
 enum class LabelPlace {
-  by_style,  ///< of a line at its end, of a line across on it, of everything else in the legend
-  middle,    ///< of a line: beside its middle, for brackets and contours; of a single point: beside it
+  by_style,  ///< a line at its end, a line across on it, everything else in the legend
+  middle,    ///< a line beside its middle, for brackets and contours; a single point beside it
 };
 
 /// A place where x, y or y2 is not finite, or not positive on a logarithmic axis, is a gap.
@@ -34,19 +34,19 @@ struct Series {
   std::vector<double> x = {};   ///< as many as y; unused by horizontal lines
   std::vector<double> y = {};   ///< unused by vertical lines
   std::vector<double> y2 = {};  ///< bands only: as many as y
-  /// Turn 0 is blue, 1 vermilion, and so on. Give a band, its line and its points the same. By default the
-  /// next one that is free; the same label has the same turn in all panels. Vertical and horizontal lines are
-  /// grey without it.
+  /// The index of the colour: 0 is blue, 1 vermilion, and so on. A band, its line and its points should have
+  /// the same. By default it is the next free one; series with the same label share it in all panels. Lines
+  /// across are grey without it.
   std::optional<std::size_t> palette_index = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
-  /// Written to the right of the panel in place of the label, beside where the line ends, however many such
-  /// labels there are; they make room for each other.
+  /// A label at the right of the panel, beside the end of the line, instead of `label`. Such labels make room
+  /// for each other.
   std::string end_label = {};
   LabelPlace label_place = LabelPlace::by_style;
-  bool is_cased = false;   ///< of a line: with pale edges, so that it is seen on areas of any colour
-  bool has_arrow = false;  ///< of a line: on its last third, in the direction in which its points follow
-  std::string of = {};     ///< without a label: that of the series with which pages switch it off
+  bool is_cased = false;   ///< a line with pale edges, visible on areas of any colour
+  bool has_arrow = false;  ///< a line with an arrow on its last third, in the direction of its points
+  std::string of = {};     ///< without a label: the label of the series with which pages switch it off
 
   void add(double across, double up) {
     x.push_back(across);
@@ -59,17 +59,17 @@ struct Series {
 };
 
 struct Axis {
-  std::string label = {};    ///< with the unit: "Force (kN)"
+  std::string label = {};    ///< label with the unit: "Force (kN)"
   std::string si_unit = {};  ///< the SI unit of the quantity, for pages that change units: "N"; may be empty
-  double per_si = 1;         ///< what one of those is on this axis: 0.001
+  double per_si = 1;         ///< one SI unit on this axis: 0.001
   bool logarithmic = false;
   bool has_numbers = true;          ///< and lines across at them; without, places on it mean nothing
-  std::optional<double> low = {};   ///< where the axis begins; by default where the data does, or before
-  std::optional<double> high = {};  ///< where the axis ends; by default where the data does, or after
+  std::optional<double> low = {};   ///< lower end; by default at or before the beginning of the data
+  std::optional<double> high = {};  ///< upper end; by default at or after the end of the data
 };
 
-/// One pair of axes. The series are drawn in their order, bands and areas first; those without a point are
-/// left out.
+/// A pair of axes. Series are drawn in their order, after bands and areas; series without a point are left
+/// out.
 struct Panel {
   std::string title = {};
   Axis x = {};
@@ -81,10 +81,10 @@ struct Panel {
   }
 };
 
-/// Panels one below the other, with one legend below the last for what the panels do not name: lines have
-/// their labels at their ends where these are few and short, lines across on themselves. Texts are shown as
-/// they are, character by character; control characters become spaces, what is not UTF-8 the replacement
-/// character, and what is too long is cut, but for title and source, which go on in the next line.
+/// Panels one below the other, with one legend for what they do not name themselves: a few short labels stand
+/// at the ends of lines, and lines across have their names on them. Texts are shown literally. Control
+/// characters become spaces, invalid UTF-8 the replacement character. Long texts are cut, but title and
+/// source continue on further lines.
 struct Plot {
   std::string title = {};
   std::vector<Panel> panels = {};
@@ -100,12 +100,12 @@ struct CaptionedPlot {
 
 enum class PictureFormat { svg, png, pdf };
 
-/// By the ending of a file's name, in small or capital letters. None for other endings.
+/// The format by the extension of a file name, in either case. None for other extensions.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& file);
 
-/// The bytes of the picture file. The same plot gives the same SVG everywhere, and the same PNG and PDF where
-/// fonts and libraries are the same. Throws std::invalid_argument if there is nothing to draw, or if columns
-/// or limits do not fit together; std::runtime_error if a PNG or PDF cannot be made.
+/// The bytes of the picture file. The same plot always gives the same SVG, and the same PNG and PDF with the
+/// same fonts and libraries. Throws std::invalid_argument if there is nothing to draw or columns or limits do
+/// not fit together, and std::runtime_error if a PNG or PDF cannot be made.
 std::string picture(const Plot& plot, PictureFormat format);
 
 }  // namespace dashpad::output

@@ -9,7 +9,7 @@
 
 namespace dashpad::output {
 
-/// What strikes what, in two lines, below the title if there is one.
+/// The impact in two lines, below its title if it has one.
 std::string case_text(const ImpactCase& impact, const UnitSystem& units);
 
 /// The parts of a case in words.

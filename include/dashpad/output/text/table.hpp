@@ -10,7 +10,7 @@ namespace dashpad::output {
 struct Table {
   std::string caption = {};
   std::vector<std::string> columns = {};
-  std::vector<std::vector<std::string>> rows = {};  ///< as many cells each as there are columns
+  std::vector<std::vector<std::string>> rows = {};  ///< each with as many cells as there are columns
 };
 
 }  // namespace dashpad::output
