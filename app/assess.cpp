@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -192,31 +191,30 @@ int run_assessment(const AssessRequest& request) {
 }  // namespace
 
 void add_assess(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
-  const auto request = std::make_shared<AssessRequest>();
-  add_option(*sub, "CASE", request->cases, "Case files (TOML)")->required();
-  add_settings(*sub, request->settings);
-  add_option(*sub, "--standard NAME[:VARIANT]", request->standards,
+  const auto [sub, request] = add_subcommand<AssessRequest>(
+      app, action, "assess", "Compare a case with the limits of a test standard", assess_footer,
+      run_assessment);
+  add_option(sub, "CASE", request.cases, "Case files (TOML)")->required();
+  add_settings(sub, request.settings);
+  add_option(sub, "--standard NAME[:VARIANT]", request.standards,
              "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()
       ->take_all();
-  add_option(*sub, "--speed V", request->speed, "Impact speed, such as \"15 mph\"");
-  add_option(*sub, "--drop-height H", request->drop_height, "Height of a free fall that gives the speed");
-  add_option(*sub, "--mass M", request->mass, "Mass of the impactor, such as \"6.8 kg\"");
-  add_option(*sub, "--radius R", request->radius, "Radius of the sphere, such as \"82.5 mm\"");
-  add_flag(*sub, "--keep-nose", request->kept.nose, "The nose of the case, whatever the standard has");
-  add_flag(*sub, "--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has");
-  add_file(*sub, request->files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
-  add_documents(*sub, request->files);
-  add_units(*sub, request->files.units);
-  add_all(*sub, request->files.detail);
-  add_tolerance(*sub, request->tolerance);
-  add_no_intervals(*sub, request->no_intervals);
-  add_force(*sub, request->files.force);
-  add_standard_folder(*sub, request->standard_folder);
-  add_material_folder(*sub, request->materials);
-  sub->footer(assess_footer);
-  when_named(*sub, action, [request] { return run_assessment(*request); });
+  add_option(sub, "--speed V", request.speed, "Impact speed, such as \"15 mph\"");
+  add_option(sub, "--drop-height H", request.drop_height, "Height of a free fall that gives the speed");
+  add_option(sub, "--mass M", request.mass, "Mass of the impactor, such as \"6.8 kg\"");
+  add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
+  add_flag(sub, "--keep-nose", request.kept.nose, "The nose of the case, whatever the standard has");
+  add_flag(sub, "--keep-speed", request.kept.speed, "The speed of the case, whatever the standard has");
+  add_file(sub, request.files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_all(sub, request.files.detail);
+  add_tolerance(sub, request.tolerance);
+  add_no_intervals(sub, request.no_intervals);
+  add_force(sub, request.files.force);
+  add_standard_folder(sub, request.standard_folder);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

@@ -20,10 +20,6 @@
 
 namespace dashpad::app {
 
-void when_named(CLI::App& sub, Action& action, Action what) {
-  sub.callback([&action, what = std::move(what)] { action = what; });
-}
-
 void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
   for (const UnitSystem& system : unit_systems()) names.push_back(system.name);

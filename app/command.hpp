@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -41,8 +43,21 @@ ExitCode exit_code(injury::Verdict verdict);
 /// What a subcommand does once the command line is read; returns the exit code.
 using Action = std::function<int()>;
 
-/// Lets `what` be done where the command line names the subcommand.
-void when_named(CLI::App& sub, Action& action, Action what);
+/// A subcommand, and the request that its options fill.
+template <class Request>
+struct Subcommand {
+  CLI::App& sub;
+  Request& request;
+};
+/// Adds a subcommand. Where the command line names it, `action` calls `run` with the request.
+template <class Request>
+Subcommand<Request> add_subcommand(CLI::App& app, Action& action, const char* name, const char* help,
+                                   std::string footer, int (*run)(const Request&)) {
+  CLI::App* sub = app.add_subcommand(name, help)->footer(std::move(footer));
+  const auto request = std::make_shared<Request>();
+  sub->callback([&action, request, run] { action = [request, run] { return run(*request); }; });
+  return {*sub, *request};
+}
 
 void add_run(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
@@ -120,9 +135,8 @@ std::filesystem::path chosen_measured_tests(const std::string& folder);
 /// The file of the running program; the name that it was called by where the system does not tell.
 std::filesystem::path running_executable();
 
-/// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
-std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
-/// The same; absent where there is none, of which `wrong` is told.
+/// The card of that name in a folder; a name that ends in .toml is a file. If there is no such card, nothing,
+/// and a complaint that names the cards in the folder.
 std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,
                                                std::vector<std::string>& errors);
 

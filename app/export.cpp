@@ -1,7 +1,6 @@
 // dashpad export: solves one case and writes its curves for another program's deck.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include <functional>
@@ -168,16 +167,15 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");
   add_material_folder(sub, request.given.materials);
-  sub.footer(export_footer);
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
-  const auto request = std::make_shared<ExportRequest>();
-  add_options(*sub, *request);
-  when_named(*sub, action, [request] { return export_curves(*request); });
+  const auto [sub, request] = add_subcommand<ExportRequest>(
+      app, action, "export", "Write the curves of one case for other programs' decks", export_footer,
+      export_curves);
+  add_options(sub, request);
 }
 
 }  // namespace dashpad::app

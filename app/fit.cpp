@@ -1,6 +1,5 @@
 // dashpad fit: from measurements to a material card.
 
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -225,24 +224,23 @@ int fit_material(const FitRequest& request) {
 }  // namespace
 
 void add_fit(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("fit", "A material card from measurements, with its uncertainty");
-  const auto request = std::make_shared<FitRequest>();
-  add_option(*sub, "FIT", request->file, "Fit file (TOML)")->required();
-  add_file(*sub, request->files, "-o,--output", "Write the material card (- for standard output)");
-  add_file(*sub, request->files, "--case",
+  const auto [sub, request] = add_subcommand<FitRequest>(
+      app, action, "fit", "A material card from measurements, with its uncertainty", fit_footer,
+      fit_material);
+  add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
+  add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
+  add_file(sub, request.files, "--case",
            "Write the case with what was found of it, as a support, and the foam (- for standard output)");
-  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
-  sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
+  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
-  add_documents(*sub, request->files);
-  add_option(*sub, "--state FILE", request->state,
+  add_documents(sub, request.files);
+  add_option(sub, "--state FILE", request.state,
              "Keep finished searches and intervals there, and go on from them");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(fit_footer);
-  when_named(*sub, action, [request] { return fit_material(*request); });
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -242,19 +241,17 @@ int show(const MaterialTestRequest& request) {
 }  // namespace
 
 void add_material_test(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("material-test", "Test a pad material in the laboratory");
-  const auto request = std::make_shared<MaterialTestRequest>();
-  add_option(*sub, "MATERIAL", request->material, "Card: its name, or a file")->required();
-  add_test_options(*sub, *request);
-  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
-  add_file(*sub, request->files, "--csv", "Write the stresses as CSV (- for standard output)");
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(material_test_footer);
-  when_named(*sub, action, [request] { return show(*request); });
+  const auto [sub, request] = add_subcommand<MaterialTestRequest>(
+      app, action, "material-test", "Test a pad material in the laboratory", material_test_footer, show);
+  add_option(sub, "MATERIAL", request.material, "Card: its name, or a file")->required();
+  add_test_options(sub, request);
+  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write the stresses as CSV (- for standard output)");
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

@@ -36,6 +36,9 @@ struct Target {
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
 
+/// Whether a path is a device or a pipe, which is written into as it is.
+bool is_device(const std::filesystem::path& path);
+
 /// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
 /// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
 /// standard error redirected to a target, a target that is one of the files that the command read.

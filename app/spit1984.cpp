@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -168,45 +167,44 @@ int run_program(const Spit1984Request& request) {
 }  // namespace
 
 void add_spit1984(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("spit1984", "Run the program of 1984, digit for digit");
-  const auto request = std::make_shared<Spit1984Request>();
+  const auto [sub, request] =
+      add_subcommand<Spit1984Request>(app, action, "spit1984", "Run the program of 1984, digit for digit",
+                                      footer_with_defects(), run_program);
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
-  add_case(*sub, request->given)->required(false);
+  add_case(sub, request.given)->required(false);
   CLI::Option* interactive =
-      add_flag(*sub, "--interactive", request->interactive, "Ask at the terminal, as ENSOL did");
-  add_option(*sub, "--arithmetic A", request->arithmetic, "pdp10 (default), binary32 or binary64")
+      add_flag(sub, "--interactive", request.interactive, "Ask at the terminal, as ENSOL did");
+  add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(*sub, "--repair DEFECT", request->repair, "Mend a defect of the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Mend a defect of the listing, or all of them")
       ->check(CLI::IsMember(repairs));
-  add_file(*sub, request->files, "--listing", "Write the line printer's report (- for standard output)");
-  add_file(*sub, request->files, "--json", "Write input and results as JSON (- for standard output)");
-  add_file(*sub, request->files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
-  add_option(*sub, "--time-step MS", request->time_step_ms, "DELT, ms (default 0.1)")
+  add_file(sub, request.files, "--listing", "Write the line printer's report (- for standard output)");
+  add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
+  add_option(sub, "--time-step MS", request.time_step_ms, "DELT, ms (default 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
       ->excludes(interactive);
-  add_option(*sub, "--print-interval N", request->print_interval,
+  add_option(sub, "--print-interval N", request.print_interval,
              "NDEL, time steps to a printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(interactive);
-  add_option(*sub, "--equilibrium-tolerance X", request->settings.equilibrium_tolerance,
+  add_option(sub, "--equilibrium-tolerance X", request.settings.equilibrium_tolerance,
              "TOLMAX, of the force (default 0.02)")
       ->check(CLI::Range(0.0, 1.0));
-  add_option(*sub, "--precision-tolerance X", request->settings.precision_tolerance,
+  add_option(sub, "--precision-tolerance X", request.settings.precision_tolerance,
              "TOL, of the penetration (default 1e-5)")
       ->check(CLI::Range(0.0, 1.0));
-  add_option(*sub, "--most-steps N", request->settings.max_steps,
+  add_option(sub, "--most-steps N", request.settings.max_steps,
              "Dimension of the time history (default 1000)")
       ->check(CLI::Range(4, 1'000'000));
-  add_option(*sub, "--most-stations N", request->settings.max_stations,
+  add_option(sub, "--most-stations N", request.settings.max_stations,
              "Dimension of the contact field (default 1000)")
       ->check(CLI::Range(2, 1'000'000));
-  add_option(*sub, "--most-iterations N", request->settings.max_iterations, "Trials of a step (default 100)")
+  add_option(sub, "--most-iterations N", request.settings.max_iterations, "Trials of a step (default 100)")
       ->check(CLI::Range(1, 100'000));
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->given.materials);
-  sub->footer(footer_with_defects());
-  when_named(*sub, action, [request] { return run_program(*request); });
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
 }
 
 }  // namespace dashpad::app

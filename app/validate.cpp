@@ -4,7 +4,6 @@
 #include <csignal>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -164,22 +163,21 @@ int run_validation(const ValidateRequest& request) {
 }  // namespace
 
 void add_validate(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
-  const auto request = std::make_shared<ValidateRequest>();
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--json", "Write everything as JSON (- for standard output)");
+  const auto [sub, request] = add_subcommand<ValidateRequest>(
+      app, action, "validate", "Compare with the validation tests of the 1986 report", validate_footer,
+      run_validation);
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      add_option(*sub, "--figures DIR", request->figures, "Draw the figures as stills in this folder");
-  add_option(*sub, "--format FORMAT", request->format, "Of the stills: svg (default), png or pdf")
+      add_option(sub, "--figures DIR", request.figures, "Draw the figures as stills in this folder");
+  add_option(sub, "--format FORMAT", request.format, "Of the stills: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->needs(figures);
-  add_option(*sub, "--data DIR", request->data,
+  add_option(sub, "--data DIR", request.data,
              "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
-  add_flag(*sub, "--strict", request->strict, "Exit code 4 if the accurate solver misses a rule");
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(validate_footer);
-  when_named(*sub, action, [request] { return run_validation(*request); });
+  add_flag(sub, "--strict", request.strict, "Exit code 4 if the accurate solver misses a rule");
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

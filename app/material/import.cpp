@@ -1,7 +1,6 @@
 // dashpad material, and dashpad material import: foams out of decks and tables, as material cards.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -201,17 +200,16 @@ void add_material(CLI::App& app, Action& action) {
 }
 
 void add_material_import(CLI::App& material, Action& action) {
-  CLI::App* sub = material.add_subcommand("import", "A card from a solver's deck or a table of tests");
-  const auto request = std::make_shared<ImportRequest>();
-  add_option(*sub, "FILE", request->file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
-  add_deck_units(*sub, request->units);
-  add_option(*sub, "--rate RATE", request->rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
-  add_option(*sub, "--material NAME", request->material, "One foam of a deck, by its number or name");
-  add_option(*sub, "-o,--out FILE", request->out,
+  const auto [sub, request] = add_subcommand<ImportRequest>(material, action, "import",
+                                                            "A card from a solver's deck or a table of tests",
+                                                            import_footer, import_material);
+  add_option(sub, "FILE", request.file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
+  add_deck_units(sub, request.units);
+  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
+  add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
+  add_option(sub, "-o,--out FILE", request.out,
              "Where the card goes: a file, or a folder (default: standard output)");
-  add_force(*sub, request->force);
-  sub->footer(import_footer);
-  when_named(*sub, action, [request] { return import_material(*request); });
+  add_force(sub, request.force);
 }
 
 }  // namespace dashpad::app

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -135,14 +134,12 @@ int run_replay(const StudyReplayRequest& request) {
 }  // namespace
 
 void add_study_replay(CLI::App& study, Action& action) {
-  CLI::App* sub = study.add_subcommand("replay", "Solve one row again, with its full history");
-  const auto request = std::make_shared<StudyReplayRequest>();
-  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
-  add_option(*sub, "ROW", request->row, "Which row, from 0")->required();
-  add_result_files(*sub, request->files);
-  add_force(*sub, request->files.force);
-  sub->footer(study_replay_footer);
-  when_named(*sub, action, [request] { return run_replay(*request); });
+  const auto [sub, request] = add_subcommand<StudyReplayRequest>(
+      study, action, "replay", "Solve one row again, with its full history", study_replay_footer, run_replay);
+  add_option(sub, "FILE", request.store_file, "The store of a study")->required();
+  add_option(sub, "ROW", request.row, "Which row, from 0")->required();
+  add_result_files(sub, request.files);
+  add_force(sub, request.files.force);
 }
 
 }  // namespace dashpad::app

@@ -1,7 +1,6 @@
 // dashpad study summary: what a store says.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -138,21 +137,19 @@ int summarise(const StudySummaryRequest& request) {
 }  // namespace
 
 void add_study_summary(CLI::App& study, Action& action) {
-  CLI::App* sub =
-      study.add_subcommand("summary", "Distributions, probabilities, sensitivities, cushion curves");
-  const auto request = std::make_shared<StudySummaryRequest>();
-  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
-  add_option(*sub, "--response NAME", request->responses, "Only this one; may be given again")->take_all();
-  add_option(*sub, "--limit LIMIT", request->limits,
+  const auto [sub, request] = add_subcommand<StudySummaryRequest>(
+      study, action, "summary", "Distributions, probabilities, sensitivities, cushion curves",
+      study_summary_footer, summarise);
+  add_option(sub, "FILE", request.store_file, "The store of a study")->required();
+  add_option(sub, "--response NAME", request.responses, "Only this one; may be given again")->take_all();
+  add_option(sub, "--limit LIMIT", request.limits,
              "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
       ->take_all();
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
-  add_file(*sub, request->files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  sub->footer(study_summary_footer);
-  when_named(*sub, action, [request] { return summarise(*request); });
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
 }
 
 }  // namespace dashpad::app
