@@ -17,6 +17,12 @@ using hic_search::Best;
 using hic_search::Blocks;
 using hic_search::Curve;
 
+/// HIC, g^2.5 s, from the criterion of levels in m/s2 that were multiplied by `scale`.
+double hic_from(double criterion, double scale) {
+  const double levels = scale * standard_gravity;
+  return criterion / (levels * levels * std::sqrt(levels));
+}
+
 /// The windows of the greatest length, earliest first: a start that lets most pairs of blocks be left out.
 void offer_all_longest(const Curve& curve, double longest, Best& best) {
   const std::size_t intervals = curve.samples() - 1;
@@ -72,9 +78,6 @@ class Search {
   const double longest_;
   Best& best_;
 };
-
-using hic_search::Best;
-using hic_search::Curve;
 
 /// Between two neighbouring values of the samples: where the pulse is above `base` begins `before` seconds
 /// ahead of sample `first` and ends `after` seconds past sample `last`.
@@ -215,10 +218,5 @@ Clip clip_of(const Hump& hump, const Pulse& pulse, double duration) {
 }
 
 double scale_for(double largest) { return std::ldexp(1.0, -std::ilogb(largest)); }
-
-double hic_from(double criterion, double scale) {
-  const double levels = scale * standard_gravity;
-  return criterion / (levels * levels * std::sqrt(levels));
-}
 
 }  // namespace dashpad::injury

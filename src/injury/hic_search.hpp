@@ -153,7 +153,4 @@ Clip clip_of(const Hump& hump, const Pulse& pulse, double duration);
 /// A power of two that brings `largest` (> 0) near to 1, so that no power of a level overflows.
 double scale_for(double largest);
 
-/// HIC in g^2.5 s of the criterion of levels that were multiplied with `scale`.
-double hic_from(double criterion, double scale);
-
 }  // namespace dashpad::injury
