@@ -104,8 +104,7 @@ Drawing support_curves(const Study& study) {
 }
 
 Drawing time_to_peak(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return measured_time_panel(study, title, group); }),
+  return {both_projectiles(study, measured_time_panel),
           lost_readings(study, "time_to_peak_ms", "time to peak") + radius_note(study)};
 }
 

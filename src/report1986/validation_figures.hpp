@@ -3,7 +3,6 @@
 /// report's.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,7 +63,8 @@ inline constexpr double min_speed = 9, greatest_speed = 21;
 Panel speed_panel(const std::string& title, const std::string& label);
 Panel speed_panel(const std::string& title, Quantity quantity);
 /// One for each projectile on the load cell.
-std::vector<Panel> both_projectiles(const std::function<Panel(const char* title, TestGroup group)>& panel_of);
+std::vector<Panel> both_projectiles(const Study& study,
+                                    Panel (*panel_of)(const Study&, const char* title, TestGroup group));
 
 /// The certain readings over speed.
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,

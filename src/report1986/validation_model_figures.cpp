@@ -99,15 +99,12 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
 }  // namespace
 
 Drawing predicted_time(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return predicted_time_panel(study, title, group); }),
-          radius_note(study) + "Measured times: Figure 3-4."};
+  return {both_projectiles(study, predicted_time_panel), radius_note(study) + "Measured times: Figure 3-4."};
 }
 
 Drawing predicted_force_on_load_cell(const Study& study) {
-  return {
-      both_projectiles([&](const char* title, TestGroup group) { return force_panel(study, title, group); }),
-      lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) + curve_note};
+  return {both_projectiles(study, force_panel),
+          lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) + curve_note};
 }
 
 Drawing predicted_force_on_plate(const Study& study) {
@@ -120,8 +117,7 @@ Drawing predicted_force_on_plate(const Study& study) {
 }
 
 Drawing predicted_rebound_on_load_cell(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return rebound_panel(study, title, group); }),
+  return {both_projectiles(study, rebound_panel),
           lost_readings(study, "rebound_mph", "rebound speed") + radius_note(study) +
               "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb."};
 }

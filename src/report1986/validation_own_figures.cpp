@@ -29,7 +29,7 @@ Series ratios(const Study& study, Program program, Projectile projectile, std::s
   return points;
 }
 
-Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
+Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   const Rule& rule = rule_of(Quantity::peak_force);
   Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
@@ -38,7 +38,7 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile) 
                 .style = SeriesStyle::dashed_line,
                 .palette_index = palette_index::measured};
   for (const PrintedRatio& printed : printed_ratios)
-    if (printed.projectile == projectile)
+    if (printed.projectile == group.projectile)
       report.add(printed.speed_mph, study.data.constant(printed.constant));
   panel.series = {{.label = "bias that the rule admits",
                    .style = SeriesStyle::band,
@@ -52,7 +52,7 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile) 
         std::pair{Program::mended_support_1984, palette_index::mended_1984},
         std::pair{Program::accurate_first_slope, palette_index::first_slope},
         std::pair{Program::accurate, palette_index::accurate}})
-    panel.series.push_back(ratios(study, program, projectile, palette_index));
+    panel.series.push_back(ratios(study, program, group.projectile, palette_index));
   return panel;
 }
 
@@ -86,9 +86,7 @@ Drawing misfit_over_radius(const Study& study) {
 }
 
 Drawing force_ratio(const Study& study) {
-  return {both_projectiles([&](const char* title, TestGroup group) {
-            return ratio_panel(study, title, group.projectile);
-          }),
+  return {both_projectiles(study, ratio_panel),
           lost_readings(study, "peak_force_lb", "peak force") +
               fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
                           "(curve A), we with each test.",

@@ -84,10 +84,10 @@ Panel speed_panel(const std::string& title, Quantity quantity) {
   return speed_panel(title, axis_label(quantity));
 }
 
-std::vector<Panel> both_projectiles(
-    const std::function<Panel(const char* title, TestGroup group)>& panel_of) {
-  return {panel_of("Aluminium projectile, 4.13 lb", test_group::aluminium),
-          panel_of("Steel projectile, 7.7 lb", test_group::steel)};
+std::vector<Panel> both_projectiles(const Study& study,
+                                    Panel (*panel_of)(const Study&, const char* title, TestGroup group)) {
+  return {panel_of(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+          panel_of(study, "Steel projectile, 7.7 lb", test_group::steel)};
 }
 
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,
