@@ -16,15 +16,6 @@ namespace {
 
 // Each function below is one FORMAT statement of subroutine SPIT, or a few that always follow each other.
 
-void print_title(PrintedRecords& out) {  // 6000
-  out.text("1SPHERE/PAD IMPACT TRACKER").end_record().end_record();
-}
-
-void print_precision_stop(PrintedRecords& out, const PrecisionStop& stop) {  // 613
-  out.text("0STEP").i(stop.step, 5).text(" FORCE=").e(stop.force_lb, 10, 3);
-  out.text(" ERROR=").e(stop.error, 10, 3).end_record();
-}
-
 /// 608 to 612. The listing runs into its END after ABEND 904 and prints nothing more; the user's guide
 /// (report, Appendix A.4) says that the printing goes on whatever the ABEND, as after the other four. We
 /// follow the guide.
@@ -124,7 +115,7 @@ Json abend_json(const Run& run) {
   return {{"number", static_cast<int>(run.abend)},
           {"message", text.message},
           {"advice", text.advice},
-          {"speed_error", run.speed_error ? number(*run.speed_error) : Json(nullptr)}};
+          {"speed_error", number(run.speed_error)}};
 }
 
 Json precision_stops_json(const Run& run) {
@@ -147,9 +138,12 @@ Json deck_json(const Deck& deck) {
 
 std::string listing(const Deck& deck, const Run& run, Device device) {
   PrintedRecords out;
-  print_title(out);
+  out.text("1SPHERE/PAD IMPACT TRACKER").end_record().end_record();  // 6000
   if (device == Device::terminal)
-    for (const PrecisionStop& stop : run.precision_stops) print_precision_stop(out, stop);
+    for (const PrecisionStop& stop : run.precision_stops) {  // 613
+      out.text("0STEP").i(stop.step, 5).text(" FORCE=").e(stop.force_lb, 10, 3);
+      out.text(" ERROR=").e(stop.error, 10, 3).end_record();
+    }
   print_abend(out, run, device);
   print_sphere_and_pad(out, deck, run);
   print_pad_parameters(out, deck);

@@ -48,8 +48,6 @@ std::string_view DeckFields::text(std::size_t field) const {
   return field < fields_.size() ? fields_[field] : std::string_view{};
 }
 
-bool DeckFields::is_blank(std::size_t field) const { return text(field).empty(); }
-
 std::string DeckFields::place_of(std::size_t field) const {
   if (widths_.empty()) return fmt::format("field {} between commas", field + 1);
   std::size_t first = 1;
@@ -86,7 +84,6 @@ void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
                fmt::format("stands twice; first in line {}", found->second.head.number));
     return;
   }
-  places_.emplace(block.place, id);
   blocks_.emplace(id, std::move(block));
 }
 
@@ -96,8 +93,9 @@ const DeckBlock* NumberedBlocks::find(long id) const {
 }
 
 const DeckBlock* NumberedBlocks::at_place(std::size_t place) const {
-  const auto found = places_.find(place);
-  return found == places_.end() ? nullptr : find(found->second);
+  const auto found =
+      std::ranges::find_if(blocks_, [&](const auto& block) { return block.second.place == place; });
+  return found == blocks_.end() ? nullptr : &found->second;
 }
 
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {

@@ -40,7 +40,6 @@ class DeckFields {
  public:
   DeckFields(const DeckLine& line, const Widths& widths, bool free, MeasurementFaults& faults);
 
-  [[nodiscard]] bool is_blank(std::size_t field) const;
   /// A blank field is 0; NaN after a fault.
   double number(std::size_t field, const std::string& key, const DeckUnit& unit = {});
   /// A whole number, positive or negative; a blank field is 0; absent after a fault.
@@ -74,7 +73,6 @@ class NumberedBlocks {
  private:
   std::string kind_;  ///< "curve", "function"
   std::map<long, DeckBlock> blocks_;
-  std::map<std::size_t, long> places_;
 };
 
 /// The points as they stand, with the line of each.

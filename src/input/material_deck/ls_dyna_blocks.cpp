@@ -202,7 +202,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck
     DeckFields row(lines[i], pair_of_twenty, true, faults);
     DeckRateCurve at{of_rate.of(row.number(0, name + ": rate", units.rate)), lines[i].number, {}};
     std::optional<DeckCurve> curve;
-    if (!row.is_blank(1)) {
+    if (!row.text(1).empty()) {
       if (const auto named = row.whole(1, name + ": LCID"))
         curve = ls_dyna_curve(deck, *named, name + ": LCID", lines[i].number, units, faults);
     } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {

@@ -62,12 +62,6 @@ std::string cards_of(const Material& material, const MaterialPoints& points, con
   return text;
 }
 
-const char* keyword_for(const std::string& format) {
-  for (const MaterialDeckFormat& each : material_deck_formats())
-    if (format == each.name) return each.card;
-  return "";
-}
-
 }  // namespace
 
 std::string ls_dyna_material(const Material& material, const MaterialPoints& points,
@@ -78,9 +72,9 @@ std::string ls_dyna_material(const Material& material, const MaterialPoints& poi
   DeckNumbers tried(options.units);
   (void)cards_of(material, points, options.format, options.first_id, tried, 10);
   const bool is_long = tried.rounded() > 0;
-  std::string text =
-      fmt::format("{}{}_TITLE{}\n{}\n", keyword_for(options.format), log_log ? "_LOG_LOG_INTERPOLATION" : "",
-                  is_long ? " +" : "", deck_title(material, columns));
+  std::string text = fmt::format("*MAT_{}{}_TITLE{}\n{}\n", foam_of(options.format).words,
+                                 log_log ? "_LOG_LOG_INTERPOLATION" : "", is_long ? " +" : "",
+                                 deck_title(material, columns));
   text += cards_of(material, points, options.format, options.first_id, numbers, is_long ? 20 : 10);
   return text + (has_table ? table_text(points, options.first_id, numbers)
                            : curve_text(points.loading.front().curve, options.first_id,
