@@ -3,9 +3,7 @@
 /// Only built where there is an MPI.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "dashpad/study/store.hpp"

@@ -2,8 +2,6 @@
 
 #include "input/case_tables.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>

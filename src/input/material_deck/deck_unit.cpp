@@ -1,6 +1,5 @@
 #include "input/material_deck/deck_cards.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -82,24 +82,30 @@ void MeasurementFaults::throw_all() const {
   throw InputError(std::move(faults));
 }
 
-std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
-  const Descriptor closing(descriptor);
-  const std::size_t told = require_regular(descriptor, name);
-  if (told > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
-  // Not relied on beyond that: some files grow while they are read, or tell nothing.
+std::string read_bytes(int descriptor, const std::string& name, std::size_t most, std::size_t expected) {
   constexpr std::size_t step = 65536;
-  std::string content(std::min(told, most) + step, '\0');
+  std::string content(std::min(expected, most) + step, '\0');
   std::size_t size = 0;
-  while (true) {
+  while (size < most) {
     if (content.size() == size) content.resize(2 * size);
     const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) break;
     size += static_cast<std::size_t>(count);
-    if (size > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
-    if (count == 0 || size > most) break;
   }
   content.resize(std::min(size, most));
+  return content;
+}
+
+std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
+  const Descriptor closing(descriptor);
+  const std::size_t told = require_regular(descriptor, name);
+  const bool is_refused = told > most && !cut;
+  std::string content = is_refused ? "" : read_bytes(descriptor, name, most + 1, told);
+  if (is_refused || (content.size() > most && !cut))
+    refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
+  content.resize(std::min(content.size(), most));
   return content;
 }
 

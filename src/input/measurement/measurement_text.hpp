@@ -37,6 +37,10 @@ class MeasurementFaults {
   std::vector<Fault> faults_;
 };
 
+/// The bytes of an open file to its end, but at most `most`. `expected` is a guess of their number; some
+/// files grow while they are read, or tell nothing. `name` is for messages. Throws InputError.
+std::string read_bytes(int descriptor, const std::string& name, std::size_t most, std::size_t expected = 0);
+
 /// All bytes of an open regular file, at most `most`; closes `descriptor`. `name` is for messages. Throws
 /// InputError, also for a file that has more unless `cut`.
 std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut = false);
