@@ -117,6 +117,16 @@ void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
         exponent));
 }
 
+std::vector<std::string> split_at(std::string_view text, char separator) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
 std::string others_listed(const std::vector<std::string>& other_materials) {
   return other_materials.empty() ? "" : "; there are " + listing(other_materials);
 }

@@ -135,6 +135,9 @@ double or_one(double given, const std::string& solver_takes, DeckFoam& foam);
 /// An exponent of the unloading that is not 1.
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
 
+/// The parts of "MAT/LAW90/12/3" between its slashes.
+std::vector<std::string> split_at(std::string_view text, char separator);
+
 /// "; there are *MAT_001, *MAT_002": materials that are not read.
 std::string others_listed(const std::vector<std::string>& other_materials);
 

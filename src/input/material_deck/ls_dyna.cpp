@@ -13,12 +13,6 @@ namespace dashpad::input {
 
 namespace {
 
-struct Source {
-  const LsDynaBlocks& deck;
-  const DeckUnits& units;
-  MeasurementFaults& faults;
-};
-
 /// A field of a card that is read.
 struct FieldOfCard {
   DeckFields& line;
@@ -45,14 +39,14 @@ std::optional<std::vector<DeckLine>> cards_of(const DeckBlock& block, const LsDy
   return std::nullopt;
 }
 
-void take_curve(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+void take_curve(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const auto id = field.whole();
   if (!id) return;
-  auto curve = ls_dyna_curve(from.deck, *id, field.key, field.line.line(), from.units, from.faults);
+  auto curve = ls_dyna_curve(from, *id, field.key, field.line.line());
   if (curve) foam.loading.push_back({0, curve->line, *std::move(curve)});
 }
 
-void take_table(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const auto id = field.whole();
   if (!id) return;
   if (*id == 0) {
@@ -62,12 +56,12 @@ void take_table(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
   }
   if (*id < 0)
     foam.differences.push_back(fmt::format("{} is negative: the option that this switches on.", field.name));
-  auto rows = ls_dyna_table(from.deck, std::labs(*id), field.key, field.line.line(), from.units, from.faults);
+  auto rows = ls_dyna_table(from, std::labs(*id), field.key, field.line.line());
   if (rows) foam.loading = *std::move(rows);
 }
 
 /// False where it makes the foam one that is not read.
-bool take(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const std::string_view name = field.name;
   if (name == "MID") foam.id = field.whole().value_or(0);
   if (name == "RO") foam.density = field.number(from.units.density);
@@ -96,7 +90,7 @@ bool take(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
   return false;
 }
 
-bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const Source& from, DeckFoam& foam) {
+bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaSource& from, DeckFoam& foam) {
   const auto lines = cards_of(block, kind, foam.card, from.faults);
   if (!lines) return false;
   for (std::size_t i = 0; i < lines->size(); ++i) {

@@ -143,8 +143,9 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
   return deck;
 }
 
-std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const std::string& key,
-                                       std::size_t asked, const DeckUnits& units, MeasurementFaults& faults) {
+std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const std::string& key,
+                                       std::size_t asked) {
+  const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.curves.find(id);
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id), missing(deck, "*DEFINE_CURVE", id));
@@ -176,9 +177,9 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const 
   return curve;
 }
 
-std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck, long id,
-                                                        const std::string& key, std::size_t asked,
-                                                        const DeckUnits& units, MeasurementFaults& faults) {
+std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from, long id,
+                                                        const std::string& key, std::size_t asked) {
+  const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.tables.find(id);
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id),
@@ -204,7 +205,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck
     std::optional<DeckCurve> curve;
     if (!row.text(1).empty()) {
       if (const auto named = row.whole(1, name + ": LCID"))
-        curve = ls_dyna_curve(deck, *named, name + ": LCID", lines[i].number, units, faults);
+        curve = ls_dyna_curve(from, *named, name + ": LCID", lines[i].number);
     } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {
       faults.add(lines[i].number, name, "", "needs the number of a curve behind the rate (columns 21 to 40)");
     } else {
@@ -214,7 +215,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck
         const std::vector<DeckLine> lines_of_next = lines_behind_title(*next);
         DeckFields first(lines_of_next.front(), equal_widths(1, next->long_format), true, faults);
         following = first.whole(0, "LCID").value_or(0);
-        curve = ls_dyna_curve(deck, following, name, lines[i].number, units, faults);
+        curve = ls_dyna_curve(from, following, name, lines[i].number);
       } else {
         faults.add(lines[i].number, name, "",
                    fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it at once; number {} does not",

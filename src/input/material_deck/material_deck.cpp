@@ -24,14 +24,9 @@ Solver solver_of(std::string_view text) {
   return Solver::unknown;
 }
 
-/// The names of units that a system is called after, in alphabetical order.
+/// The units that a system is named after, in alphabetical order.
 std::vector<std::string> sorted_units(std::string_view name) {
-  std::vector<std::string> units{""};
-  for (const char c : name)
-    if (c == '-')
-      units.emplace_back();
-    else
-      units.back() += c;
+  std::vector<std::string> units = split_at(name, '-');
   std::ranges::sort(units);
   return units;
 }

@@ -37,17 +37,6 @@ const RadiossLaw* radioss_law(std::string_view name) {
   return found == std::end(radioss_laws) ? nullptr : found;
 }
 
-/// The parts of "MAT/LAW90/12/3" between its slashes.
-std::vector<std::string> parts_of(const std::string& keyword) {
-  std::vector<std::string> parts{""};
-  for (const char c : keyword)
-    if (c == '/')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 /// A part of a keyword as a number; 0 where it is none.
 long number_in(const std::vector<std::string>& parts, std::size_t place) {
   if (place >= parts.size()) return 0;
@@ -91,7 +80,7 @@ std::string keyword_in_capitals(std::string_view line) {
 
 /// Sorts a block in.
 void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
-  const std::vector<std::string> parts = parts_of(block.keyword);
+  const std::vector<std::string> parts = split_at(block.keyword, '/');
   while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
   const bool material = parts.size() > 2 && parts[0] == "MAT";
   if (material && radioss_law(parts[1]) != nullptr) {
@@ -240,7 +229,7 @@ std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& syst
                    others_listed(blocks.other_materials));
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : blocks.foams) {
-    const std::vector<std::string> parts = parts_of(block.keyword);
+    const std::vector<std::string> parts = split_at(block.keyword, '/');
     const RadiossLaw& law = *radioss_law(parts[1]);
     DeckFoam foam;
     foam.card = fmt::format("/MAT/{}", law.number);

@@ -8,6 +8,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "quantities/text.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad::input {
@@ -25,16 +26,12 @@ bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 /// In the words of the units database: "msec" is "ms", "m/s**2" is "m/s^2", "m_per_s2" is "m/s2".
 std::string standard_unit(std::string_view unit) {
-  std::string text = replaced(std::string(without_blanks(unit)), "**", "^");
-  text = replaced(replaced(text, "_per_", "/"), "/s/s", "/s2");
+  std::string text(without_blanks(unit));
+  replace_all(text, "**", "^");
+  replace_all(text, "_per_", "/");
+  replace_all(text, "/s/s", "/s2");
   if (text == "m_s2" || text == "mps2") return "m/s2";
   if (text == "sec" || text == "secs") return "s";
   if (text == "msec") return "ms";
@@ -104,7 +101,7 @@ double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
     return to_si("1 " + text, si_unit_of(kind));
   } catch (const UnitError& error) {
     std::string rule = error.what();
-    if (kind == ColumnKind::acceleration) rule = replaced(rule, "gravity", "g");
+    if (kind == ColumnKind::acceleration) replace_all(rule, "gravity", "g");
     throw UnitError(rule);
   }
 }

@@ -8,23 +8,13 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
+#include "output/documents/basis.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
-}
 
 std::string why_missing(const Curve& curve, const Summary& summary) {
   const bool ran = summary.status != Status::not_run;
@@ -93,11 +83,9 @@ std::vector<std::string> flags_of(const Summary& summary) {
 
 CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
                      const std::vector<std::string>& names, std::optional<std::size_t> max_points) {
-  ImpactCase untitled = impact;
-  untitled.title.clear();
   CurveFile file;
   file.title = impact.title;
-  file.origin = lines_of(case_text(untitled, unit_system("si")));
+  file.origin = case_lines(impact, unit_system("si"));
   file.flags = flags_of(solution.summary);
   for (const std::string& name : names) file.curves.push_back(file_curve(name, solution, max_points));
   return file;
