@@ -1,4 +1,4 @@
-// Figures 3-3 to 3-9: what was measured, forces over energies, and what follows for the plate.
+// Figures 3-3 to 3-9: measurements, forces over energies, and the conclusions for the plate.
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// The fitted constant of that name, the first if there are several; none if there is none.
+/// The first fitted constant of that name; null if there is none.
 const FittedConstant* fitted(const Study& study, const std::string& name) {
   const auto found = std::ranges::find(study.constants, name, &FittedConstant::name);
   return found == study.constants.end() ? nullptr : &*found;
 }
 
-/// A fitted constant as a band over speed: its 95 % interval.
+/// The 95 % interval of a fitted constant as a band over speed.
 Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t palette_index,
                      const std::function<double(double, double)>& value) {
   Series band = speed_line(

@@ -1,4 +1,4 @@
-// Figures 4-1 to 4-5: what the programs predict, beside what was measured.
+// Figures 4-1 to 4-5: predictions of the programs beside the measurements.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// On the plate, which is linear, the support defect and the first slope change nothing.
+/// The plate is linear, so the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
 Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
@@ -39,13 +39,13 @@ Panel force_panel(const Study& study, const char* title, TestGroup group) {
   return panel;
 }
 
-/// Upper bound of the rebound by the logic of Table 3-2, with the peak force of the trend.
+/// The upper bound of the rebound as in Table 3-2, with the peak force of the trend.
 Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_load_cell");
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
-      projectile == Projectile::steel ? 16 : greatest_speed;  // beyond, Eq. 36 says nothing
+      projectile == Projectile::steel ? 16 : greatest_speed;  // Eq. 36 does not hold beyond
   return function_line("expected at most (Table 3-2)", palette_index::second, min_speed, greatest,
                        [&](double speed) {
                          const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
@@ -56,7 +56,7 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
                        });
 }
 
-/// The same for the plate, with the peak force of curve B. It cannot be more than the initial speed.
+/// The same bound for the plate, with the peak force of curve B, and at most the initial speed.
 Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");

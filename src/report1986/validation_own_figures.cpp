@@ -1,4 +1,4 @@
-// Two figures that the report does not have, and the list of all.
+// Two figures that the report does not have, and the list of all figures.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// Predicted over measured force of each test, at the report's radius.
+/// The ratio of predicted to measured force of each test, at the report's radius.
 Series ratios(const Study& study, Program program, Projectile projectile, std::size_t palette_index) {
   Series points{.label = to_string(program), .style = SeriesStyle::points, .palette_index = palette_index};
   for (const Verdict& verdict : study.at_the_reports_radius) {
@@ -33,7 +33,7 @@ Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   const Rule& rule = rule_of(Quantity::peak_force);
   Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
-  // What it found: from the low end of its speeds to the high end.
+  // The report's result, from the low to the high end of its speeds.
   Series report{.label = "report: predictions over its trend",
                 .style = SeriesStyle::dashed_line,
                 .palette_index = palette_index::measured};
@@ -56,7 +56,7 @@ Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   return panel;
 }
 
-/// The program that a criterion is about: the second part of its remark.
+/// The program of a criterion: the second part of its remark.
 std::string program_of(const RadiusCriterion& criterion) {
   const std::size_t place = criterion.remark.find("; ");
   if (place == std::string::npos) return criterion.remark;
@@ -70,7 +70,7 @@ Drawing misfit_over_radius(const Study& study) {
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
-      if (misfit < least) least = misfit;  // never if it is NaN
+      if (misfit < least) least = misfit;  // false for NaN
     if (!std::isfinite(least) || least <= 0) continue;
     Series line{
         .label = fmt::format("{} ({}); {}", criterion.name, criterion.readings, program_of(criterion)),
@@ -125,7 +125,7 @@ constexpr ListedFigure list[] = {
     {"Force ratio", "The anomaly of section 4: predicted over measured peak force, load cell",
      "Table 3-1 and section 4", force_ratio}};
 
-/// "Figure 3-3": "figure-3-3".
+/// "figure-3-3" for "Figure 3-3".
 std::string slug_of(std::string name) {
   name.front() += 'a' - 'A';
   std::ranges::replace(name, ' ', '-');

@@ -17,7 +17,8 @@ namespace {
 
 Estimate estimate(double value, double half_width) { return {value, value - half_width, value + half_width}; }
 
-/// Fieller: all r for which intercept - r slope may be 0. `t2_aa` and so on: t^2 times the covariances.
+/// Fieller's theorem: the interval of all r for which intercept - r slope may be 0. `t2_aa` etc. are t^2
+/// times the covariances.
 Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, double t2_bb) {
   const double ratio = intercept / slope;
   const double a = slope * slope - t2_bb;
@@ -32,9 +33,8 @@ using Tests = std::vector<MeasuredTest>;
 
 using Fit = ProportionalFit;
 
-/// A constant to be fitted to the readings of one column.
 struct Trend {
-  FittedConstant constant;  ///< what is known before the fit
+  FittedConstant constant;  ///< the members that are known before the fit
   std::string column;
   std::function<bool(const MeasuredTest&)> takes;  ///< of the tests with a reading
   std::function<Fit(const Tests&)> fit;
@@ -48,7 +48,7 @@ Tests taken(const Trend& trend, const Tests& tests) {
   return chosen;
 }
 
-/// Without the lost readings that cannot belong to a test of the trend.
+/// Omits the lost readings that cannot belong to a test of the trend.
 MeasuredTests with_groups_of(const Trend& trend, MeasuredTests measured) {
   std::erase_if(measured.unplaced, [&](const UnplacedReadings& group) {
     const auto free = free_tests(measured, group);
@@ -90,7 +90,6 @@ std::vector<Point> points_of(const Tests& tests, PointOf point_of) {
 bool on_load_cell(const MeasuredTest& test) { return test.support == TestSupport::load_cell; }
 bool on_plate(const MeasuredTest& test) { return test.support == TestSupport::plate; }
 
-/// A proportional fit to a point of each test.
 template <class PointOf>
 std::function<Fit(const Tests&)> proportional(PointOf point_of) {
   return [point_of](const Tests& tests) { return fit_proportional(points_of(tests, point_of)); };
@@ -118,7 +117,7 @@ Estimate exponential(const Estimate& logarithm) {
 
 Estimate negative(const Estimate& estimate) { return {-estimate.value, -estimate.high, -estimate.low}; }
 
-/// Of an estimate that is above 0 with its interval; else the interval is of no use.
+/// The interval is only useful if the estimate is positive with its whole interval.
 Estimate reciprocal(const Estimate& estimate) {
   if (estimate.low <= 0) return {1 / estimate.value, 0, infinite};
   return {1 / estimate.value, 1 / estimate.high, 1 / estimate.low};
