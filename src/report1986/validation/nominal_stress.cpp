@@ -95,8 +95,7 @@ class NominalStressPlacings {
     }
   }
 
-  /// For each possible number of points, the placing with the least sum of cost(ln(force
-  /// stress)).
+  /// For each possible number of points, the placing with the least sum of cost(ln(force / stress)).
   [[nodiscard]] std::map<std::size_t, LeastSum> least(const std::function<double(double)>& cost) const {
     struct Best {
       double sum = infinite;
@@ -177,8 +176,7 @@ double scatter_of(const std::vector<NominalStressPoint>& points) {
   return deviation(squares, points.size());
 }
 
-/// The least and the greatest mean of ln(F
-/// stress) over all placings with points.
+/// The least and the greatest mean of ln(F / stress) over all placings with points.
 Interval means_over(const NominalStressPlacings& placings) {
   Interval means = nowhere;
   for (const auto& [points, least] : placings.least([](double ratio) { return ratio; }))

@@ -33,8 +33,7 @@ double support_energy_in_lb(const std::vector<StaticPoint>& points, double force
 double trend_energy_in_lb(double force_lb, double factor, double exponent);
 double trend_force_lb(double energy_in_lb, double factor, double exponent);
 
-/// Eq. 37: U* = U(F) - W_S(F) + F^2
-/// (2 K), the energy with the plate in place of the load cell, in.lb.
+/// Eq. 37: U* = U(F) - W_S(F) + F^2 / (2 K), the energy with the plate in place of the load cell, in.lb.
 double energy_on_plate_in_lb(const ValidationData& data, double force_lb);
 
 /// Table 3-2: U, U_R = ratio^2 U, W_S, V_R*/V = sqrt((U_R + W_S)/U) and V_R*. The peak force is an argument

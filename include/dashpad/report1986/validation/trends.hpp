@@ -57,9 +57,8 @@ struct FittedConstant {
 /// regression of ln U on ln F and of ln F on ln U, because the report does not say which it used.
 std::vector<FittedConstant> fit_trends(const ValidationData& data);
 
-/// Nominal stress (report, Eq. 33): e^m
-/// (1 - e)^n (E_inf + E_r (V/L)^r), psi, with V/L in 1/s and the strain e in [0, 1). Throws
-/// std::invalid_argument if the law is not the 9-parameter law.
+/// Nominal stress (report, Eq. 33): e^m / (1 - e)^n (E_inf + E_r (V/L)^r), psi, with V/L in 1/s and the
+/// strain e in [0, 1). Throws std::invalid_argument if the law is not the 9-parameter law.
 double nominal_stress_psi(const Material& ensolite, double peak_strain, double speed_mph,
                           double thickness_in);
 
