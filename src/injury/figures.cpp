@@ -64,12 +64,12 @@ std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, con
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
-/// What the steps leave and, to the power that it has in the figure, the solver's own error of the force.
-/// Without a coarser run the errors are unknown, but for the peak, which is the solver's.
+/// The error is that of the time steps plus the solver's error of the force times the exponent of the
+/// acceleration. Without a coarser run only the error of the peak is known.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);
-  // Between two samples of the history, and known to the solver.
+  // The solver's peak may lie between two samples of the history.
   const Summary& summary = solution.summary;
   if (summary.peak_acceleration && summary.time_of_peak_force)
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};
