@@ -12,6 +12,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/measurement/measurement_text.hpp"
+#include "input/spelling.hpp"
 #include "output_files.hpp"
 #include "quantities/magnitude_bounds.hpp"
 #include "study/study.hpp"
@@ -28,10 +29,10 @@ double value_in_si(const std::string& text, const std::string& si_unit) {
   return stated_si(text, si_unit);
 }
 
-std::string unit_of(const std::string& name, const study::Store& store) {
-  for (const study::StoredColumn& response : store.responses())
-    if (response.name == name) return response.unit;
-  return "1";
+/// The response of that name; null if the store has none.
+const study::StoredColumn* response_of(const std::string& name, const study::Store& store) {
+  const auto found = std::ranges::find(store.responses(), name, &study::StoredColumn::name);
+  return found == store.responses().end() ? nullptr : &*found;
 }
 
 constexpr const char* study_summary_footer = R"(Examples:
@@ -57,12 +58,10 @@ struct StudySummaryRequest {
 
 /// Why the store has no such response; empty if it has.
 std::string response_rule(const std::string& name, const study::Store& store) {
-  std::string names;
-  for (const study::StoredColumn& response : store.responses()) {
-    if (response.name == name) return "";
-    names += (names.empty() ? "" : ", ") + response.name;
-  }
-  return "is no response of this study; it keeps " + names;
+  if (response_of(name, store) != nullptr) return "";
+  std::vector<std::string> names;
+  for (const study::StoredColumn& response : store.responses()) names.push_back(response.name);
+  return "is no response of this study; it keeps " + input::listing(names);
 }
 
 /// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
@@ -78,8 +77,8 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   const std::string value = text.substr(sign + 1);
   try {
-    return study::StudyLimit{name,
-                             value_in_si(std::string(input::without_blanks(value)), unit_of(name, store))};
+    return study::StudyLimit{
+        name, value_in_si(std::string(input::without_blanks(value)), response_of(name, store)->unit)};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }

@@ -82,17 +82,17 @@ Series compared(const std::string& label, std::size_t palette_index, const std::
 /// Adds the line "predicted = measured" and the band of bias that the rule admits.
 void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  panel.series.push_back({.label = "bias that the rule admits",
-                          .style = SeriesStyle::band,
-                          .x = {low, high},
-                          .y = {(1 + rule.low) * low, (1 + rule.low) * high},
-                          .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
-                          .palette_index = palette_index::measured});
-  panel.series.push_back({.label = "as measured",
-                          .style = SeriesStyle::dashed_line,
-                          .x = {low, high},
-                          .y = {low, high},
-                          .palette_index = palette_index::measured});
+  panel.add(Series{.label = "bias that the rule admits",
+                   .style = SeriesStyle::band,
+                   .x = {low, high},
+                   .y = {(1 + rule.low) * low, (1 + rule.low) * high},
+                   .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
+                   .palette_index = palette_index::measured});
+  panel.add(Series{.label = "as measured",
+                   .style = SeriesStyle::dashed_line,
+                   .x = {low, high},
+                   .y = {low, high},
+                   .palette_index = palette_index::measured});
 }
 
 /// The peak forces on the load cell, for which there are the most readings.
@@ -117,7 +117,7 @@ output::Plot predicted_over_measured(const Study& study) {
     panel.x.low = panel.y.low = low;
     panel.x.high = panel.y.high = high;
   }
-  for (Series& series : points) panel.series.push_back(std::move(series));
+  for (Series& series : points) panel.add(std::move(series));
   return {.panels = {std::move(panel)}};
 }
 

@@ -23,8 +23,8 @@ Panel predicted_time_panel(const Study& study, const char* title, TestGroup grou
                                             std::pair{"expected_travel_in", palette_index::second}}) {
     const double travel = study.data.constant(name);
     const double travel_ms = 1e3 * travel / study.data.constant("inch_per_s_of_mph");
-    panel.series.push_back(speed_line(fmt::format("report: VT = {} in", brief(travel)), palette_index,
-                                      [&](double speed) { return travel_ms / speed; }));
+    panel.add(speed_line(fmt::format("report: VT = {} in", brief(travel)), palette_index,
+                         [&](double speed) { return travel_ms / speed; }));
   }
   return panel;
 }
@@ -34,8 +34,7 @@ Panel force_panel(const Study& study, const char* title, TestGroup group) {
   panel.y.high = 10'000;
   panel.add(predicted_lines(study, programs, group, Quantity::peak_force));
   panel.add(curve_a(study, group.projectile, palette_index::report));
-  panel.series.push_back(
-      measured_points(study, group, Quantity::peak_force, "measured", palette_index::measured));
+  panel.add(measured_points(study, group, Quantity::peak_force, "measured", palette_index::measured));
   return panel;
 }
 
@@ -87,12 +86,11 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   const bool plate = group.support == TestSupport::plate;
   panel.add(predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
-  panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), palette_index::report,
-                                    [&](double speed) { return ratio * speed; }));
-  panel.series.push_back(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
-  if (!plate) panel.series.push_back(printed_expectation(study, group.projectile));
-  panel.series.push_back(
-      measured_points(study, group, Quantity::rebound_speed, "measured", palette_index::measured));
+  panel.add(speed_line(fmt::format("report: {} V", brief(ratio)), palette_index::report,
+                       [&](double speed) { return ratio * speed; }));
+  panel.add(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
+  if (!plate) panel.add(printed_expectation(study, group.projectile));
+  panel.add(measured_points(study, group, Quantity::rebound_speed, "measured", palette_index::measured));
   return panel;
 }
 

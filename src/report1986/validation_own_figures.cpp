@@ -52,7 +52,7 @@ Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
         std::pair{Program::mended_support_1984, palette_index::mended_1984},
         std::pair{Program::accurate_first_slope, palette_index::first_slope},
         std::pair{Program::accurate, palette_index::accurate}})
-    panel.series.push_back(ratios(study, program, group.projectile, palette_index));
+    panel.add(ratios(study, program, group.projectile, palette_index));
   return panel;
 }
 
@@ -77,7 +77,7 @@ Drawing misfit_over_radius(const Study& study) {
         .x = study.radius.radii_in,
         .y = criterion.misfit};
     for (double& misfit : line.y) misfit /= least;
-    panel.series.push_back(line);
+    panel.add(line);
   }
   return {{panel},
           fmt::format("Root mean square of the residuals over its least value; in brackets the number "
