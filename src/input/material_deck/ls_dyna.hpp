@@ -15,14 +15,13 @@ struct LsDynaBlocks {
 };
 LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults);
 
-/// The foam of a keyword without its title, such as MAT_083; null for one that is not read.
+/// The foam of a keyword such as MAT_083; null if it is not read.
 const LsDynaFoam* ls_dyna_foam(std::string_view keyword);
 
-/// The lines of a block behind its title, if it has one.
+/// The lines of a block without its title.
 std::vector<DeckLine> lines_behind_title(const DeckBlock& block);
-/// The title, UTF-8; empty where the keyword has none.
+/// The title, UTF-8; may be empty.
 std::string title_of(const DeckBlock& block);
-/// The keyword without _TITLE.
 std::string keyword_of(const DeckBlock& block);
 
 /// A deck with the units of its numbers, and where faults go.

@@ -45,7 +45,7 @@ void tell_of_foam(const Foam& foam, const MaterialDeckOptions& options, std::vec
                     written_unloading_factor(foam)));
 }
 
-/// What there is of the rate beside its curves.
+/// Remarks on the rates, besides those on the curves.
 void tell_of_rates(const FoamCurves& curves, const MaterialDeckFormat& format, const MaterialPoints& points,
                    std::vector<std::string>& remarks) {
   const bool has_effect = !std::holds_alternative<NoRateEffect>(curves.rate_effect);
@@ -69,7 +69,7 @@ MaterialPoints points_for(const Material& material, const MaterialDeckFormat& fo
   return points;
 }
 
-/// The law as the deck has it: where a way back was measured that it cannot say, HU and SHAPE say nothing.
+/// The law as the deck holds it. If a measured way back is left out, HU and SHAPE have no meaning either.
 Material as_in_deck(Material material, const std::string& format) {
   if (auto* const foam = std::get_if<Foam>(&material.law); foam != nullptr && foam->unloading_curve)
     if (format != "radioss-70") foam->unloading_factor = foam->unloading_shape = 1;

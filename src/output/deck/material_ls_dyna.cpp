@@ -1,5 +1,3 @@
-// Foams as *MAT keywords of LS-DYNA.
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,7 +17,7 @@ std::string curve_text(const TableCurve& curve, int id, const std::string& title
   return define_curve(title, id, "$           STRAIN A1           STRESS O1", points);
 }
 
-/// The classic kind of table: its curves follow at once.
+/// A table of the classic kind, directly followed by its curves.
 std::string table_text(const MaterialPoints& points, int id, DeckNumbers& numbers) {
   std::string text = fmt::format(
       "*DEFINE_TABLE_TITLE\nCurves by strain rate\n$     TBID\n{:>10}\n"
@@ -38,7 +36,7 @@ const input::LsDynaFoam& foam_of(const std::string& format) {
                                [&](const input::LsDynaFoam& each) { return format.ends_with(each.number); });
 }
 
-/// SFLAG 1: the rates are those of the nominal strain.
+/// SFLAG 1: rates of the nominal strain.
 std::string cards_of(const Material& material, const MaterialPoints& points, const std::string& format,
                      int id, DeckNumbers& numbers, std::size_t width) {
   CardValues values{{"MID", id},
@@ -68,7 +66,7 @@ std::string ls_dyna_material(const Material& material, const MaterialPoints& poi
                              const MaterialDeckOptions& options, DeckNumbers& numbers) {
   const bool has_table = options.format == "ls-dyna-083" || options.format == "ls-dyna-163";
   const bool log_log = options.format == "ls-dyna-083" && points.loading.size() > 1 && !points.linear_in_rate;
-  // Fields of 20 columns where 10 do not hold a number.
+  // Fields have 20 columns if 10 do not hold a number.
   DeckNumbers tried(options.units);
   (void)cards_of(material, points, options.format, options.first_id, tried, 10);
   const bool is_long = tried.rounded() > 0;
