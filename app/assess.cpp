@@ -1,4 +1,4 @@
-// dashpad assess: solves a case with the impactor of a test standard and compares with its limits.
+// dashpad assess: solves a case with the impactor of a test standard and applies its limits.
 
 #include <algorithm>
 #include <iterator>
@@ -61,10 +61,10 @@ struct AssessRequest {
   bool no_intervals = false;
 };
 
-/// One of the standards, with the case that has its impactor.
+/// A standard, and the case with its impactor.
 struct Assessed {
-  injury::Standard own;       ///< with its own nose and speed, where the case has others
-  injury::Standard standard;  ///< with those of the case, where they are kept
+  injury::Standard own;       ///< with its own nose and speed
+  injury::Standard standard;  ///< with those of the case, if they are kept
   ImpactCase impact;
   Solution solution = {};
   injury::Assessment assessment = {};
@@ -93,7 +93,7 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& er
           .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", errors)};
 }
 
-/// The standards as they are read, with what the user gives in their place.
+/// The standards with the values of the user.
 std::vector<injury::Standard> read_standards(const AssessRequest& request,
                                              std::vector<input::InputFile>& files, Complaints& errors) {
   const std::filesystem::path folder = chosen_standards(request.standard_folder);
@@ -136,7 +136,7 @@ std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
   return cases;
 }
 
-/// The verdict, and what another choice of nose or speed would have made of it.
+/// Finds the verdict, and what another choice of nose or speed would have changed.
 void judge(Assessed& assessed, const input::CaseFile& given, const AssessRequest& request) {
   const auto solved = [&](const injury::Standard& standard, const ImpactCase& impact,
                           const Options& options) {

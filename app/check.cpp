@@ -1,4 +1,4 @@
-// dashpad check: says how a case was understood, or what is wrong with it.
+// dashpad check: shows how a case is understood, or its faults.
 
 #include <fmt/format.h>
 

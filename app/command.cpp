@@ -1,5 +1,3 @@
-// What several subcommands share.
-
 #include <charconv>
 #include <stdexcept>
 #include <system_error>

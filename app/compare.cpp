@@ -138,7 +138,7 @@ int compare(const CompareRequest& request) {
   return request.pulse.file.empty() ? compare_with_1984(request) : compare_with_pulse(request);
 }
 
-/// Adds --pulse and what goes with it, a group of its own in the help.
+/// Adds --pulse and its options as a group of the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
   CLI::Option* pulse =
       add_option(sub, "--pulse FILE", request.pulse.file,

@@ -84,7 +84,7 @@ struct FitRequest {
 
 constexpr std::size_t max_draws = 1'000'000;
 
-/// 0 without --posterior, or where it is wrong.
+/// 0 without --posterior, or after an error.
 std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors) {
   if (request.posterior.empty()) return 0;
   const std::string& text = request.posterior.front();
@@ -103,14 +103,14 @@ std::vector<Target> fit_targets(const FitRequest& request) {
   return targets;
 }
 
-/// Of the contents of all files that the fit is read from, and of the version.
+/// Depends on the contents of all input files, and on the version.
 std::string fingerprint_of(const std::vector<input::InputFile>& files) {
   std::vector<std::string> texts{std::string{version()}};
   for (const input::InputFile& input_file : files) texts.push_back(input::read_measurement(input_file.file));
   return fingerprint(texts);
 }
 
-/// Runs the fit under a line of progress. Throws fit::Stopped.
+/// Runs the fit with a progress line. Throws fit::Stopped.
 fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
   ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
   options.stop = &StopSignal::wanted();
@@ -120,7 +120,7 @@ fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
   return fit::run_fit(fit, options);
 }
 
-/// Beside the results: the state is read, and may be there.
+/// Checks --state, which unlike the results may exist, since it is read.
 void judge_state(const FitRequest& request, const std::vector<Target>& targets,
                  const std::vector<input::InputFile>& inputs, const fit::Fit& fit,
                  const fit::RunOptions& options, std::vector<std::string>& errors) {
@@ -157,7 +157,7 @@ int stopped(const FitRequest& request, std::size_t kept) {
   return StopSignal::exit_code();
 }
 
-/// What no card holds, where the case that would is not asked for.
+/// A note on numbers that no card holds, unless --case is given.
 std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
   if (!request.files.of("--case").empty() || !report.fitted_case) return "";
   std::string keys;
@@ -168,7 +168,7 @@ std::string kept_by_case(const FitRequest& request, const fit::FitReport& report
 }
 
 int fit_material(const FitRequest& request) {
-  // From the reading of the files to the writing of the results: neither is left half done.
+  // Covers everything from reading to writing, so that neither is left half done.
   const StopSignal signal;
   std::vector<std::string> errors;
   const std::size_t draws = draws_of(request, errors);
@@ -197,7 +197,7 @@ int fit_material(const FitRequest& request) {
   } catch (const fit::Stopped& stop) {
     return stopped(request, stop.kept());
   }
-  // Without convergence there is no card and no sample.
+  // Without convergence there is neither card nor sample.
   if (!report.converged)
     std::erase_if(targets, [](const Target& target) { return target.option != "--json"; });
   const auto document = [&](output::Pictures pictures) {

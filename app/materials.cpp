@@ -1,4 +1,4 @@
-// dashpad materials: the material cards side by side, or one whole.
+// dashpad materials: all material cards, or one in full.
 
 #include <algorithm>
 #include <optional>
@@ -39,7 +39,7 @@ struct MaterialsRequest {
   std::string folder;
 };
 
-/// Throws Refused where the picture cannot be written, before anything is read.
+/// Throws Refused if an output file cannot be written, before anything is read.
 void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) {
   std::vector<input::InputFile> files;
   for (const fs::path& card : cards) files.push_back({"the material card", card});
@@ -49,7 +49,7 @@ void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) 
   if (!errors.empty()) throw Refused(std::move(errors));
 }
 
-/// The document goes to its files, and to people below that heading.
+/// Writes the document to its files, and below `heading` to standard output.
 void publish(const MaterialsRequest& request, const std::vector<Material>& materials,
              const std::string& heading, const MakeDocument& document) {
   const auto picture = [&](const Target& target) {

@@ -1,4 +1,4 @@
-// dashpad post-impact: how two bodies move after the impact, and where the energy went.
+// dashpad post-impact: the motion of two bodies after the impact, and the energy.
 
 #include <limits>
 #include <optional>

@@ -71,7 +71,7 @@ Settings settings_of(const Spit1984Request& request) {
   return settings;
 }
 
-/// CLI11 takes "nan" for a number within any range.
+/// CLI11 accepts "nan" in any range.
 std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
   std::vector<std::string> errors;
   for (const auto& [option, value] :
@@ -82,12 +82,12 @@ std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
   return errors;
 }
 
-/// Where the questions go: standard output, unless that is for a result.
+/// The stream of the questions: standard output, unless that is for a result.
 std::ostream& terminal(const Spit1984Request& request) {
   return std::ranges::any_of(request.files.options, &Target::is_standard_output) ? std::cerr : std::cout;
 }
 
-/// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
+/// The deck of the case, or of the answers at the terminal. Throws Refused with all errors.
 Deck deck_for(const Spit1984Request& request) {
   std::vector<std::string> errors;
   if (request.interactive == !request.given.file.empty())
@@ -104,7 +104,7 @@ Deck deck_for(const Spit1984Request& request) {
   if (request.interactive) {
     const std::optional<Deck> answers = ensol(std::cin, terminal(request));
     if (!answers) {
-      terminal(request) << std::endl;  // the last question still stands on the line
+      terminal(request) << std::endl;  // ends the line of the last question
       throw Refused({"the input ended before the last answer"});
     }
     for (const Violation& violation : violations(*answers))
@@ -118,7 +118,7 @@ Deck deck_for(const Spit1984Request& request) {
   return deck;
 }
 
-/// What the listing does not say.
+/// Remarks beyond the listing.
 std::string remarks(const Deck& deck, const Settings& settings, const Run& run) {
   std::string text = fmt::format("1984 program in {} arithmetic", to_string(settings.arithmetic));
   for (const Defect& defect : defects)
@@ -141,7 +141,7 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
 }
 
 Run run_with_progress(const Deck& deck, const Settings& settings) {
-  // How many steps the impact takes is not known before its end.
+  // The number of steps is not known in advance.
   ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.max_steps)};
   return run(deck, settings, [&](int step) {
     line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.max_steps));
@@ -159,7 +159,7 @@ int run_program(const Spit1984Request& request) {
     return listing(deck, result, Device::printer);
   });
   write_error(remarks(deck, settings, result));
-  // As it was printed, with its form feeds.
+  // Unchanged, with form feeds.
   write_result(output.empty() ? listing(deck, result, Device::terminal) : output);
   return result.abend == Abend::none ? exit_done : exit_not_trusted;
 }

@@ -52,7 +52,7 @@ int show_one(const StandardsRequest& request, const fs::path& folder) {
   return exit_done;
 }
 
-/// One with faults does not hide the others.
+/// A preset with faults does not hide the others.
 int list_all_standards(const fs::path& folder) {
   std::string text = fmt::format("Standards in {}:\n", folder.string());
   std::vector<std::string> faults;

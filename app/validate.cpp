@@ -1,4 +1,4 @@
-// dashpad validate: the validation study of the 1986 report, computed again.
+// dashpad validate: repeats the validation study of the 1986 report.
 
 #include <algorithm>
 #include <csignal>
@@ -65,8 +65,8 @@ output::PictureFormat picture_format_of(const ValidateRequest& request) {
   return *output::picture_format("still." + request.format);
 }
 
-/// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
-/// of the figures, which need not be there yet.
+/// The files to be written, as far as they can be checked before the run; the folder of the figures may not
+/// exist yet.
 std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& errors) {
   std::vector<Target> targets = request.files.targets();
   if (!request.figures) return targets;
@@ -78,7 +78,7 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
     std::ranges::move(stills(request), std::back_inserter(targets));
   else if (fs::exists(fs::symlink_status(folder, error)))
     errors.push_back(fmt::format("--figures {}: is no folder", *request.figures));
-  else  // A file in its place is refused for the reasons that forbid the folder.
+  else  // a file of this name is refused for the same reasons as the folder
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
 }
@@ -105,7 +105,7 @@ report1986::Study study_of(const ValidateInput& input) {
                                [&](std::size_t done, std::size_t all) { line.show(done, all); });
 }
 
-/// Interrupts wait while this lives: files get their names all together.
+/// Holds back interrupts while it lives, so that all files are published together.
 class InterruptsHeld {
  public:
   InterruptsHeld() {
@@ -122,7 +122,7 @@ class InterruptsHeld {
   sigset_t before_{};
 };
 
-/// The texts of all files by file, before the first of them is written.
+/// The texts of all files, by file, before the first is written.
 std::map<std::string, std::string> texts_of(const ValidateRequest& request, const report1986::Study& study) {
   std::map<std::string, std::string> texts;
   const auto document = [&](output::Pictures pictures) {

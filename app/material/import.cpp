@@ -1,4 +1,4 @@
-// dashpad material, and dashpad material import: foams out of decks and tables, as material cards.
+// dashpad material, and dashpad material import: material cards from decks and tables.
 
 #include <algorithm>
 #include <optional>
@@ -62,7 +62,7 @@ bool is_table(const std::string& file) {
   return input::lower_case(fs::path(file).extension().string()) == ".csv";
 }
 
-/// What the options say and the kind of file has no use for.
+/// Checks the options that depend on the kind of file.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
                                        Wrong& errors) {
   rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
@@ -78,7 +78,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
   return deck_units_of(request.units, errors);
 }
 
-/// The one of that number or name.
+/// Keeps the foam of that number or name.
 void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
   std::string names;
   for (const input::DeckMaterial& each : found)
@@ -90,7 +90,7 @@ void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
     errors.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
 }
 
-/// A card into a folder keeps its name; else all goes to one file.
+/// One file for each card in a folder, or one file for all.
 std::vector<Target> targets_of(const ImportRequest& request, const Found& found, Wrong& errors) {
   std::error_code ignored;
   const bool into_folder = request.out.ends_with('/') || fs::is_directory(request.out, ignored);

@@ -1,4 +1,4 @@
-// A study on ranks: rank 0 hands out the batches, computes some itself, and writes all results.
+// A study on ranks: rank 0 distributes the batches, computes some itself, and writes all results.
 
 #include <chrono>
 #include <cstdint>
@@ -157,7 +157,7 @@ class StudyScheduler {
   std::exception_ptr failure_;
 };
 
-/// Runs a step of the beginning on a rank. What goes wrong is for all to know.
+/// Runs a first step on a rank. Returns its errors, which all must know.
 template <class Step>
 std::vector<std::string> complaints_of(Step step) {
   try {
@@ -172,8 +172,8 @@ std::vector<std::string> complaints_of(Step step) {
   }
 }
 
-/// Called by all. True where nothing is wrong on any rank; throws on the first one that has complaints, so
-/// that there is one message.
+/// Called by all. True if no rank has complaints; else throws on the first one that has, so that there is one
+/// message.
 bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   const std::optional<int> first = ranks.first_with(!complaints.empty());
   if (!first) return true;
@@ -183,7 +183,7 @@ bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   throw Refused(std::move(complaints));
 }
 
-/// Called by all: what is not the same on all ranks, and would give rows that do not belong together.
+/// Called by all: differences between the ranks that would give rows that do not belong together.
 std::vector<std::string> differences(const Ranks& ranks, const study::Study& study,
                                      const std::string& study_file) {
   const auto same = [&](std::string_view text) {
@@ -200,7 +200,7 @@ std::vector<std::string> differences(const Ranks& ranks, const study::Study& stu
 
 Message numbers_of(const std::string& text) { return {text.begin(), text.end()}; }
 
-/// What all ranks but the first do.
+/// The work of all ranks but the first.
 void compute_what_is_asked(const study::Study& study, std::uint64_t batch_size, int rank) {
   const study::Design design{study};
   study::Worker worker{study, design};
@@ -242,7 +242,7 @@ int run_on_ranks(const StudyRequest& request) {
       throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
     study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   };
-  // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
+  // Other ranks end with 0, because mpirun ends all at the first other exit code, before the message is out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;
   const std::vector<std::string> differing = differences(ranks, *study, request.study_file);
   const auto open = [&] {

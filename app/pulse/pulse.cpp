@@ -66,7 +66,7 @@ is kept unless --force is given. A file is written whole or not at all.
 Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written. With
 --standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
 
-/// What was asked for of all files alike.
+/// The request for all files.
 struct PulsesRequest {
   std::vector<std::string> files;
   PulseRequest each;
@@ -75,7 +75,7 @@ struct PulsesRequest {
   std::string standard_folder;
 };
 
-/// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
+/// Evaluates every file. Throws Refused with all errors, each once.
 std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
   PulseRequest each = request.each;
   std::vector<std::string> errors;

@@ -62,7 +62,7 @@ void write_csv(const study::Store& store, const fs::path& file, const std::strin
   check();
 }
 
-/// The files first, then what goes to standard output.
+/// Writes the files, then standard output.
 void write_files(const study::Store& store, const StudyExportRequest& request) {
   std::vector<PendingFile> files;
   for (const Target& target : request.files.targets()) {

@@ -1,4 +1,4 @@
-// dashpad study replay: one row of a store solved again, with its history.
+// dashpad study replay: solves one row of a store again, with its history.
 
 #include <charconv>
 #include <cmath>
@@ -34,10 +34,10 @@ struct StudyReplayRequest {
   OutputFiles files;
 };
 
-/// A row as it was and as it is now.
+/// A row as stored and as solved again.
 struct Replay {
   study::StoredRow stored;
-  std::vector<double> factors;  ///< as the study has them in this row
+  std::vector<double> factors;  ///< as the study defines them
   study::Outcome again;
   ImpactCase impact;
   Options options;
@@ -82,7 +82,7 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
 
 std::string with_all_digits(double value) { return std::isnan(value) ? "none" : fmt::format("{}", value); }
 
-/// The same bits, or no value both times.
+/// Whether the bits are the same, or neither has a value.
 bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 std::vector<std::string> differences(const Replay& replay, const study::Store& store) {

@@ -1,4 +1,4 @@
-// dashpad study summary: what a store says.
+// dashpad study summary: the results of a store.
 
 #include <algorithm>
 #include <optional>
@@ -21,7 +21,7 @@ namespace dashpad::app {
 
 namespace {
 
-/// With a g of acceleration, which elsewhere is a gram.
+/// Accepts g as a unit of acceleration, which elsewhere is a gram.
 double value_in_si(const std::string& text, const std::string& si_unit) {
   if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
     return standard_gravity *
@@ -64,7 +64,7 @@ std::string response_rule(const std::string& name, const study::Store& store) {
   return "is no response of this study; it keeps " + input::listing(names);
 }
 
-/// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
+/// A limit such as "hic15 > 1000" or "peak_force = 5 kN"; absent after an error.
 std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
                                           std::vector<std::string>& errors) {
   const auto refuse = [&](const std::string& rule) {
@@ -99,7 +99,7 @@ study::StudyQuestions questions_of(const StudySummaryRequest& request, const stu
   return questions;
 }
 
-/// Drawn before anything is written: one row, or rows that all bottomed out, are no picture.
+/// Drawn before anything is written, since one row, or rows that all bottomed out, give no picture.
 std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answers) {
   const std::string& file = files.of("--picture");
   if (file.empty()) return {};

@@ -35,15 +35,15 @@ void take_given_stream(const std::filesystem::path& file);
 /// The bytes of a stream that was taken; nullptr for any other file.
 const std::string* given_stream(const std::filesystem::path& file);
 
-/// Bytes of a line above which no fault quotes it.
+/// Faults quote no line of more bytes.
 inline constexpr std::size_t longest_excerpt = 10'000;
 
-/// What some programs write before UTF-8 text; no part of it.
+/// The byte order mark that some programs write before UTF-8 text.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 std::string_view without_mark(std::string_view text);
 
-/// The text of a regular file, or of a stream that was given, of at most 1 MiB. One fault for anything
-/// else: missing, a folder, a pipe or a device, unreadable, larger, or not text.
+/// The text of a regular file, or of a stream that was given, of at most 1 MiB. Anything else is a fault:
+/// missing, a folder, a pipe or a device, unreadable, larger, or not text.
 Reading<std::string> read_text_file(const std::filesystem::path& file);
 
 }  // namespace dashpad::input

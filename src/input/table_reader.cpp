@@ -17,10 +17,9 @@ namespace dashpad::input {
 namespace {
 
 using Kind = TomlNode::Kind;
-constexpr std::size_t longest_text = 2000;  // bytes; a title, a source or a note of a page is no text of use
+constexpr std::size_t longest_text = 2000;  // bytes
 
-/// Whether one would ask by it for an oblique blow, which the model does not have: of the impactor, or of the
-/// pad or the anvil that is set at an angle.
+/// Whether a key suggests an oblique impact, which the model does not have.
 bool asks_for_oblique_blow(const std::string& key) {
   constexpr std::string_view keys[] = {
       "angle",       "angle_deg",          "angle_rad",      "angle_of_impact",      "angle_of_incidence",
@@ -38,7 +37,6 @@ constexpr const char* no_oblique_blow =
 
 constexpr std::size_t max_numbers = 2000;
 
-/// Each by `read`.
 template <class Read>
 std::optional<std::vector<double>> read_list(TableReader& table, const std::string& key, std::size_t most,
                                              Read&& read) {
@@ -53,9 +51,9 @@ std::optional<std::vector<double>> read_list(TableReader& table, const std::stri
   return values;
 }
 
-constexpr const char* option = "--set";  ///< by which a value was given that is in no file
+constexpr const char* option = "--set";  ///< stands for a file in faults of settings
 
-/// Faults that have one: more are not shown, and each costs a line of the file.
+/// Further faults have no excerpt, since each one costs a search through the file.
 constexpr std::size_t max_excerpts = 1000;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Small text files, and streams in the place of files.
+// Small text files, and streams in their place.
 
 #include "input/disk.hpp"
 

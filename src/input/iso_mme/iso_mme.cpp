@@ -22,7 +22,7 @@ using Channels = std::vector<IsoMmeChannel>;
 constexpr std::size_t code_length = 16;
 constexpr std::size_t place_of_dimension = 12, place_of_direction = 14;
 
-/// "3" and "003" are 3; a code is no number, even one of digits only.
+/// "3" and "003" are 3. A code is no number, even if it has digits only.
 std::optional<int> channel_number(const std::string& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -32,10 +32,10 @@ std::optional<int> channel_number(const std::string& text) {
 
 struct EvenTimes {
   double first = 0, interval = 0;
-  std::string counts_from = {};  ///< the first time as in the file, where `first` is 0 in its place
+  std::string counts_from = {};  ///< the first time as in the file, if `first` is 0 instead
 
   [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
-  /// Not where rounding makes one of two neighbours.
+  /// False if rounding makes two neighbours equal.
   [[nodiscard]] bool increase(std::size_t count) const {
     for (std::size_t i = 1; i < count; ++i)
       if (!(at(i) > at(i - 1))) return false;
@@ -75,7 +75,7 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   return times;
 }
 
-/// Adds one channel to the result: its values, or a direction of a resultant.
+/// Adds channels to the result: its values, or the directions of a resultant.
 class Combiner {
  public:
   Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, injury::MeasuredPulse& result)
@@ -137,7 +137,7 @@ class Combiner {
   EvenTimes times_;
 };
 
-/// The code and the name in words of "11HEAD0000H3ACXA / Head x", by the number of the channel.
+/// By channel number, the code and name in "11HEAD0000H3ACXA / Head x".
 std::map<int, std::pair<std::string, std::string>> listed_names(const MmeLabels& labels) {
   std::map<int, std::pair<std::string, std::string>> names;
   constexpr std::string_view beginning = "name of channel";
@@ -196,7 +196,7 @@ bool matches(const std::string& code, const std::string& pattern) {
   return std::ranges::equal(code, pattern, [](char c, char wanted) { return wanted == '?' || c == wanted; });
 }
 
-/// Those that the user's words may mean: all accelerations without any words.
+/// The channels that match the user's words, or all accelerations.
 Channels candidates(const std::filesystem::path& file, const Channels& all, const std::string& wanted) {
   Channels found;
   const auto number = channel_number(wanted);
@@ -220,7 +220,7 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
   return found;
 }
 
-/// X, Y and Z of one place, or two of them.
+/// The directions X, Y, Z of one place, or two of them.
 Channels directions(const std::filesystem::path& file, Channels found) {
   std::erase_if(found, [](const IsoMmeChannel& channel) {
     return channel.code.size() != code_length ||
@@ -245,8 +245,8 @@ Channels directions(const std::filesystem::path& file, Channels found) {
   return found;
 }
 
-/// One of `all`, or the two or three of a resultant in the order X, Y, Z. Throws InputError that names those
-/// that could be meant. `file` is for messages.
+/// The chosen channel, or the directions of a resultant. Throws an InputError that lists the candidates.
+/// `file` is for messages.
 Channels chosen_channels(const std::filesystem::path& file, const Channels& all,
                          const IsoMmeOptions& options) {
   Channels found = candidates(file, all, options.channel);

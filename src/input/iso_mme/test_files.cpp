@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t beginning = 65536;  // bytes; enough for all labels
 constexpr std::size_t max_digits = 5;
 
-/// A name in its parts; folder and ending without their / and point.
+/// The parts of a name, without / and point.
 struct Name {
   std::string folder, stem, ending;
 };
@@ -31,7 +31,7 @@ Name parts(const std::string& whole) {
 
 bool are_alike(const std::string& a, const std::string& b) { return lower_case(a) == lower_case(b); }
 
-/// What some systems put beside every file of an archive.
+/// Files that some systems add to archives.
 bool is_litter(const std::string& name) {
   return name.starts_with("__MACOSX/") || parts(name).stem.starts_with("._") ||
          (parts(name).stem.empty() && name.find("._") != std::string::npos);
@@ -45,7 +45,6 @@ std::optional<int> number_of_ending(const std::string& ending) {
                                                                                    : std::nullopt;
 }
 
-/// The name of the .mme file in the folder or archive.
 std::string main_file(const fs::path& file, const std::vector<std::string>& names,
                       const std::string& wanted) {
   std::vector<std::string> found;
@@ -64,7 +63,7 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
 constexpr std::string_view no_value = "NOVALUE";
 constexpr std::size_t max_labels = 10'000;
 
-/// Takes the labels off; false once `line` is none.
+/// Takes a label off; false if `line` is none.
 bool take_label(std::string_view line, std::size_t number, MmeLabels& labels) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos || labels.all().size() == max_labels) return false;

@@ -99,7 +99,7 @@ const DeckBlock* NumberedBlocks::at_place(std::size_t place) const {
 }
 
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
-  constexpr double no_cut_off = 1e19;  // a tension cut-off of that size is none
+  constexpr double no_cut_off = 1e19;  // a larger tension cut-off is none
   if (value == value && value != 0 && std::abs(value) < no_cut_off)
     foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longest_number = 100;
 
-/// A number as it is written: digits with a point among them, and the exponent behind.
+/// A number as written: digits with a point, and an exponent.
 struct WrittenNumber {
   std::string mantissa;
   int exponent = 0;
@@ -30,7 +30,7 @@ std::optional<int> read_exponent(std::string_view text) {
   return value;
 }
 
-/// Absent where the text is no number.
+/// Absent if the text is no number.
 std::optional<WrittenNumber> taken_apart(std::string_view text) {
   WrittenNumber number;
   std::size_t i = 0;
@@ -53,7 +53,7 @@ std::optional<WrittenNumber> taken_apart(std::string_view text) {
   return number;
 }
 
-/// Significant digits, of which the first has the weight 10^exponent.
+/// Significant digits; the first has the weight 10^exponent.
 struct Digits {
   bool negative = false;
   std::string digits;
@@ -94,7 +94,7 @@ std::string in_scientific_notation(const Digits& number) {
                      number.digits.size() > 1 ? number.digits.substr(1) : "0", number.exponent);
 }
 
-/// Empty where no notation is short enough. One column is left blank where that is possible.
+/// Empty if no notation is short enough. Leaves one column blank if possible.
 std::string fitting(const Digits& number, std::size_t width) {
   const bool is_handy = number.exponent > -6 && number.exponent < 16;
   for (const std::size_t room : {width - 1, width})
@@ -107,7 +107,7 @@ std::string fitting(const Digits& number, std::size_t width) {
   return "";
 }
 
-/// The number whose product with `factor` is `value`, if rounding has one.
+/// The number whose product with `factor` is exactly `value`, if there is one.
 double divided(double value, double factor) {
   const double quotient = value / factor;
   double below = quotient, above = quotient;

@@ -1,4 +1,4 @@
-// Foams of LS-DYNA: what becomes of the fields of their cards.
+// Conversion of the fields of LS-DYNA's cards.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@ namespace dashpad::input {
 
 namespace {
 
-/// A field of a card that is read.
 struct FieldOfCard {
   DeckFields& line;
   std::size_t place;
@@ -24,7 +23,7 @@ struct FieldOfCard {
   [[nodiscard]] std::optional<long> whole() const { return line.whole(place, key); }
 };
 
-/// Lines of a material's block, a card each; nothing, and a fault, where there are too few or too many.
+/// The lines of a material's block, one per card; absent, with a fault, if there are too few or too many.
 std::optional<std::vector<DeckLine>> cards_of(const DeckBlock& block, const LsDynaFoam& kind,
                                               const std::string& name, MeasurementFaults& faults) {
   std::vector<DeckLine> lines = lines_behind_title(block);
@@ -60,7 +59,7 @@ void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& fo
   if (rows) foam.loading = *std::move(rows);
 }
 
-/// False where it makes the foam one that is not read.
+/// Takes a field. False if the foam cannot be read with it.
 bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const std::string_view name = field.name;
   if (name == "MID") foam.id = field.whole().value_or(0);
@@ -107,7 +106,7 @@ bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaSour
   return true;
 }
 
-/// *MAT_063 has one curve, after which newer versions of the solver unload.
+/// *MAT_063 has a single curve, along whose last slope newer versions of the solver unload.
 void tell_of_last_slope(DeckFoam& foam) {
   if (foam.loading.empty()) return;
   const DeckCurve& curve = foam.loading.front().curve;
@@ -122,7 +121,7 @@ void tell_of_last_slope(DeckFoam& foam) {
                     slope));
 }
 
-/// What an option behind the name forbids; "" where nothing does.
+/// The rule that the options in a keyword break; "" if none.
 std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) {
   const std::string_view name =
       keyword.starts_with(fmt::format("MAT_{}", kind.words)) ? kind.words : kind.number;

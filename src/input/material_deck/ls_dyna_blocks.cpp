@@ -1,5 +1,4 @@
-// Blocks of *KEYWORD input: "*" in the first column begins a keyword, "$" a comment. Curves and tables among
-// them.
+// Blocks of *KEYWORD input: "*" in the first column begins a keyword, "$" a comment. Curves and tables.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ bool says_long(const std::string& head) {
   return at != std::string::npos && text.substr(at + 5, 1) != "S";
 }
 
-/// The number in the first field; absent where there is none. Curves that no foam asks for may be anything.
+/// The number in the first field; absent if there is none, since unused curves may be anything.
 std::optional<long> number_of_block(const DeckBlock& block) {
   const std::vector<DeckLine> lines = lines_behind_title(block);
   if (lines.empty()) return std::nullopt;
@@ -58,7 +57,7 @@ struct Shift {
   double scale = 1;
   double offset = 0;
 
-  /// What was read stays as it is where nothing is to be done.
+  /// Leaves numbers exactly as read if there is nothing to do.
   [[nodiscard]] double of(double value) const {
     return scale == 1 && offset == 0 ? value : scale * (value + offset);
   }
@@ -209,7 +208,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
     } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {
       faults.add(lines[i].number, name, "", "needs the number of a curve behind the rate (columns 21 to 40)");
     } else {
-      // The classic kind: as many *DEFINE_CURVE follow at once, in the order of the rates.
+      // The classic kind of table is directly followed by its *DEFINE_CURVE, in the order of the rates.
       long following = 0;
       if (const DeckBlock* const next = deck.curves.at_place(block->place + i)) {
         const std::vector<DeckLine> lines_of_next = lines_behind_title(*next);

@@ -14,7 +14,7 @@ constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
 
 enum class Solver { ls_dyna, radioss, unknown };
 
-/// By the first line that begins a keyword.
+/// Decides by the first line that begins a keyword.
 Solver solver_of(std::string_view text) {
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
@@ -31,7 +31,7 @@ std::vector<std::string> sorted_units(std::string_view name) {
   return units;
 }
 
-/// Cards of one folder need different names.
+/// Makes the names of cards unique.
 void make_names_differ(std::vector<DeckMaterial>& materials) {
   std::map<std::string, int> count;
   for (const DeckMaterial& each : materials) ++count[each.material.name];

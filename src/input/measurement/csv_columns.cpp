@@ -23,7 +23,7 @@ bool is_number_like(std::string_view field, char separator) {
   return kind != NumberKind::text && kind != NumberKind::empty;
 }
 
-/// The unit in a field that is nothing else: "ms", "[ms]", "(g)".
+/// The unit in a field without a name: "ms", "[ms]", "(g)".
 std::optional<std::string> lone_unit(const std::string& field) {
   const auto [name, unit] = split_header(field);
   if (name.empty() && !unit.empty()) return unit;
@@ -41,7 +41,7 @@ bool is_row_of_units(const CsvHeader::Row& row) {
   return any && (lone_unit(row.fields.front()).has_value() || row.fields.front().empty());
 }
 
-/// How many columns a row tells something about that we look for.
+/// The number of columns in a row that look like a time or an acceleration.
 int score(const CsvHeader::Row& row) {
   int known = 0;
   for (const std::string& field : row.fields) {
@@ -79,8 +79,7 @@ std::optional<std::size_t> column_number(const std::string& text) {
   return number;
 }
 
-/// The column that the user named. By its whole header, else by its name without unit; then the same without
-/// regard to capitals.
+/// The column that the user named, by its whole header or else by its name without unit; then ignoring case.
 std::optional<injury::MeasuredColumn> named(const Columns& all, const std::string& wanted,
                                             const std::string& option, std::size_t line,
                                             MeasurementFaults& faults) {
@@ -90,7 +89,7 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
     return std::nullopt;
   }
   const auto bare = [](const injury::MeasuredColumn& column) { return split_header(column.name).name; };
-  const std::string whole = quoted_part(wanted, longest_name);  // as columns are named
+  const std::string whole = quoted_part(wanted, longest_name);  // columns are named likewise
   for (int attempt = 0; attempt < 4; ++attempt) {
     Columns found;
     for (const injury::MeasuredColumn& column : all) {
@@ -109,7 +108,7 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
   return std::nullopt;
 }
 
-/// Those in volts where there is a sensitivity, if there are any.
+/// With a sensitivity, the columns in volts if there are any.
 Columns those_that_look_like(ColumnKind kind, const Columns& all,
                              const std::vector<Sensitivity>& sensitivity = {}) {
   Columns found;
@@ -122,7 +121,7 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all,
   return found;
 }
 
-/// What is said about columns that are called as wanted but have a unit that is not of this kind.
+/// A hint at columns with the expected name but an unsuitable unit.
 std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   std::string text;
   std::size_t count = 0;
@@ -141,7 +140,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   return text;
 }
 
-/// The columns of one kind: as named, else as the header tells.
+/// The columns of one kind, as named by the user or by the header.
 Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std::string>& names,
                std::size_t most, const std::vector<Sensitivity>& sensitivity, MeasurementFaults& faults) {
   const std::string word = kind == ColumnKind::time ? "time" : "acceleration";

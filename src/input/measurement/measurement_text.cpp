@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t longest_number = 100;
 
-/// Closes a file at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -33,7 +32,7 @@ class Descriptor {
   int number_;
 };
 
-/// The line, in which the value, or the column that the fault is about, is marked where it is found.
+/// The line, with the value or else the key of the fault marked.
 Excerpt excerpt_in(std::string_view line, const Fault& fault) {
   const std::string& meant = fault.value.empty() ? fault.key : fault.value;
   const auto begin = meant.empty() ? std::string_view::npos : line.find(meant);
@@ -41,7 +40,7 @@ Excerpt excerpt_in(std::string_view line, const Fault& fault) {
   return {std::string(line), begin, meant.size()};
 }
 
-/// Its size as the file system tells it.
+/// Returns the size that the file system reports.
 std::size_t require_regular(int descriptor, const std::string& name) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
@@ -140,7 +139,7 @@ bool LineReader::next(std::string_view& line) {
   ++number_;
   const char* const begin = rest_.data();
   const char* const text_end = begin + rest_.size();
-  if (line_feed_ == nullptr || line_feed_ < begin) {  // looked up once a line feed, not once a line
+  if (line_feed_ == nullptr || line_feed_ < begin) {  // searched once per line feed, not per line
     const auto* const found = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
     line_feed_ = found == nullptr ? text_end : found;
   }

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t max_gap_remarks = 20;
 
-/// What was met on the way through the numbers.
+/// Observations while reading the numbers.
 struct Findings {
   std::size_t repeated_samples = 0, first_repeated = 0;
-  std::size_t empty_columns = 0;                     ///< rows with nothing behind their last separator
+  std::size_t empty_columns = 0;                     ///< rows with an empty last field
   std::size_t decimal_comma = 0, decimal_point = 0;  ///< the first line of each
 };
 
@@ -29,14 +29,13 @@ std::string plural(std::size_t count, const std::string& word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// The columns whose numbers are read, the time first.
+/// The columns to be read, the time first.
 std::vector<injury::MeasuredColumn> read_columns_of(const CsvColumns& columns) {
   std::vector<injury::MeasuredColumn> all = columns.acceleration;
   if (columns.time.number > 0) all.insert(all.begin(), columns.time);
   return all;
 }
 
-/// Reads the rows of numbers of a table.
 class NumberReader {
  public:
   NumberReader(const CsvColumns& columns, std::optional<double> interval, char separator,
@@ -58,14 +57,14 @@ class NumberReader {
     std::array<double, 4> sample{};
     bool complete = true;
     if (interval_) sample[0] = *interval_ * static_cast<double>(pulse.time.size());
-    const std::size_t values = interval_ ? 1 : 0;  // those of the columns begin there
+    const std::size_t values = interval_ ? 1 : 0;  // index of the first of the columns
     for (std::size_t i = 0; i < columns_.size(); ++i)
       complete = read(row, columns_[i], sample[values + i]) && complete;
     if (complete) append(sample, row);
   }
 
-  /// After the last row. Lets the times count from the first sample where the clock began long ago; says then
-  /// what the file has there.
+  /// Call after the last row. If the clock began long ago, makes times count from the first sample and
+  /// returns the first time as in the file.
   std::string count_from_first() {
     if (since_first_.empty()) return "";
     const bool is_far = counts_from_first(pulse.time.front(), since_first_.back());
@@ -114,7 +113,8 @@ class NumberReader {
     return false;
   }
 
-  /// A comma may be a decimal sign or part thousands; together with points nobody knows.
+  /// Whether the decimal sign is the usual one. A comma may also separate thousands, so commas and points
+  /// together are ambiguous.
   bool has_usual_decimal_sign(std::size_t line, const injury::MeasuredColumn& column,
                               std::string_view field) {
     const bool comma = separator_ != ',' && field.find(',') != std::string_view::npos;
@@ -134,17 +134,16 @@ class NumberReader {
     return without_blanks(row.fields[static_cast<std::size_t>(columns_.front().number - 1)]);
   }
 
-  /// Seconds by which the time of a row is later than that of the first sample, rounded once they are
-  /// subtracted.
+  /// The time of a row after the first sample, s, rounded after the subtraction.
   [[nodiscard]] double since_first(double time, const CsvRow& row) const {
     const std::optional<ExactTime> exact = exact_time(time_field(row));
     return exact && first_ ? columns_.front().factor * exact->since(*first_) : time - pulse.time.front();
   }
 
-  /// By how much the time of this row is later than the one before, s.
+  /// The time of this row after the previous one, s.
   double step_to(double time, const CsvRow& row) {
     if (pulse.time.size() == 1 && counts_from_first(pulse.time.front(), time - pulse.time.front()))
-      since_first_ = {0};  // it may be far: what the doubles still tell of the times is too little then
+      since_first_ = {0};  // then the doubles are too coarse
     if (since_first_.empty()) return time - pulse.time.back();
     return since_first(time, row) - since_first_.back();
   }
@@ -183,7 +182,7 @@ class NumberReader {
   }
 
   char separator_;
-  std::optional<double> interval_;  ///< s, where no column has the times
+  std::optional<double> interval_;  ///< s, without a column of times
   std::size_t width_;
   double latest_time_ = measured_magnitudes("s").most;              ///< s
   double largest_acceleration_ = measured_magnitudes("m/s2").most;  ///< m/s2
@@ -192,7 +191,7 @@ class NumberReader {
   std::array<double, 4> latest_{};
   std::string first_time_;  ///< as in the file
   std::optional<ExactTime> first_;
-  std::vector<double> since_first_;  ///< s, of all samples, where the second is near to the first; else empty
+  std::vector<double> since_first_;  ///< s, of all samples, if the times may count from the first; else empty
 };
 
 std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& rows, bool has_mark) {
@@ -220,7 +219,7 @@ std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& row
   return remarks;
 }
 
-/// Faults for the gaps between the times or, if they are to be bridged, remarks.
+/// Reports the gaps between the times, as faults or, if they are to be bridged, as remarks.
 void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time, bool bridge,
                 MeasurementFaults& faults, std::vector<std::string>& remarks) {
   const PulseGaps gaps = find_gaps(numbers.pulse.time);

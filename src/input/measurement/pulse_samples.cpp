@@ -106,7 +106,7 @@ std::optional<ExactTime> exact_time(std::string_view number) {
   std::string all(mantissa.substr(0, point));
   if (point < mantissa.size()) all += mantissa.substr(point + 1);
   if (all.empty() || all.find_first_not_of(digits) != std::string::npos) return std::nullopt;
-  // The point among all digits; beyond either end there are zeros.
+  // The place of the decimal point among the digits; beyond their ends there are zeros.
   const std::int64_t place = static_cast<std::int64_t>(point) + exponent;
   if (place > static_cast<std::int64_t>(max_digits)) return std::nullopt;
   const auto whole_digits = static_cast<std::size_t>(std::max<std::int64_t>(place, 0));

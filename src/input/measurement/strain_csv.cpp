@@ -13,9 +13,9 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t max_rows = 10'000;
-constexpr double min_strain = 1e-12;  // the largest of a history; below it, rounding is not small
+constexpr double min_strain = 1e-12;  // the largest of a history; rounding matters below
 
-/// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
+/// A column called strain, whose unit needs no brackets: "strain %", "strain_percent".
 std::optional<injury::MeasuredColumn> as_strain(injury::MeasuredColumn column) {
   std::string name = lower_case(split_header(column.name).name);
   for (const std::string_view unit : {" %", "_%", "_percent", " percent"})
@@ -31,7 +31,7 @@ struct StrainColumns {
   injury::MeasuredColumn time, strain;
 };
 
-/// Faults where the header does not tell which is which, or in which unit.
+/// Finds the columns. Faults if the header is ambiguous or lacks a unit.
 StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   const CsvColumns named = named_columns(header, " and their units: time_s,strain", faults);
   const std::size_t line = named.names->line;
@@ -69,7 +69,6 @@ StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   return chosen;
 }
 
-/// Reads the rows and judges each as it comes.
 class StrainReader {
  public:
   StrainReader(StrainColumns columns, char separator, MeasurementFaults& faults)
@@ -84,7 +83,7 @@ class StrainReader {
       ++repeated_;
       return;
     }
-    // The first time is taken off all others: what counts is what rounding leaves of them.
+    // The first time will be subtracted from all others, so times are compared after that rounding.
     const double begin = table.time.empty() ? *time : table.time.front();
     if (!std::isfinite(*time - begin))
       faults_.add(row.line, columns_.time.name, field_in(row, columns_.time),

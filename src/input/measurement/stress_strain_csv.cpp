@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_rows_of_a_test = 10'000;
 constexpr double min_strain_of_a_test = 1e-9;
 
-/// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
+/// "stress" and "kPa" for "stress_kPa", "stress [kPa]" and "stress (kPa)".
 HeaderText without_unit(const injury::MeasuredColumn& column) {
   const std::string& text = column.name;
   for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
@@ -34,7 +34,7 @@ struct TestColumns {
   std::optional<injury::MeasuredColumn> time;
 };
 
-/// By its whole header, else by its name without the unit. Its unit is that of the header.
+/// Finds a column by its header, with or without unit.
 std::optional<injury::MeasuredColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
                                                   const std::string& wanted, const char* kind,
                                                   std::size_t line, MeasurementFaults& faults) {
