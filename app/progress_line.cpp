@@ -16,8 +16,6 @@ namespace dashpad::app {
 
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-TerminalLine::~TerminalLine() { wipe(); }
-
 void TerminalLine::wipe() {
   if (width_ > 0) write_all(STDERR_FILENO, "\r" + std::string(width_, ' ') + "\r");
   drawn_.clear();

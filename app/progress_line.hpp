@@ -18,7 +18,7 @@ class TerminalLine {
  public:
   TerminalLine();
   /// Wipes the line.
-  ~TerminalLine();
+  ~TerminalLine() { wipe(); }
   TerminalLine(const TerminalLine&) = delete;
   TerminalLine& operator=(const TerminalLine&) = delete;
 

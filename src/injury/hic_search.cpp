@@ -165,10 +165,6 @@ Blocks::Blocks(const Curve& curve) : curve_(&curve) {
   }
 }
 
-std::size_t Blocks::last(std::size_t rank, std::size_t block) const {
-  return std::min((block + 1) << rank, curve_->samples() - 1);
-}
-
 /// For adjacent or equal blocks, whose windows may be arbitrarily short: the mean is at most the highest
 /// level.
 double Blocks::close_bound(std::size_t rank, std::size_t i, std::size_t j, double longest) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// Windows of a pulse that is linear between its samples: their durations and velocity gains.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -113,7 +114,9 @@ class Blocks {
 
   /// The first and the last sample of a block.
   [[nodiscard]] static std::size_t first(std::size_t rank, std::size_t block) { return block << rank; }
-  [[nodiscard]] std::size_t last(std::size_t rank, std::size_t block) const;
+  [[nodiscard]] std::size_t last(std::size_t rank, std::size_t block) const {
+    return std::min((block + 1) << rank, curve_->samples() - 1);
+  }
 
  private:
   /// Within a block: the largest distances of the velocity below and above the straight line between its

@@ -128,15 +128,6 @@ void check_alignment(const PulseShape& measured, Alignment alignment) {
                   100 * onset_share));
 }
 
-std::optional<double> ComparedFigure::difference() const {
-  return measured && computed ? std::optional{*computed - *measured} : std::nullopt;
-}
-
-std::optional<double> ComparedFigure::share() const {
-  return measured && computed && *measured > 0 ? std::optional{(*computed - *measured) / *measured}
-                                               : std::nullopt;
-}
-
 std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,
                                                const std::optional<PulseShape>& computed,
                                                Alignment alignment) {

@@ -90,9 +90,6 @@ std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::
   return std::nullopt;
 }
 
-TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
-    : table_(&table), path_(std::move(path)), faults_(&faults) {}
-
 const TomlNode* TableReader::find(const std::string& key, Presence presence) {
   if (!std::ranges::count(known_, key)) known_.push_back(key);
   const TomlNode* node = table_->child(key);
@@ -104,8 +101,6 @@ double TableReader::quantity(const std::string& key, const std::string& si_unit)
   const TomlNode* node = find(key);
   return node ? read_quantity(*node, full_key(key), si_unit, *faults_) : no_value;
 }
-
-double TableReader::number(const std::string& key) { return value(key, "1"); }
 
 double TableReader::value(const std::string& key, const std::string& unit) {
   const TomlNode* node = find(key);
@@ -177,8 +172,6 @@ const TomlNode* TableReader::array(const std::string& key) {
   return nullptr;
 }
 
-bool TableReader::has(const std::string& key) { return find(key, Presence::optional) != nullptr; }
-
 void TableReader::fault(const std::string& key, std::string rule) {
   const TomlNode* node = table_->child(key);
   if (node)
@@ -225,22 +218,6 @@ void FaultList::add(int line, TomlNode::Columns columns, std::string key, std::s
                      std::move(rule),
                      {}});
   if (faults_.size() <= max_excerpts) faults_.back().excerpt = excerpt_of(file_->text, line, columns);
-}
-
-void FaultList::add(int line, std::string key, std::string value, std::string rule) {
-  add(line, {}, std::move(key), std::move(value), std::move(rule));
-}
-
-void FaultList::add(const TomlNode& node, std::string key, std::string rule) {
-  add(node.line, node.columns, std::move(key), node.written(), std::move(rule));
-}
-
-void FaultList::add_key(const TomlNode& node, std::string key, std::string rule) {
-  add(node.line, node.key_columns, std::move(key), node.written(), std::move(rule));
-}
-
-void FaultList::add(const std::vector<Fault>& faults) {
-  faults_.insert(faults_.end(), faults.begin(), faults.end());
 }
 
 void FaultList::add(const std::vector<Violation>& violations) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,12 +23,18 @@ class FaultList {
  public:
   explicit FaultList(const TomlFile& file) : file_(&file) {}
 
-  void add(int line, std::string key, std::string value, std::string rule);
+  void add(int line, std::string key, std::string value, std::string rule) {
+    add(line, {}, std::move(key), std::move(value), std::move(rule));
+  }
   /// Adds a fault of an entry: of its value, or of its key.
-  void add(const TomlNode& node, std::string key, std::string rule);
-  void add_key(const TomlNode& node, std::string key, std::string rule);
+  void add(const TomlNode& node, std::string key, std::string rule) {
+    add(node.line, node.columns, std::move(key), node.written(), std::move(rule));
+  }
+  void add_key(const TomlNode& node, std::string key, std::string rule) {
+    add(node.line, node.key_columns, std::move(key), node.written(), std::move(rule));
+  }
   /// Adds the faults of another file.
-  void add(const std::vector<Fault>& faults);
+  void add(const std::vector<Fault>& faults) { faults_.insert(faults_.end(), faults.begin(), faults.end()); }
   /// The value read from another file, whose faults are added.
   template <class T>
   std::optional<T> take(Reading<T> reading) {
@@ -67,12 +74,13 @@ enum class Presence { required, optional };
 class TableReader {
  public:
   /// `path` is the dotted key of the table; "" for the file itself. Both references must outlive the reader.
-  TableReader(const TomlNode& table, std::string path, FaultList& faults);
+  TableReader(const TomlNode& table, std::string path, FaultList& faults)
+      : table_(&table), path_(std::move(path)), faults_(&faults) {}
 
   /// A quantity in SI; NaN if absent or at fault.
   double quantity(const std::string& key, const std::string& si_unit);
   /// A plain number; NaN if absent or at fault.
-  double number(const std::string& key);
+  double number(const std::string& key) { return value(key, "1"); }
   /// A plain number if `unit` is "1", else a quantity; NaN if absent or at fault.
   double value(const std::string& key, const std::string& unit);
   /// A whole number in a range; nothing if absent or at fault.
@@ -105,7 +113,7 @@ class TableReader {
   const TomlNode* find(const std::string& key, Presence presence = Presence::required);
 
   /// Whether the entry is there. Marks it as known.
-  bool has(const std::string& key);
+  bool has(const std::string& key) { return find(key, Presence::optional) != nullptr; }
   void fault(const std::string& key, std::string rule);
   /// Reports entries that nobody asked for.
   void refuse_others();

@@ -105,12 +105,6 @@ PrintedRecords& PrintedRecords::skip(int columns) {
   return *this;
 }
 
-PrintedRecords& PrintedRecords::e(double value, int width, int decimals) {
-  return text(edit_e(value, width, decimals));
-}
-
-PrintedRecords& PrintedRecords::i(int value, int width) { return text(edit_i(value, width)); }
-
 PrintedRecords& PrintedRecords::end_record() {
   end_record_on_the_line();
   printed_ += '\n';

@@ -21,10 +21,11 @@ std::string edit_i(int value, int width);
 /// FORMAT(8H0RADIUS=,12X,E10.3/) is text("0RADIUS=").skip(12).e(radius, 10, 3).end_record().end_record().
 class PrintedRecords {
  public:
-  PrintedRecords& text(std::string_view text);               ///< nH... or '...'
-  PrintedRecords& skip(int columns);                         ///< nX
-  PrintedRecords& e(double value, int width, int decimals);  ///< Ew.d
-  PrintedRecords& i(int value, int width);                   ///< Iw
+  PrintedRecords& text(std::string_view text);  ///< nH... or '...'
+  PrintedRecords& skip(int columns);            ///< nX
+  /// Ew.d, and Iw.
+  PrintedRecords& e(double value, int width, int decimals) { return text(edit_e(value, width, decimals)); }
+  PrintedRecords& i(int value, int width) { return text(edit_i(value, width)); }
 
   /// A slash, or the end of the FORMAT. The first character of the record is carriage control: '1' begins a
   /// new page (a form feed, except on the very first line), '0' leaves a line empty, any other just begins a

@@ -59,9 +59,13 @@ struct ComparedFigure {
   std::optional<double> measured, computed;
   double error = 0;  ///< estimated relative error of the computed figure
 
-  [[nodiscard]] std::optional<double> difference() const;
+  [[nodiscard]] std::optional<double> difference() const {
+    return measured && computed ? std::optional{*computed - *measured} : std::nullopt;
+  }
   /// The difference relative to the measured figure; absent unless that is positive.
-  [[nodiscard]] std::optional<double> share() const;
+  [[nodiscard]] std::optional<double> share() const {
+    return difference() && *measured > 0 ? std::optional{*difference() / *measured} : std::nullopt;
+  }
 };
 
 /// Peak, time to peak, width, velocity change, HIC15 and restitution. The time to the peak counts from the

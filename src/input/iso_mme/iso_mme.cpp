@@ -157,7 +157,7 @@ Channels list(const MmeTestFiles& test) {
   std::vector<std::string> names;
   for (const auto& [number, name] : test.channels) names.push_back(name);
   if (!test.channel_list.empty()) names.push_back(test.channel_list);
-  const MmeMembers texts = test.beginnings(names);
+  const MmeMembers texts = test.texts(names, true);
   auto listed = test.channel_list.empty() ? std::map<int, std::pair<std::string, std::string>>{}
                                           : listed_names(read_mme_labels(texts.at(test.channel_list)));
   Channels channels;
@@ -284,7 +284,7 @@ Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeO
       if (!channel.problem.empty())
         throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
       const std::string& name = test.channels.at(channel.number);
-      combiner.add(channel, test.whole({name}).at(name));
+      combiner.add(channel, test.texts({name}, false).at(name));
     }
     return {std::move(result), test.files()};
   });

@@ -91,14 +91,9 @@ std::vector<InputFile> MmeTestFiles::files() const {
   return all;
 }
 
-MmeMembers MmeTestFiles::beginnings(const std::vector<std::string>& names) const {
-  return in_archive ? read_from_archive(source, names, beginning, true)
-                    : read_from_folder(source, names, beginning, true);
-}
-
-MmeMembers MmeTestFiles::whole(const std::vector<std::string>& names) const {
-  return in_archive ? read_from_archive(source, names, largest_measurement, false)
-                    : read_from_folder(source, names, largest_measurement, false);
+MmeMembers MmeTestFiles::texts(const std::vector<std::string>& names, bool only_labels) const {
+  const std::size_t most = only_labels ? beginning : largest_measurement;
+  return (in_archive ? read_from_archive : read_from_folder)(source, names, most, only_labels);
 }
 
 MmeTestFiles find_mme_test(const fs::path& file) {
@@ -150,11 +145,6 @@ const MmeLabel* MmeLabels::find(std::string_view name) const {
   const auto found =
       std::ranges::find_if(labels_, [&](const MmeLabel& label) { return lower_case(label.name) == wanted; });
   return found == labels_.end() ? nullptr : &*found;
-}
-
-std::string MmeLabels::value(std::string_view name) const {
-  const MmeLabel* label = find(name);
-  return label == nullptr ? "" : label->value;
 }
 
 MmeLabels read_mme_labels(std::string_view text) {

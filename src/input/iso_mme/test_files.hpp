@@ -46,9 +46,8 @@ struct MmeTestFiles {
   /// The name for messages: "test.zip/Channel/test.001".
   [[nodiscard]] std::string shown(const std::string& name) const { return (source / name).string(); }
   [[nodiscard]] std::vector<InputFile> files() const;
-  /// The first bytes of some files, with all their labels.
-  [[nodiscard]] MmeMembers beginnings(const std::vector<std::string>& names) const;
-  [[nodiscard]] MmeMembers whole(const std::vector<std::string>& names) const;
+  /// The texts of some files, whole or up to the end of their labels.
+  [[nodiscard]] MmeMembers texts(const std::vector<std::string>& names, bool only_labels) const;
 };
 
 /// `file` is a folder, a .mme file, or an archive with one test in it. Throws InputError.
@@ -66,7 +65,10 @@ class MmeLabels {
   /// The first label of that name, ignoring case; null if there is none.
   [[nodiscard]] const MmeLabel* find(std::string_view name) const;
   /// The value of that label; "" if there is none.
-  [[nodiscard]] std::string value(std::string_view name) const;
+  [[nodiscard]] std::string value(std::string_view name) const {
+    const MmeLabel* label = find(name);
+    return label == nullptr ? "" : label->value;
+  }
   [[nodiscard]] const std::vector<MmeLabel>& all() const { return labels_; }
 
  private:

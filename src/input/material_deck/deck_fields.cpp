@@ -44,10 +44,6 @@ DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, Me
   }
 }
 
-std::string_view DeckFields::text(std::size_t field) const {
-  return field < fields_.size() ? fields_[field] : std::string_view{};
-}
-
 std::string DeckFields::place_of(std::size_t field) const {
   if (widths_.empty()) return fmt::format("field {} between commas", field + 1);
   std::size_t first = 1;

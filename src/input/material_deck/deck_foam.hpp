@@ -45,7 +45,9 @@ class DeckFields {
   /// A whole number; a blank field is 0; absent after a fault.
   std::optional<long> whole(std::size_t field, const std::string& key);
   /// The trimmed text of a field.
-  [[nodiscard]] std::string_view text(std::size_t field) const;
+  [[nodiscard]] std::string_view text(std::size_t field) const {
+    return field < fields_.size() ? fields_[field] : std::string_view{};
+  }
   [[nodiscard]] std::size_t line() const { return line_.number; }
 
  private:

@@ -60,10 +60,6 @@ void MeasurementFaults::add(std::size_t line, std::string key, std::string_view 
   }
 }
 
-void MeasurementFaults::throw_if_any() const {
-  if (!faults_.empty()) throw_all();
-}
-
 void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_view value, std::string rule) {
   add(line, std::move(key), value, std::move(rule));
   throw_all();

@@ -24,7 +24,9 @@ class MeasurementFaults {
   void are_in(std::string_view text) { text_ = text; }
   /// Adds a fault, with long values cut. Throws InputError at max_measurement_faults.
   void add(std::size_t line, std::string key, std::string_view value, std::string rule);
-  void throw_if_any() const;
+  void throw_if_any() const {
+    if (!faults_.empty()) throw_all();
+  }
   [[nodiscard]] bool none() const { return faults_.empty(); }
   /// Adds a fault and throws.
   [[noreturn]] void refuse(std::size_t line, std::string key, std::string_view value, std::string rule);

@@ -71,7 +71,9 @@ class DeckNumbers {
 
   std::string field(input::Content content, double value, std::size_t width = 20);
   /// Strain and stress of a point, and a line break.
-  std::string point(double strain, double stress);
+  std::string point(double strain, double stress) {
+    return field(input::Content::number, strain) + field(input::Content::stress, stress) + "\n";
+  }
   [[nodiscard]] std::size_t rounded() const { return rounded_; }
 
  private:

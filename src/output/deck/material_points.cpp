@@ -131,10 +131,6 @@ std::string DeckNumbers::field(input::Content content, double value, std::size_t
   return fmt::format("{:>{}}", text, width);
 }
 
-std::string DeckNumbers::point(double strain, double stress) {
-  return field(input::Content::number, strain) + field(input::Content::stress, stress) + "\n";
-}
-
 std::string card_text(char mark, input::DeckCard card, const CardValues& values, DeckNumbers& numbers,
                       std::size_t width) {
   std::string names;
