@@ -62,11 +62,6 @@ constexpr double min_strain = 1e-12, max_strain = 0.999999;
 using Text = std::optional<std::string>;
 using Wrong = std::vector<std::string>;
 
-laboratory::TestKind kind_of(const std::string& name) {
-  return *std::ranges::find_if(laboratory::all_test_kinds,
-                               [&](laboratory::TestKind kind) { return name == to_string(kind); });
-}
-
 /// A number alone is in 1/s.
 std::string with_unit_of_rate(const std::string& text) {
   const bool is_number = text.find_first_not_of("0123456789.eE+- ") == std::string::npos;
@@ -157,7 +152,8 @@ void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong
 /// The test; errors include those of the rows of the history.
 laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& errors) {
   laboratory::MaterialTest test;
-  test.kind = kind_of(request.test);
+  test.kind = *std::ranges::find_if(
+      laboratory::all_test_kinds, [&](laboratory::TestKind kind) { return request.test == to_string(kind); });
   judge_options(request, test.kind, errors);
   if (!request.rates.empty()) test.rates = rates_of(request, errors);
   const char* const strain_rule = "must be more than 1e-12 and less than 0.999999";

@@ -61,10 +61,6 @@ std::vector<Target> stills(const ValidateRequest& request) {
   return wanted;
 }
 
-output::PictureFormat picture_format_of(const ValidateRequest& request) {
-  return *output::picture_format("still." + request.format);
-}
-
 /// The files to be written, as far as they can be checked before the run; the folder of the figures may not
 /// exist yet.
 std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& errors) {
@@ -99,12 +95,6 @@ ValidateInput read_and_check(const ValidateRequest& request) {
   return input;
 }
 
-report1986::Study study_of(const ValidateInput& input) {
-  ProgressLine line{"Simulating the tests"};
-  return report1986::run_study(input.data, input.ensolite,
-                               [&](std::size_t done, std::size_t all) { line.show(done, all); });
-}
-
 /// Holds back interrupts while it lives, so that all files are published together.
 class InterruptsHeld {
  public:
@@ -136,7 +126,7 @@ std::map<std::string, std::string> texts_of(const ValidateRequest& request, cons
   const std::vector<report1986::ValidationFigure> figures = report1986::validation_figures(study);
   ProgressLine line{"Drawing the figures"};
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    texts[targets[i].file] = output::picture(figures[i].plot, picture_format_of(request));
+    texts[targets[i].file] = picture_text(figures[i].plot, targets[i]);
     line.show(i + 1, figures.size());
   }
   return texts;
@@ -155,7 +145,11 @@ void write_results(const ValidateRequest& request, const report1986::Study& stud
 
 int run_validation(const ValidateRequest& request) {
   const ValidateInput input = read_and_check(request);
-  const report1986::Study study = study_of(input);
+  const report1986::Study study = [&] {
+    ProgressLine line{"Simulating the tests"};
+    return report1986::run_study(input.data, input.ensolite,
+                                 [&](std::size_t done, std::size_t all) { line.show(done, all); });
+  }();
   write_results(request, study);
   return request.strict && !report1986::passes(study) ? exit_not_passed : exit_done;
 }

@@ -198,8 +198,6 @@ std::vector<std::string> differences(const Ranks& ranks, const study::Study& stu
           ": its base case, or a card or a data file that it names, is not the same for all ranks"};
 }
 
-Message numbers_of(const std::string& text) { return {text.begin(), text.end()}; }
-
 /// The work of all ranks but the first.
 void compute_what_is_asked(const study::Study& study, std::uint64_t batch_size, int rank) {
   const study::Design design{study};
@@ -212,7 +210,8 @@ void compute_what_is_asked(const study::Study& study, std::uint64_t batch_size, 
       Ranks::send(0, Tag::result,
                   packed({.batch = batch, .stop_wanted = StopSignal::wanted(), .rows = std::move(rows)}));
     } catch (const std::exception& error) {
-      Ranks::send(0, Tag::failure, numbers_of(fmt::format("rank {}: {}", rank, error.what())));
+      const std::string text = fmt::format("rank {}: {}", rank, error.what());
+      Ranks::send(0, Tag::failure, {text.begin(), text.end()});
     }
   }
 }

@@ -82,13 +82,6 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
   return std::nullopt;
 }
 
-/// Absent after a fault. Sets `card` to the file that was found.
-std::optional<Material> read_named_material(TableReader& pad, const Folders& folders,
-                                            std::optional<std::filesystem::path>& card) {
-  card = find_card(pad, folders);
-  return card ? pad.faults().take(read_material(*card)) : std::nullopt;
-}
-
 std::optional<Material> read_material_in_line(TableReader& pad) {
   const auto law = read_law(pad);
   const auto fitted = read_fitted(pad);
@@ -299,7 +292,8 @@ PadMaterial read_pad_material(TableReader& pad, const Folders& folders) {
   if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
   if (!named && !of.is_in_line)
     pad.fault("material", "is missing; give the name of a card, or a law with parameters");
-  if (named && !of.is_in_line) of.material = read_named_material(pad, folders, of.card);
+  if (named && !of.is_in_line) of.card = find_card(pad, folders);
+  if (of.card) of.material = pad.faults().take(read_material(*of.card));
   if (of.is_in_line && !named) of.material = read_material_in_line(pad);
   return of;
 }

@@ -73,10 +73,6 @@ std::optional<DeckRateCurve> row_of(LawLines& lines) {
 
 constexpr std::size_t max_laws_listed = 10;
 
-std::string keyword_in_capitals(std::string_view line) {
-  return upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
-}
-
 void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
   const std::vector<std::string> parts = split_at(block.keyword, '/');
   while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
@@ -115,7 +111,7 @@ RadiossBlocks radioss_blocks(std::string_view text, MeasurementFaults& faults) {
       continue;
     }
     finish();
-    block.keyword = keyword_in_capitals(line);
+    block.keyword = upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
     block.head = {lines.number(), line};
     if (block.keyword == "END") break;
     wanted = block.keyword.starts_with("MAT/") || block.keyword.starts_with("FUNCT/") ||

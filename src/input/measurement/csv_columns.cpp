@@ -18,11 +18,6 @@ constexpr std::size_t longest_name = 100;  // of a column, in messages and resul
 
 using Columns = std::vector<injury::MeasuredColumn>;
 
-bool is_number_like(std::string_view field, char separator) {
-  const NumberKind kind = read_csv_number(field, separator).kind;
-  return kind != NumberKind::text && kind != NumberKind::empty;
-}
-
 /// The unit in a field without a name: "ms", "[ms]", "(g)".
 std::optional<std::string> lone_unit(const std::string& field) {
   const auto [name, unit] = split_header(field);
@@ -187,7 +182,10 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   std::optional<CsvHeader> fallback;
   std::string_view comment;
   while (header.rows.size() < max_header_rows && rows.next(row)) {
-    const auto is_number = [&](std::string_view field) { return is_number_like(field, separator); };
+    const auto is_number = [&](std::string_view field) {
+      const NumberKind kind = read_csv_number(field, separator).kind;
+      return kind != NumberKind::text && kind != NumberKind::empty;
+    };
     const auto numbers = std::ranges::count_if(row.fields, is_number);
     const auto begin_numbers = [&](CsvHeader& csv_header) {
       csv_header.first_line = row.line;

@@ -31,8 +31,6 @@ const MaterialDeckFormat* format_named(const std::string& name) {
   return found == formats_of_materials.end() ? nullptr : found;
 }
 
-bool is_of_radioss(const std::string& format) { return format.starts_with("radioss"); }
-
 void tell_of_foam(const Foam& foam, const MaterialDeckOptions& options, std::vector<std::string>& remarks) {
   if (foam.friction > 0) remarks.push_back(fmt::format("friction = {:g} is left out.", foam.friction));
   if (foam.unloading_curve && options.format != "radioss-70")
@@ -127,7 +125,7 @@ std::string material_deck(const Material& given, const MaterialDeckOptions& opti
   const Material material = as_in_deck(given, options.format);
   const MaterialPoints points = points_for(material, *format_named(options.format));
   DeckNumbers numbers(options.units);
-  const bool radioss = is_of_radioss(options.format);
+  const bool radioss = options.format.starts_with("radioss");
   const std::string body = radioss ? radioss_material(material, points, options, numbers)
                                    : ls_dyna_material(material, points, options, numbers);
   const UnitSystem& units = options.units;

@@ -53,9 +53,6 @@ double count_readings(const ValidationData& data, const std::string& column) {
   return static_cast<double>(count);
 }
 
-/// Half a unit of the last digit of an energy of Table 3-1, which is whole or has one decimal.
-double half_digit(double energy_in_lb) { return energy_in_lb == std::floor(energy_in_lb) ? 0.5 : 0.05; }
-
 void claim_counts(const ValidationData& data, Claims& claims) {
   using enum Projectile;
   using enum TestSupport;
@@ -79,7 +76,8 @@ void claim_counts(const ValidationData& data, Claims& claims) {
 
   const auto energies = std::ranges::count_if(data.measured.tests, [](const MeasuredTest& test) {
     const double energy = impact_energy_in_lb(test.weight_lb, test.speed_mph);
-    return std::abs(test.energy_in_lb - energy) <= half_digit(test.energy_in_lb);
+    const bool is_whole = test.energy_in_lb == std::floor(test.energy_in_lb);  // or has one decimal
+    return std::abs(test.energy_in_lb - energy) <= (is_whole ? 0.5 : 0.05);
   });
   claims.add("Table 3-1", "tests whose kinetic energy is M V^2/2 to the printed digit", "tests",
              static_cast<double>(energies), 0,

@@ -88,10 +88,6 @@ std::vector<double> read_readings(const CsvRecord& record, bool is_fraction) {
   return readings;
 }
 
-bool share_tests(const UnplacedReadings& one, const UnplacedReadings& other) {
-  return one.column == other.column && one.first_test <= other.last_test && other.first_test <= one.last_test;
-}
-
 /// The rule that a group breaks; empty if none.
 std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& measured) {
   const auto exists = [&](int number) {
@@ -108,7 +104,8 @@ std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& meas
   if (group.readings.size() > rows)
     return fmt::format("{} readings cannot belong to {} tests", group.readings.size(), rows);
   for (const UnplacedReadings& other : measured.unplaced)
-    if (share_tests(other, group))
+    if (other.column == group.column && other.first_test <= group.last_test &&
+        group.first_test <= other.last_test)
       return fmt::format("shares tests with the group {} to {}", other.first_test, other.last_test);
   return "";
 }
