@@ -72,7 +72,7 @@ double read_field(const CsvRow& row, const injury::MeasuredColumn& column, const
   const auto value = number_in(row, column, separator, faults);
   const std::string rule = value ? rule_of(stated_magnitudes, *value, si_unit) : "";
   if (value && rule.empty()) return *value;
-  if (value) faults.add(row.line, column.name, field_in(row, column), rule);
+  if (value) add_fault(row, column, rule, faults);
   return std::numeric_limits<double>::quiet_NaN();
 }
 

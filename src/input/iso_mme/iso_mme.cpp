@@ -35,6 +35,7 @@ struct EvenTimes {
   std::string counts_from = {};  ///< the first time as in the file, if `first` is 0 instead
 
   [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
+  friend bool operator==(const EvenTimes&, const EvenTimes&) = default;
   /// False if rounding makes two neighbours equal.
   [[nodiscard]] bool increase(std::size_t count) const {
     for (std::size_t i = 1; i < count; ++i)
@@ -75,67 +76,58 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   return times;
 }
 
-/// Adds channels to the result: its values, or the directions of a resultant.
-class Combiner {
- public:
-  Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, injury::MeasuredPulse& result)
-      : test_(test), options_(options), result_(result) {}
-
-  void add(const IsoMmeChannel& channel, const std::string& text) {
-    MeasurementFaults faults(test_.shown(test_.channels.at(channel.number)));
-    const MmeChannelText read = read_mme_channel(text, faults);
-    const EvenTimes times = times_of(read.labels, read.values.size(), faults);
-    if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
-    injury::MeasuredColumn column{
-        .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
-    const std::string unit_of_file = column.unit;
-    const std::string rule =
-        settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit",
-                    sensitivity_at(options_.sensitivity, result_.acceleration.size()));
-    const MmeLabel* label = read.labels.find("Unit");
-    if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
-    if (!result_.acceleration.empty() &&
-        (times.first != times_.first || times.counts_from != times_.counts_from ||
-         times.interval != times_.interval || read.values.size() != result_.pulse.time.size()))
-      faults.add(0, "", "", "has other times than " + result_.acceleration.front().name);
-    faults.throw_if_any();
-    if (const auto remark = overruled_unit(column, unit_of_file)) result_.remarks.push_back(*remark);
-    if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
-      result_.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
-    append(read.values, times, column, faults);
+/// Adds the samples of a channel to the result; `times` if it is the first.
+void add_samples(const std::vector<double>& values, const EvenTimes& times,
+                 const injury::MeasuredColumn& column, injury::MeasuredPulse& result,
+                 MeasurementFaults& faults) {
+  Pulse& pulse = result.pulse;
+  if (result.acceleration.empty()) {
+    result.counts_from = times.counts_from;
+    if (!times.counts_from.empty()) result.remarks.push_back(remark_on_clock(times.counts_from));
+    for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
   }
-
- private:
-  void append(const std::vector<double>& values, const EvenTimes& times, const injury::MeasuredColumn& column,
-              MeasurementFaults& faults) {
-    Pulse& pulse = result_.pulse;
-    const bool is_first = result_.acceleration.empty();
-    if (is_first) {
-      times_ = times;
-      result_.counts_from = times.counts_from;
-      if (!times.counts_from.empty()) result_.remarks.push_back(remark_on_clock(times.counts_from));
-      for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
-    }
-    std::vector<double> scaled(values.size());
-    std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
-    if (result_.resultant) {
-      result_.components.push_back(std::move(scaled));
-      pulse.acceleration = injury::resultant_of(result_.components);
-    } else {
-      pulse.acceleration = std::move(scaled);
-    }
-    if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
-      faults.refuse(0, "", "", "holds a value that is too large to compute with");
-    judge_pulse(pulse, 0, faults);
-    faults.throw_if_any();
-    result_.acceleration.push_back(column);
+  std::vector<double> scaled(values.size());
+  std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
+  if (result.resultant) {
+    result.components.push_back(std::move(scaled));
+    pulse.acceleration = injury::resultant_of(result.components);
+  } else {
+    pulse.acceleration = std::move(scaled);
   }
+  if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
+    faults.refuse(0, "", "", "holds a value that is too large to compute with");
+  judge_pulse(pulse, 0, faults);
+  faults.throw_if_any();
+  result.acceleration.push_back(column);
+}
 
-  const MmeTestFiles& test_;
-  const IsoMmeOptions& options_;
-  injury::MeasuredPulse& result_;
-  EvenTimes times_;
-};
+/// Adds a channel to the result: its values, or a direction of a resultant. The first one sets `first_times`.
+void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const IsoMmeOptions& options,
+                 EvenTimes& first_times, injury::MeasuredPulse& result) {
+  const std::string& file = test.channels.at(channel.number);
+  MeasurementFaults faults(test.shown(file));
+  const std::string text = test.texts({file}, false).at(file);
+  const MmeChannelText read = read_mme_channel(text, faults);
+  const EvenTimes times = times_of(read.labels, read.values.size(), faults);
+  if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
+  injury::MeasuredColumn column{
+      .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
+  const std::string unit_of_file = column.unit;
+  const std::string rule =
+      settle_unit(column, ColumnKind::acceleration, options.acceleration_unit, "--acceleration-unit",
+                  sensitivity_at(options.sensitivity, result.acceleration.size()));
+  const MmeLabel* label = read.labels.find("Unit");
+  if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
+  if (result.acceleration.empty())
+    first_times = times;
+  else if (times != first_times || read.values.size() != result.pulse.time.size())
+    faults.add(0, "", "", "has other times than " + result.acceleration.front().name);
+  faults.throw_if_any();
+  if (const auto remark = overruled_unit(column, unit_of_file)) result.remarks.push_back(*remark);
+  if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
+    result.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
+  add_samples(read.values, times, column, result, faults);
+}
 
 /// By channel number, the code and name in "11HEAD0000H3ACXA / Head x".
 std::map<int, std::pair<std::string, std::string>> listed_names(const MmeLabels& labels) {
@@ -276,15 +268,14 @@ Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeO
     injury::MeasuredPulse result{.format = "ISO-MME",
                                  .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
                                  .resultant = options.resultant};
-    Combiner combiner(test, options, result);
     const Channels chosen = chosen_channels(file, list(test), options);
     if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
       refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
+    EvenTimes first_times;
     for (const IsoMmeChannel& channel : chosen) {
       if (!channel.problem.empty())
         throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
-      const std::string& name = test.channels.at(channel.number);
-      combiner.add(channel, test.texts({name}, false).at(name));
+      add_channel(channel, test, options, first_times, result);
     }
     return {std::move(result), test.files()};
   });

@@ -236,12 +236,16 @@ std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& colum
   return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
 }
 
+void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
+               MeasurementFaults& faults) {
+  faults.add(row.line, column.name, field_in(row, column), std::move(rule));
+}
+
 std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
                                 MeasurementFaults& faults) {
-  const std::string_view field = field_in(row, column);
-  const ReadNumber read = read_csv_number(field, separator);
+  const ReadNumber read = read_csv_number(field_in(row, column), separator);
   if (read.kind == NumberKind::number) return read.value * column.factor;
-  faults.add(row.line, column.name, field, rule_for(read.kind));
+  add_fault(row, column, rule_for(read.kind), faults);
   return std::nullopt;
 }
 

@@ -108,6 +108,9 @@ CsvColumns named_columns(const CsvHeader& header, const std::string& what, Measu
 
 /// The trimmed field of a column in a row; empty beyond the end of the row.
 std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column);
+/// Adds a fault of a field.
+void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
+               MeasurementFaults& faults);
 /// The number of a field in SI; absent after a fault.
 std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
                                 MeasurementFaults& faults);
