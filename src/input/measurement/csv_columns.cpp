@@ -231,11 +231,6 @@ CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool 
   return table;
 }
 
-std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column) {
-  const auto place = static_cast<std::size_t>(column.number - 1);
-  return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
-}
-
 void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
                MeasurementFaults& faults) {
   faults.add(row.line, column.name, field_in(row, column), std::move(rule));
@@ -254,19 +249,15 @@ void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
                         MeasurementFaults& faults, std::size_t first) {
   for (const CsvHeader::Row& row : header.rows) {
     if (names != nullptr && row.line <= names->line) continue;
-    const auto field_of = [&](const injury::MeasuredColumn& column) {
-      const auto at = static_cast<std::size_t>(column.number - 1);
-      return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
-    };
     const auto kind_of = [&](const injury::MeasuredColumn& column) {
-      return read_csv_number(field_of(column), separator).kind;
+      return read_csv_number(field_in(row, column), separator).kind;
     };
     const auto holds_number = [&](const auto& column) { return kind_of(column) == NumberKind::number; };
     if (std::none_of(chosen.begin() + static_cast<std::ptrdiff_t>(first), chosen.end(), holds_number))
       continue;
     for (const injury::MeasuredColumn& column : chosen)
       if (!holds_number(column))
-        faults.add(row.line, column.name, field_of(column), rule_for(kind_of(column)));
+        faults.add(row.line, column.name, field_in(row, column), rule_for(kind_of(column)));
   }
 }
 

@@ -107,7 +107,11 @@ CsvColumns name_columns(const CsvHeader& header);
 CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults);
 
 /// The trimmed field of a column in a row; empty beyond the end of the row.
-std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column);
+template <class Row>
+std::string_view field_in(const Row& row, const injury::MeasuredColumn& column) {
+  const auto place = static_cast<std::size_t>(column.number - 1);
+  return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
+}
 /// Adds a fault of a field.
 void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
                MeasurementFaults& faults);
