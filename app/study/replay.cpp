@@ -1,6 +1,5 @@
 // dashpad study replay: solves one row of a store again, with its history.
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "dashpad/output/study.hpp"
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "quantities/from_chars.hpp"
 #include "result_files.hpp"
 #include "study/study.hpp"
 
@@ -46,14 +46,12 @@ struct Replay {
 };
 
 study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
-  std::uint64_t number = 0;
-  const char* end = request.row.data() + request.row.size();
-  const auto [stop, error] = std::from_chars(request.row.data(), end, number);
-  if (error != std::errc{} || stop != end || number >= store.rows())
+  const auto number = parsed<std::uint64_t>(request.row);
+  if (!number || *number >= store.rows())
     throw Refused(
         {fmt::format("ROW {}: must be a whole number; {} has rows 0 to {}",
                      request.row.empty() ? "\"\"" : request.row, request.store_file, store.rows() - 1)});
-  std::optional<study::StoredRow> row = store.row(number);
+  std::optional<study::StoredRow> row = store.row(*number);
   if (!row)
     throw Refused({fmt::format("ROW {}: is not computed yet; {} has {} of {} rows", request.row,
                                request.store_file, store.rows_done(), store.rows())});

@@ -1,11 +1,12 @@
 #include "spit1984/fortran_format.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
+
+#include "quantities/from_chars.hpp"
 
 namespace dashpad::spit1984 {
 
@@ -72,10 +73,7 @@ std::optional<Number> number_in(std::string_view field) {
   if (first == std::string::npos ||
       std::string_view{"0123456789."}.find(text[first]) == std::string_view::npos)
     return std::nullopt;  // from_chars would take "inf" and "nan"
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+  return parsed<Number>(text);
 }
 
 }  // namespace

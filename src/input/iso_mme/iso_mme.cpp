@@ -1,7 +1,6 @@
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/pulse_samples.hpp"
 #include "input/spelling.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -24,10 +24,7 @@ constexpr std::size_t place_of_dimension = 12, place_of_direction = 14;
 
 /// "3" and "003" are 3. A code is no number, even if it has digits only.
 std::optional<int> channel_number(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_all = error == std::errc{} && end == text.data() + text.size() && text.size() < code_length;
-  return is_all ? std::optional{number} : std::nullopt;
+  return text.size() < code_length ? parsed<int>(text) : std::nullopt;
 }
 
 struct EvenTimes {

@@ -1,12 +1,12 @@
 #include "input/iso_mme/test_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "input/disk.hpp"
+#include "quantities/from_chars.hpp"
 
 namespace dashpad::input {
 
@@ -38,11 +38,9 @@ bool is_litter(const std::string& name) {
 }
 
 std::optional<int> number_of_ending(const std::string& ending) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(ending.data(), ending.data() + ending.size(), number);
-  const bool is_all = error == std::errc{} && end == ending.data() + ending.size();
-  return is_all && ending.size() >= 3 && ending.size() <= max_digits && number > 0 ? std::optional{number}
-                                                                                   : std::nullopt;
+  const auto number = parsed<int>(ending);
+  const bool fits = ending.size() >= 3 && ending.size() <= max_digits && number && *number > 0;
+  return fits ? number : std::nullopt;
 }
 
 std::string main_file(const fs::path& file, const std::vector<std::string>& names,

@@ -1,7 +1,6 @@
 #include "input/material_deck/deck_cards.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -24,10 +23,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::optional<int> read_exponent(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || std::abs(value) > 9999) return std::nullopt;
-  return value;
+  const auto value = parsed<int>(text);
+  return value && *value >= -9999 && *value <= 9999 ? value : std::nullopt;
 }
 
 /// Absent if the text is no number.

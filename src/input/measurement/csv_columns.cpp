@@ -1,11 +1,11 @@
 #include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "input/spelling.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -67,18 +67,11 @@ std::string listing(const Columns& columns) {
   return short_listing(all);
 }
 
-std::optional<std::size_t> column_number(const std::string& text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// The column that the user named, by its whole header or else by its name without unit; then ignoring case.
 std::optional<injury::MeasuredColumn> named(const Columns& all, const std::string& wanted,
                                             const std::string& option, std::size_t line,
                                             MeasurementFaults& faults) {
-  if (const auto number = column_number(wanted)) {
+  if (const auto number = parsed<std::size_t>(wanted)) {
     if (*number >= 1 && *number <= all.size()) return all[*number - 1];
     faults.add(line, "", "", fmt::format("{} {}: the columns are 1 to {}", option, wanted, all.size()));
     return std::nullopt;

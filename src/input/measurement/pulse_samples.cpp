@@ -1,7 +1,6 @@
 #include "input/measurement/pulse_samples.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -98,8 +97,9 @@ std::optional<ExactTime> exact_time(std::string_view number) {
   if (mantissa_end < number.size()) {
     std::string_view text = number.substr(mantissa_end + 1);
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    const auto whole = parsed<int>(text);
+    if (!whole) return std::nullopt;
+    exponent = *whole;
   }
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find_first_of(".,"), mantissa.size());
