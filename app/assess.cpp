@@ -1,8 +1,7 @@
-// dashpad assess: solves a case with the impactor of a test standard and compares with its limits.
+// dashpad assess: solves a case with the impactor of a test standard and applies its limits.
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -62,10 +61,10 @@ struct AssessRequest {
   bool no_intervals = false;
 };
 
-/// One of the standards, with the case that has its impactor.
+/// A standard, and the case with its impactor.
 struct Assessed {
-  injury::Standard own;       ///< with its own nose and speed, where the case has others
-  injury::Standard standard;  ///< with those of the case, where they are kept
+  injury::Standard own;       ///< with its own nose and speed
+  injury::Standard standard;  ///< with those of the case, if they are kept
   ImpactCase impact;
   Solution solution = {};
   injury::Assessment assessment = {};
@@ -94,7 +93,7 @@ injury::UserValues read_user_values(const AssessRequest& request, Complaints& er
           .drop_height = positive_quantity_of("--drop-height", request.drop_height, "m", errors)};
 }
 
-/// The standards as they are read, with what the user gives in their place.
+/// The standards with the values of the user.
 std::vector<injury::Standard> read_standards(const AssessRequest& request,
                                              std::vector<input::InputFile>& files, Complaints& errors) {
   const std::filesystem::path folder = chosen_standards(request.standard_folder);
@@ -137,7 +136,7 @@ std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
   return cases;
 }
 
-/// The verdict, and what another choice of nose or speed would have made of it.
+/// Finds the verdict, and what another choice of nose or speed would have changed.
 void judge(Assessed& assessed, const input::CaseFile& given, const AssessRequest& request) {
   const auto solved = [&](const injury::Standard& standard, const ImpactCase& impact,
                           const Options& options) {
@@ -192,31 +191,30 @@ int run_assessment(const AssessRequest& request) {
 }  // namespace
 
 void add_assess(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("assess", "Compare a case with the limits of a test standard");
-  const auto request = std::make_shared<AssessRequest>();
-  add_option(*sub, "CASE", request->cases, "Case files (TOML)")->required();
-  add_settings(*sub, request->settings);
-  add_option(*sub, "--standard NAME[:VARIANT]", request->standards,
+  const auto [sub, request] = add_subcommand<AssessRequest>(
+      app, action, "assess", "Compare a case with the limits of a test standard", assess_footer,
+      run_assessment);
+  add_option(sub, "CASE", request.cases, "Case files (TOML)")->required();
+  add_settings(sub, request.settings);
+  add_option(sub, "--standard NAME[:VARIANT]", request.standards,
              "Preset, with variants if any (dashpad standards lists them); may be given again")
       ->required()
       ->take_all();
-  add_option(*sub, "--speed V", request->speed, "Impact speed, such as \"15 mph\"");
-  add_option(*sub, "--drop-height H", request->drop_height, "Height of a free fall that gives the speed");
-  add_option(*sub, "--mass M", request->mass, "Mass of the impactor, such as \"6.8 kg\"");
-  add_option(*sub, "--radius R", request->radius, "Radius of the sphere, such as \"82.5 mm\"");
-  add_flag(*sub, "--keep-nose", request->kept.nose, "The nose of the case, whatever the standard has");
-  add_flag(*sub, "--keep-speed", request->kept.speed, "The speed of the case, whatever the standard has");
-  add_file(*sub, request->files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
-  add_documents(*sub, request->files);
-  add_units(*sub, request->files.units);
-  add_all(*sub, request->files.detail);
-  add_tolerance(*sub, request->tolerance);
-  add_no_intervals(*sub, request->no_intervals);
-  add_force(*sub, request->files.force);
-  add_standard_folder(*sub, request->standard_folder);
-  add_material_folder(*sub, request->materials);
-  sub->footer(assess_footer);
-  when_named(*sub, action, [request] { return run_assessment(*request); });
+  add_option(sub, "--speed V", request.speed, "Impact speed, such as \"15 mph\"");
+  add_option(sub, "--drop-height H", request.drop_height, "Height of a free fall that gives the speed");
+  add_option(sub, "--mass M", request.mass, "Mass of the impactor, such as \"6.8 kg\"");
+  add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
+  add_flag(sub, "--keep-nose", request.kept.nose, "The nose of the case, whatever the standard has");
+  add_flag(sub, "--keep-speed", request.kept.speed, "The speed of the case, whatever the standard has");
+  add_file(sub, request.files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_all(sub, request.files.detail);
+  add_tolerance(sub, request.tolerance);
+  add_no_intervals(sub, request.no_intervals);
+  add_force(sub, request.files.force);
+  add_standard_folder(sub, request.standard_folder);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

@@ -1,6 +1,4 @@
-// dashpad check: says how a case was understood, or what is wrong with it.
-
-#include <memory>
+// dashpad check: shows how a case is understood, or its faults.
 
 #include <fmt/format.h>
 
@@ -40,13 +38,11 @@ int check(const CheckRequest& request) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("check", "Say how a case is understood, or what is wrong with it");
-  const auto request = std::make_shared<CheckRequest>();
-  add_case(*sub, request->given);
-  add_units(*sub, request->units);
-  add_material_folder(*sub, request->given.materials);
-  sub->footer(check_footer);
-  when_named(*sub, action, [request] { return check(*request); });
+  const auto [sub, request] = add_subcommand<CheckRequest>(
+      app, action, "check", "Say how a case is understood, or what is wrong with it", check_footer, check);
+  add_case(sub, request.given);
+  add_units(sub, request.units);
+  add_material_folder(sub, request.given.materials);
 }
 
 }  // namespace dashpad::app

@@ -1,6 +1,3 @@
-// What several subcommands share.
-
-#include <charconv>
 #include <stdexcept>
 #include <system_error>
 
@@ -16,13 +13,10 @@
 #include "dashpad/version.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::app {
-
-void when_named(CLI::App& sub, Action& action, Action what) {
-  sub.callback([&action, what = std::move(what)] { action = what; });
-}
 
 void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
@@ -50,10 +44,8 @@ void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
   constexpr double lowest = 1e-8, highest = 1e-2;
-  double value = 0;
-  const char* end = text->data() + text->size();
-  const auto [stop, error] = std::from_chars(text->data(), end, value);
-  if (error == std::errc{} && stop == end && value >= lowest && value <= highest) return value;
+  const auto value = parsed<double>(*text);
+  if (value && *value >= lowest && *value <= highest) return value;
   errors.push_back(
       fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text, lowest, highest));
   return std::nullopt;

@@ -1,14 +1,19 @@
 #pragma once
-/// The parts of the command: each subcommand adds itself to the command line and leaves what is to be done.
+/// The subcommands, each of which adds itself to the command line and leaves an action.
+///
+/// Functions with a parameter `errors` add a line to it for each thing that the user must correct; if they
+/// return an optional, that is absent then.
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -29,20 +34,33 @@ enum ExitCode {
   exit_not_passed = 4,   ///< a standard's limit is exceeded, or a rule of the validation is missed
 };
 
-/// Of an impact that was solved. A pad that bottomed out on a rigid support is a result, also where the
-/// tolerance is missed before it.
+/// The exit code of a solved impact. A pad that bottomed out on a rigid support is a result, even if the
+/// tolerance was missed before.
 ExitCode exit_code(const Summary& summary);
-/// Of a verdict about it: a limit that is exceeded outweighs whatever is missed elsewhere. Of several
-/// verdicts the greatest counts.
+/// The exit code of a verdict about an impact: a failure takes precedence over a missed tolerance. Of several
+/// verdicts the greatest code counts.
 ExitCode exit_code(injury::Verdict verdict, const Summary& summary);
-/// Of a verdict about measured figures.
+/// The exit code of a verdict about measured figures.
 ExitCode exit_code(injury::Verdict verdict);
 
-/// What a subcommand does once the command line is read; returns the exit code.
+/// The action of a subcommand; returns the exit code.
 using Action = std::function<int()>;
 
-/// Lets `what` be done where the command line names the subcommand.
-void when_named(CLI::App& sub, Action& action, Action what);
+/// A subcommand, and the request that its options fill.
+template <class Request>
+struct Subcommand {
+  CLI::App& sub;
+  Request& request;
+};
+/// Adds a subcommand. If the command line names it, `action` calls `run` with the request.
+template <class Request>
+Subcommand<Request> add_subcommand(CLI::App& app, Action& action, const char* name, const char* help,
+                                   std::string footer, int (*run)(const Request&)) {
+  CLI::App* sub = app.add_subcommand(name, help)->footer(std::move(footer));
+  const auto request = std::make_shared<Request>();
+  sub->callback([&action, request, run] { action = [request, run] { return run(*request); }; });
+  return {*sub, *request};
+}
 
 void add_run(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
@@ -64,8 +82,8 @@ void add_study(CLI::App& app, Action& action);
 void add_material_import(CLI::App& material, Action& action);
 void add_material_export(CLI::App& material, Action& action);
 
-/// Adds an option as the help shows it: "--mass M", or "CASE". Of one that may be given again each value
-/// needs the name before it: what follows may be CASE.
+/// Adds an option as shown in the help: "--mass M", or "CASE". If it may be repeated, so must its name, since
+/// CASE may follow a value.
 template <class T>
 CLI::Option* add_option(CLI::App& app, const std::string& shown, T& value, const std::string& help) {
   const std::size_t name = std::min(shown.find(' '), shown.size());
@@ -76,94 +94,81 @@ CLI::Option* add_option(CLI::App& app, const std::string& shown, T& value, const
 /// Adds an option without a value.
 CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const std::string& help);
 
-/// Adds --units, a system of units for decks.
+/// Adds --units with the systems of units for decks, and returns the chosen one.
 void add_deck_units(CLI::App& app, std::string& units);
-/// The system of that name; absent where it is none, of which `wrong` is told.
 std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& errors);
 
-/// Adds --units; the help names the systems on offer.
+/// The options of these names, and their values.
 void add_units(CLI::App& app, std::string& units);
-/// Adds --all: every figure, to five digits and with its error.
 void add_all(CLI::App& app, output::Detail& detail);
-/// Adds --tolerance.
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
-/// The tolerance of --tolerance; absent where there is none, or where it is none and `wrong` is told so.
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors);
-/// Adds --force.
 void add_force(CLI::App& app, bool& force);
-/// An option's value in SI; absent where there is none, or where it is no such quantity and `wrong` is told
-/// so.
+/// The value of an option in SI; also absent without the option.
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& errors);
-/// The same of a quantity that must be more than 0.
+/// A value that must be more than 0.
 std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
                                            const std::string& si_unit, std::vector<std::string>& errors);
-/// Adds --materials; the folder stays empty where the cards that came with the command are meant.
+/// Adds --materials. An empty folder means the cards that came with the command.
 void add_material_folder(CLI::App& app, std::string& folder);
-/// The folder that was chosen, or the first of:
-///   1. $DASHPAD_MATERIALS, if set and not empty, whether or not it exists: a wrong path is to be noticed;
-///   2. share/dashpad/materials of the installation that the program belongs to, if it exists;
-///   3. materials/ of the source tree that the command was built from, if it exists.
-/// If there is none, the second, so that a message can name the place where the cards were expected.
+/// The chosen folder, or the first of:
+///   1. $DASHPAD_MATERIALS, if not empty, even if it does not exist, so that a wrong path is noticed;
+///   2. share/dashpad/materials of the installation of the program, if it exists;
+///   3. materials/ of the source tree of the program, if it exists.
+/// Failing these, the second, for messages.
 std::filesystem::path chosen_folder(const std::string& folder);
-/// The same two for --standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
+/// The same for --standards: $DASHPAD_STANDARDS, share/dashpad/standards, standards/.
 void add_standard_folder(CLI::App& app, std::string& folder);
 std::filesystem::path chosen_standards(const std::string& folder);
-/// The preset of --standard, with its variants in force; its file joins `files`. Absent where it is refused,
-/// and `wrong` is told why.
+/// The preset of --standard with its variants in force. Adds its file to `files`.
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
                                             std::vector<input::InputFile>& files,
                                             std::vector<std::string>& errors);
-/// The same for the measured tests of the validation: $DASHPAD_VALIDATION_DATA,
-/// share/dashpad/data/validation, data/validation/.
+/// The same for the measured tests: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation,
+/// data/validation/.
 std::filesystem::path chosen_measured_tests(const std::string& folder);
-/// The file of the running program; the name that it was called by where the system does not tell.
+/// The file of the running program, or the name by which it was called.
 std::filesystem::path running_executable();
 
-/// The card of that name in a folder; a name that ends in .toml is a file. Refused names the cards there are.
-std::filesystem::path find_card(const std::string& name, const std::filesystem::path& folder);
-/// The same; absent where there is none, of which `wrong` is told.
+/// The card of that name in a folder; a name that ends in .toml is a file.
 std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,
                                                std::vector<std::string>& errors);
 
-/// A case file, what is set in place of its values, and where its materials are.
+/// A case file, its settings, and the folder of its materials.
 struct GivenCase {
   std::string file = {};
-  std::vector<std::string> settings = {};  ///< "KEY=VALUE"
+  std::vector<std::string> settings = {};  ///< of --set: "KEY=VALUE"
   std::string materials = {};              ///< of --materials
 };
-/// Adds --set.
 void add_settings(CLI::App& app, std::vector<std::string>& settings);
-/// Adds CASE and --set; gives back CASE.
+/// Adds CASE and --set; returns CASE.
 CLI::Option* add_case(CLI::App& app, GivenCase& given);
 
-/// The case of that file; absent where it has faults, of which `wrong` is told.
 std::optional<input::CaseFile> read_case(const GivenCase& given, std::vector<std::string>& errors);
 
-/// The case to solve, with the tolerance of --tolerance in place of its own. `judge` sees the files that it
-/// was read from, and may add to `wrong`. Throws Refused with all that is wrong then.
+/// The case to solve, with the tolerance of --tolerance. `judge` receives the files that it was read from.
+/// Throws Refused with all errors.
 input::CaseFile case_to_solve(
     const GivenCase& given, const std::optional<std::string>& tolerance, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);
 
-/// The files that the case was read from; of a case with faults at least its own.
+/// The files of the case; if it has faults, at least its own.
 std::vector<input::InputFile> files_of(const std::string& file, const std::optional<input::CaseFile>& input);
 
-/// solve(), with a line on standard error where that takes long.
+/// Calls solve() with a progress line on standard error.
 Solution solve_with_progress(const ImpactCase& impact, const Options& options);
-/// The same with every blow of a series; of one blow there is one.
+/// The same for all blows of a series, or the single one.
 std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Options& options);
 
-/// Adds --no-intervals.
 void add_no_intervals(CLI::App& app, bool& no_intervals);
-/// uncertainty::add_intervals(), likewise.
+/// Calls uncertainty::add_intervals() likewise.
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
                                  std::span<const double> dwell_levels = {});
 
-/// One line for each fault.
 std::vector<std::string> lines(const std::vector<input::Fault>& faults);
 void add_lines(const std::vector<input::Fault>& faults, std::vector<std::string>& errors);
-/// What was read; its faults are added to what is wrong.
+/// The value read, or nothing after its faults were added.
 template <class T>
 std::optional<T> taken(input::Reading<T> reading, std::vector<std::string>& errors) {
   if (reading) return *std::move(reading);
@@ -171,10 +176,9 @@ std::optional<T> taken(input::Reading<T> reading, std::vector<std::string>& erro
   return std::nullopt;
 }
 
-/// Facts about this build, for --version.
 std::string version_text();
 
-/// The command line or a case is refused; each complaint is one line that says what to mend.
+/// Thrown if the command line or the input is refused. Each complaint is a line that says what to correct.
 class Refused : public std::runtime_error {
  public:
   explicit Refused(std::vector<std::string> complaints)

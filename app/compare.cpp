@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -72,7 +71,7 @@ input::CaseFile read_and_check(const CompareRequest& request) {
   return *std::move(input);
 }
 
-int run_comparison(const CompareRequest& request) {
+int compare_with_1984(const CompareRequest& request) {
   const input::CaseFile input = read_and_check(request);
   const UnitSystem& units = unit_system(request.files.units);
   const report1986::Comparison comparison = [&] {
@@ -94,12 +93,6 @@ int run_comparison(const CompareRequest& request) {
              : exit_not_trusted;
 }
 
-injury::Alignment alignment_of(const std::string& name) {
-  for (const injury::Alignment alignment : injury::all_alignments)
-    if (name == injury::to_string(alignment)) return alignment;
-  return injury::Alignment::onset;
-}
-
 /// Refuses a pulse that cannot be aligned, before anything is solved.
 void judge_pulse(const injury::PulseReport& pulse, injury::Alignment alignment) {
   try {
@@ -109,7 +102,6 @@ void judge_pulse(const injury::PulseReport& pulse, injury::Alignment alignment) 
   }
 }
 
-/// The case beside the pulse of the request; returns the exit code.
 int compare_with_pulse(const CompareRequest& request) {
   std::vector<std::string> errors;
   judge_picture(request.files, errors);
@@ -124,7 +116,8 @@ int compare_with_pulse(const CompareRequest& request) {
     std::ranges::move(files_of(request.given.file, input), std::back_inserter(files));
     judge_files(request.files, files, faults);
   });
-  const injury::Alignment alignment = alignment_of(request.align);
+  const injury::Alignment alignment = *std::ranges::find_if(
+      injury::all_alignments, [&](injury::Alignment each) { return request.align == to_string(each); });
   judge_pulse(pulse, alignment);
   Solution solution = solve_with_progress(input->impact, input->options);
   add_intervals_with_progress(input->impact, input->options, solution);
@@ -141,7 +134,11 @@ int compare_with_pulse(const CompareRequest& request) {
   return exit_code(solution.summary);
 }
 
-/// Adds --pulse and what goes with it, a group of its own in the help.
+int compare(const CompareRequest& request) {
+  return request.pulse.file.empty() ? compare_with_1984(request) : compare_with_pulse(request);
+}
+
+/// Adds --pulse and its options as a group of the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
   CLI::Option* pulse =
       add_option(sub, "--pulse FILE", request.pulse.file,
@@ -162,24 +159,20 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("compare", "A case beside a measured pulse, or beside the program of 1984");
-  const auto request = std::make_shared<CompareRequest>();
-  add_case(*sub, request->given);
-  add_file(*sub, request->files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
-  add_file(*sub, request->files, "--json", "Write the table as JSON, SI (- for standard output)");
-  add_documents(*sub, request->files);
-  add_units(*sub, request->files.units);
+  const auto [sub, request] = add_subcommand<CompareRequest>(
+      app, action, "compare", "A case beside a measured pulse, or beside the program of 1984", compare_footer,
+      compare);
+  add_case(sub, request.given);
+  add_file(sub, request.files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
+  add_file(sub, request.files, "--json", "Write the table as JSON, SI (- for standard output)");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
   CLI::Option* time_step =
-      add_option(*sub, "--time-step MS", request->time_step_ms, "Of the 1984 program, ms (default 0.1)")
+      add_option(sub, "--time-step MS", request.time_step_ms, "Of the 1984 program, ms (default 0.1)")
           ->check(CLI::Range(1e-6, 1e3));
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->given.materials);
-  add_pulse_options(*sub, *request, time_step);
-  sub->footer(compare_footer);
-  when_named(*sub, action, [request, sub] {
-    return sub->count("--pulse") == 0 ? run_comparison(*request) : compare_with_pulse(*request);
-  });
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
+  add_pulse_options(sub, request, time_step);
 }
 
 }  // namespace dashpad::app

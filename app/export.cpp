@@ -1,7 +1,6 @@
-// dashpad export: solves one case and writes its curves for another program's deck.
+// dashpad export: solves a case and writes its curves for decks of other programs.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include <functional>
@@ -46,7 +45,6 @@ Exit codes: 0 done (also when the pad bottomed out or the time limit was reached
 none of the curves exists, 2 refused and nothing was run, 3 not reliable: the file is there but misses the
 tolerance.)";
 
-/// A new format is a row here.
 struct Format {
   const char* name;
   std::string (*text)(const output::CurveFile&);
@@ -63,8 +61,8 @@ struct ExportRequest {
   GivenCase given;
   std::string format;
   std::string out;
-  std::vector<std::string> curves;  ///< empty: all that the format takes
-  std::string system;               ///< empty: the first
+  std::vector<std::string> curves;  ///< empty for all that the format takes
+  std::string system;               ///< empty for the first
   bool in_g = false;
   int first_id = 1;
   std::optional<int> points;
@@ -83,7 +81,7 @@ std::vector<std::string> curves_of(const ExportRequest& request) {
   return names;
 }
 
-/// What is wrong with the choice of curves.
+/// Errors in the choice of curves.
 std::vector<std::string> wrong_curves(const ExportRequest& request) {
   std::vector<std::string> errors;
   if (format_of(request).over_time_only) {
@@ -168,16 +166,15 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");
   add_material_folder(sub, request.given.materials);
-  sub.footer(export_footer);
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("export", "Write the curves of one case for other programs' decks");
-  const auto request = std::make_shared<ExportRequest>();
-  add_options(*sub, *request);
-  when_named(*sub, action, [request] { return export_curves(*request); });
+  const auto [sub, request] = add_subcommand<ExportRequest>(
+      app, action, "export", "Write the curves of one case for other programs' decks", export_footer,
+      export_curves);
+  add_options(sub, request);
 }
 
 }  // namespace dashpad::app

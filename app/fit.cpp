@@ -1,6 +1,5 @@
 // dashpad fit: from measurements to a material card.
 
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -85,7 +84,7 @@ struct FitRequest {
 
 constexpr std::size_t max_draws = 1'000'000;
 
-/// 0 without --posterior, or where it is wrong.
+/// 0 without --posterior, or after an error.
 std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors) {
   if (request.posterior.empty()) return 0;
   const std::string& text = request.posterior.front();
@@ -104,14 +103,14 @@ std::vector<Target> fit_targets(const FitRequest& request) {
   return targets;
 }
 
-/// Of the contents of all files that the fit is read from, and of the version.
+/// Depends on the contents of all input files, and on the version.
 std::string fingerprint_of(const std::vector<input::InputFile>& files) {
   std::vector<std::string> texts{std::string{version()}};
   for (const input::InputFile& input_file : files) texts.push_back(input::read_measurement(input_file.file));
   return fingerprint(texts);
 }
 
-/// Runs the fit under a line of progress. Throws fit::Stopped.
+/// Runs the fit with a progress line. Throws fit::Stopped.
 fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
   ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
   options.stop = &StopSignal::wanted();
@@ -121,7 +120,7 @@ fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
   return fit::run_fit(fit, options);
 }
 
-/// Beside the results: the state is read, and may be there.
+/// Checks --state, which unlike the results may exist, since it is read.
 void judge_state(const FitRequest& request, const std::vector<Target>& targets,
                  const std::vector<input::InputFile>& inputs, const fit::Fit& fit,
                  const fit::RunOptions& options, std::vector<std::string>& errors) {
@@ -158,7 +157,7 @@ int stopped(const FitRequest& request, std::size_t kept) {
   return StopSignal::exit_code();
 }
 
-/// What no card holds, where the case that would is not asked for.
+/// A note on numbers that no card holds, unless --case is given.
 std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
   if (!request.files.of("--case").empty() || !report.fitted_case) return "";
   std::string keys;
@@ -169,7 +168,7 @@ std::string kept_by_case(const FitRequest& request, const fit::FitReport& report
 }
 
 int fit_material(const FitRequest& request) {
-  // From the reading of the files to the writing of the results: neither is left half done.
+  // Covers everything from reading to writing, so that neither is left half done.
   const StopSignal signal;
   std::vector<std::string> errors;
   const std::size_t draws = draws_of(request, errors);
@@ -198,7 +197,7 @@ int fit_material(const FitRequest& request) {
   } catch (const fit::Stopped& stop) {
     return stopped(request, stop.kept());
   }
-  // Without convergence there is no card and no sample.
+  // Without convergence there is neither card nor sample.
   if (!report.converged)
     std::erase_if(targets, [](const Target& target) { return target.option != "--json"; });
   const auto document = [&](output::Pictures pictures) {
@@ -225,24 +224,23 @@ int fit_material(const FitRequest& request) {
 }  // namespace
 
 void add_fit(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("fit", "A material card from measurements, with its uncertainty");
-  const auto request = std::make_shared<FitRequest>();
-  add_option(*sub, "FIT", request->file, "Fit file (TOML)")->required();
-  add_file(*sub, request->files, "-o,--output", "Write the material card (- for standard output)");
-  add_file(*sub, request->files, "--case",
+  const auto [sub, request] = add_subcommand<FitRequest>(
+      app, action, "fit", "A material card from measurements, with its uncertainty", fit_footer,
+      fit_material);
+  add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
+  add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
+  add_file(sub, request.files, "--case",
            "Write the case with what was found of it, as a support, and the foam (- for standard output)");
-  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
-  sub->add_option("--posterior", request->posterior, "Write N draws of the unknowns as CSV")
+  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
-  add_documents(*sub, request->files);
-  add_option(*sub, "--state FILE", request->state,
+  add_documents(sub, request.files);
+  add_option(sub, "--state FILE", request.state,
              "Keep finished searches and intervals there, and go on from them");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(fit_footer);
-  when_named(*sub, action, [request] { return fit_material(*request); });
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

@@ -1,4 +1,4 @@
-// The command dashpad: reads the command line and hands over to a subcommand.
+// The command dashpad: reads the command line and calls a subcommand.
 
 #include <algorithm>
 #include <exception>
@@ -59,7 +59,7 @@ struct Command {
   bool only_looks = false;  ///< runs no impact
 };
 
-/// As the help lists them: what is wanted every day first.
+/// In the order of the help, with everyday commands first.
 constexpr Command commands[]{{"Every day", "run", add_run},
                              {"Every day", "check", add_check, true},
                              {"Every day", "assess", add_assess},
@@ -76,11 +76,11 @@ constexpr Command commands[]{{"Every day", "run", add_run},
                              {"The report of 1986", "spit1984", add_spit1984},
                              {"The report of 1986", "validate", add_validate}};
 
-/// More than that nobody reads, of however many kinds the faults are.
+/// Nobody reads more lines, however many kinds of faults there are.
 constexpr std::size_t max_lines = 200;
 
-/// One line, and below it the excerpt of the file where it has one. A line break in a name that somebody gave
-/// begins none.
+/// A complaint as one line, and below it its excerpt if there is one. Line breaks in names given by users are
+/// removed.
 std::string shown(const std::string& complaint) {
   const auto line = complaint.find("\n  "), bar = complaint.find_first_not_of(" 0123456789", line + 1);
   const bool has_excerpt = line != std::string::npos && bar != std::string::npos && complaint[bar] == '|';
@@ -103,7 +103,7 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   return exit_refused;
 }
 
-/// Files that are read, as the command line names them: what has a place in it, and the pulse of a
+/// Takes streams among the files named on the command line: positional arguments, and the pulse of a
 /// comparison. Stores are no such files.
 void take_streams(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -116,7 +116,7 @@ void take_streams(const CLI::App& app) {
   }
 }
 
-/// The words of a library say nothing to a user.
+/// Messages of libraries do not help a user.
 constexpr const char* library_failed =
     "dashpad: a number left the range that can be computed with; that is a fault of the program: please "
     "report it, with what was read\n";
@@ -134,7 +134,7 @@ int perform(const Action& action, const CLI::App& app) {
   }
 }
 
-/// Where no command was named: what to type in place of the first word that is not understood, if any.
+/// Advice without a known command: what to type instead of the first word.
 std::string advice_on(const std::vector<std::string>& words, const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
@@ -146,7 +146,7 @@ std::string advice_on(const std::vector<std::string>& words, const CLI::App& app
   return word + ": no such command" + input::meant_or_listed(word, names);
 }
 
-/// Help and version end in exit code 0, a command line that is not understood in 2.
+/// Returns 0 for help and version, 2 for a command line that is not understood.
 int answer(const CLI::App& app, const CLI::ParseError& error) {
   const auto exit_code = static_cast<CLI::ExitCodes>(error.get_exit_code());
   if (exit_code == CLI::ExitCodes::RequiredError && app.get_subcommands().empty()) {
@@ -160,8 +160,8 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   return code == 0 ? exit_done : exit_refused;
 }
 
-/// One complaint for each option that was given an empty text, as by a script whose variable is not set: it
-/// would count as 0 or as not given.
+/// Complaints about options with an empty text, as from a script with an unset variable; it would count as 0
+/// or as not given.
 std::vector<std::string> given_empty(const CLI::App& app) {
   std::vector<std::string> complaints;
   for (const CLI::Option* option : app.get_options())
@@ -180,8 +180,8 @@ int command(int argument_count, char** arguments) {
   app.require_subcommand(1);
 
   Action action;
-  // The options of one subcommand, where the command line begins with it: those of all take longer to set up
-  // than many an impact to solve.
+  // If the first argument is a subcommand, only its options are added, since those of all take longer than
+  // many an impact.
   const std::string_view first = argument_count > 1 ? arguments[1] : "";
   const bool is_named = std::ranges::find(commands, first, &Command::name) != std::end(commands);
   for (const auto& [group, name, add, only_looks] : commands) {
@@ -215,7 +215,7 @@ int main(int argument_count, char** arguments) {
         dashpad::without_endless_words("dashpad: " + error.path1().string() + ": " + error.code().message()) +
         "\n");
   } catch (const std::domain_error&) {
-    write_error(library_failed);  // boost::math of a number that is none
+    write_error(library_failed);  // boost::math, for NaN
   } catch (const std::overflow_error&) {
     write_error(library_failed);
   } catch (const nlohmann::json::exception&) {

@@ -1,4 +1,4 @@
-// Where the command finds the material cards, the standards and the measured tests that came with it.
+// Locates the material cards, standards and measured tests that came with the command.
 
 #include "command.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 struct DataFolder {
   const char* variable;   ///< of the environment
-  const char* installed;  ///< relative to the folder of the command
+  const char* installed;  ///< relative to the folder of the program
   const char* source;
 };
 

@@ -1,10 +1,9 @@
-// dashpad material-test: a pad material in the laboratory.
+// dashpad material-test: laboratory tests of a pad material.
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -43,7 +42,7 @@ is kept unless --force is given. A file is written whole or not at all.
 
 Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
 
-/// As on the command line; absent where not given.
+/// The options as given.
 struct MaterialTestRequest {
   std::string material;
   std::string test = "constant-rate";
@@ -55,18 +54,13 @@ struct MaterialTestRequest {
   std::string materials;
 };
 
-constexpr double lowest_rate = 1e-12;  // 1/s; a test that takes 30,000 years
+constexpr double lowest_rate = 1e-12;  // 1/s: a test of 30,000 years
 constexpr double highest_rate = 1e9;   // 1/s, as in cards
-// Closer to 1, 1 - strain has too few digits left for the quadrature along a parabola to end.
+// Nearer to 1, 1 - strain has too few digits for the quadrature along a parabola to end.
 constexpr double min_strain = 1e-12, max_strain = 0.999999;
 
 using Text = std::optional<std::string>;
 using Wrong = std::vector<std::string>;
-
-laboratory::TestKind kind_of(const std::string& name) {
-  return *std::ranges::find_if(laboratory::all_test_kinds,
-                               [&](laboratory::TestKind kind) { return name == to_string(kind); });
-}
 
 /// A number alone is in 1/s.
 std::string with_unit_of_rate(const std::string& text) {
@@ -74,8 +68,8 @@ std::string with_unit_of_rate(const std::string& text) {
   return is_number && !text.empty() ? text + " 1/s" : text;
 }
 
-/// A quantity between two values, both excluded; `rule` says so. Keeps `fallback` where there is no text, or
-/// where it is wrong, of which `wrong` is told.
+/// A quantity between two exclusive bounds; else `rule` is broken. Returns `fallback` without text or after
+/// an error.
 double quantity(const std::string& option, const Text& text, const char* si_unit, double low, double high,
                 const char* rule, double fallback, Wrong& errors) {
   if (!text) return fallback;
@@ -103,7 +97,7 @@ std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& errors) 
   return rates;
 }
 
-/// Options that mean nothing for the kind of test, and those that it lacks.
+/// Reports options that do not apply to the kind of test, and missing ones.
 void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind, Wrong& errors) {
   const auto only_for = [&](bool given, const char* option,
                             std::initializer_list<laboratory::TestKind> kinds) {
@@ -132,7 +126,7 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
   if (kind == history && !request.history) errors.emplace_back("--test history: needs --history FILE");
 }
 
-/// Tells of the first step of a history that is too fast.
+/// Reports the first step of a history that is too fast.
 void judge_rates(const laboratory::MaterialTest& test, Wrong& errors) {
   for (std::size_t i = 1; i < test.times.size(); ++i) {
     const double rate = std::abs(test.strains[i] - test.strains[i - 1]) / (test.times[i] - test.times[i - 1]);
@@ -155,10 +149,11 @@ void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong
   }
 }
 
-/// The test. Adds to `wrong` all that is wrong with it, the rows of the history among it.
+/// The test; errors include those of the rows of the history.
 laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& errors) {
   laboratory::MaterialTest test;
-  test.kind = kind_of(request.test);
+  test.kind = *std::ranges::find_if(
+      laboratory::all_test_kinds, [&](laboratory::TestKind kind) { return request.test == to_string(kind); });
   judge_options(request, test.kind, errors);
   if (!request.rates.empty()) test.rates = rates_of(request, errors);
   const char* const strain_rule = "must be more than 1e-12 and less than 0.999999";
@@ -180,7 +175,6 @@ laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& erro
   return test;
 }
 
-/// Adds --test and all that describes it.
 void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   std::vector<std::string> kinds;
   for (const laboratory::TestKind kind : laboratory::all_test_kinds) kinds.emplace_back(to_string(kind));
@@ -205,7 +199,7 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
       ->check(CLI::Range(1, 10000));
 }
 
-/// Throws Refused with all that is wrong.
+/// Throws Refused with all errors.
 laboratory::MaterialTestReport run_test(const MaterialTestRequest& request) {
   std::vector<std::string> errors;
   const std::optional<std::filesystem::path> card =
@@ -242,19 +236,17 @@ int show(const MaterialTestRequest& request) {
 }  // namespace
 
 void add_material_test(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("material-test", "Test a pad material in the laboratory");
-  const auto request = std::make_shared<MaterialTestRequest>();
-  add_option(*sub, "MATERIAL", request->material, "Card: its name, or a file")->required();
-  add_test_options(*sub, *request);
-  add_file(*sub, request->files, "--json", "Write everything as JSON, SI (- for standard output)");
-  add_file(*sub, request->files, "--csv", "Write the stresses as CSV (- for standard output)");
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(material_test_footer);
-  when_named(*sub, action, [request] { return show(*request); });
+  const auto [sub, request] = add_subcommand<MaterialTestRequest>(
+      app, action, "material-test", "Test a pad material in the laboratory", material_test_footer, show);
+  add_option(sub, "MATERIAL", request.material, "Card: its name, or a file")->required();
+  add_test_options(sub, request);
+  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write the stresses as CSV (- for standard output)");
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

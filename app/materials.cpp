@@ -1,7 +1,6 @@
-// dashpad materials: the material cards side by side, or one whole.
+// dashpad materials: all material cards, or one in full.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -40,7 +39,7 @@ struct MaterialsRequest {
   std::string folder;
 };
 
-/// Throws Refused where the picture cannot be written, before anything is read.
+/// Throws Refused if an output file cannot be written, before anything is read.
 void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) {
   std::vector<input::InputFile> files;
   for (const fs::path& card : cards) files.push_back({"the material card", card});
@@ -50,7 +49,7 @@ void judge(const MaterialsRequest& request, const std::vector<fs::path>& cards) 
   if (!errors.empty()) throw Refused(std::move(errors));
 }
 
-/// The document goes to its files, and to people below that heading.
+/// Writes the document to its files, and below `heading` to standard output.
 void publish(const MaterialsRequest& request, const std::vector<Material>& materials,
              const std::string& heading, const MakeDocument& document) {
   const auto picture = [&](const Target& target) {
@@ -60,10 +59,12 @@ void publish(const MaterialsRequest& request, const std::vector<Material>& mater
           heading + output::to_terminal(document(output::Pictures::left_out), output::Detail::all));
 }
 
-int show(const MaterialsRequest& request, const fs::path& folder) {
-  const fs::path card = find_card(request.name, folder);
-  judge(request, {card});
-  const Material material = input::read_material(card).value();
+int show_one(const MaterialsRequest& request, const fs::path& folder) {
+  std::vector<std::string> errors;
+  const std::optional<fs::path> card = find_card(request.name, folder, errors);
+  if (!card) throw Refused(std::move(errors));
+  judge(request, {*card});
+  const Material material = input::read_material(*card).value();
   publish(request, {material}, "", [&](output::Pictures pictures) {
     return output::material_document(material, unit_system(request.files.units), pictures);
   });
@@ -91,42 +92,33 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
   return exit_done;
 }
 
-}  // namespace
-
-fs::path find_card(const std::string& name, const fs::path& folder) {
-  if (name.ends_with(".toml") || input::given_stream(name) != nullptr) return name;
-  const std::vector<fs::path> cards = input::list_materials(folder).value();
-  const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
-  if (card == cards.end())
-    throw Refused({fmt::format("{}: no such material in {}; there are: {}", name, folder.string(),
-                               cards.empty() ? "none" : input::listing(input::names_of(cards)))});
-  return *card;
+int show_materials(const MaterialsRequest& request) {
+  const fs::path folder = chosen_folder(request.folder);
+  return request.name.empty() ? list_all_materials(request, folder) : show_one(request, folder);
 }
+
+}  // namespace
 
 std::optional<fs::path> find_card(const std::string& name, const fs::path& folder,
                                   std::vector<std::string>& errors) {
-  try {
-    return find_card(name, folder);
-  } catch (const Refused& refused) {
-    errors.insert(errors.end(), refused.complaints().begin(), refused.complaints().end());
-  }
+  if (name.ends_with(".toml") || input::given_stream(name) != nullptr) return name;
+  const std::vector<fs::path> cards = input::list_materials(folder).value();
+  const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
+  if (card != cards.end()) return *card;
+  errors.push_back(fmt::format("{}: no such material in {}; there are: {}", name, folder.string(),
+                               cards.empty() ? "none" : input::listing(input::names_of(cards))));
   return std::nullopt;
 }
 
 void add_materials(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("materials", "List the material cards, or show one");
-  const auto request = std::make_shared<MaterialsRequest>();
-  add_option(*sub, "NAME", request->name, "Card to show in full");
-  add_file(*sub, request->files, "--picture", "Draw the loading curves (.svg, .png, .pdf)");
-  add_documents(*sub, request->files);
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->folder);
-  sub->footer(materials_footer);
-  when_named(*sub, action, [request] {
-    const fs::path folder = chosen_folder(request->folder);
-    return request->name.empty() ? list_all_materials(*request, folder) : show(*request, folder);
-  });
+  const auto [sub, request] = add_subcommand<MaterialsRequest>(
+      app, action, "materials", "List the material cards, or show one", materials_footer, show_materials);
+  add_option(sub, "NAME", request.name, "Card to show in full");
+  add_file(sub, request.files, "--picture", "Draw the loading curves (.svg, .png, .pdf)");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.folder);
 }
 
 }  // namespace dashpad::app

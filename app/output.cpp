@@ -28,18 +28,11 @@ bool is_taken(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Something to write into as it is: a device or a pipe.
-bool is_device(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path{"."};
 }
 
-/// Without links, "." and ".."; a link whose file is not there yet is followed too.
+/// The path without links, "." and "..", also if the target of a link does not exist.
 fs::path place_of(const fs::path& file) {
   constexpr int max_links = 40;  // as the system follows
   std::error_code error;
@@ -50,7 +43,7 @@ fs::path place_of(const fs::path& file) {
   return error ? path.lexically_normal() : place;
 }
 
-/// Where a standard stream was redirected to the target's file.
+/// The standard stream that is redirected to a file, if any.
 const char* stream_into(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return nullptr;
@@ -59,7 +52,7 @@ const char* stream_into(const fs::path& file) {
   return nullptr;
 }
 
-/// Empty if nothing forbids it.
+/// Why a target cannot be written; empty if it can.
 std::string complaint(const Target& target, bool force) {
   const fs::path path{target.file};
   std::error_code error;
@@ -73,7 +66,7 @@ std::string complaint(const Target& target, bool force) {
   return "";
 }
 
-/// An open file of a name that nobody else uses, in `folder`. The mode is that of any new file.
+/// Opens a file with a unique name in `folder`, with the mode of new files.
 int open_draft(const fs::path& folder, fs::path& draft) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     draft = folder / (".dashpad-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part");
@@ -83,7 +76,7 @@ int open_draft(const fs::path& folder, fs::path& draft) {
   return -1;
 }
 
-/// Gives `draft` the name `target` if that name is free. Returns 0 or the error number.
+/// Renames `draft` to `target` if that name is free. Returns 0 or the error number.
 int rename_to_free_name(const fs::path& draft, const fs::path& target) {
 #ifdef RENAME_NOREPLACE
   if (::renameat2(AT_FDCWD, draft.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0) return 0;
@@ -94,7 +87,7 @@ int rename_to_free_name(const fs::path& draft, const fs::path& target) {
   return 0;
 }
 
-/// So that the new name survives a power failure, where the system can promise it.
+/// Makes the new name survive a power failure, if the system supports it.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -110,14 +103,19 @@ void write_device(const std::string& name, const fs::path& device, std::string_v
   if (error != 0 && error != EPIPE) fail(name, error);
 }
 
-/// Whether both names lead to one file: under two spellings, through symbolic links or as hard links. Neither
-/// need be there yet.
+/// Whether both names lead to one file, by spelling, symbolic or hard links. Neither need exist.
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return fs::equivalent(a, b, error) || place_of(a) == place_of(b);
 }
 
 }  // namespace
+
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
                    bool force, std::vector<std::string>& errors) {
@@ -175,8 +173,8 @@ PendingFile::PendingFile(const Target& target, const WriteFile& write, bool forc
   settle(0);
 }
 
-/// With the mode of the file that the draft is to replace, on the disk, and closed. `problem` is the error
-/// number of writing it, or 0.
+/// Gives the draft the mode of the file that it replaces, syncs and closes it. `problem` is the error number
+/// of writing it, or 0.
 void PendingFile::settle(int problem) {
   struct stat old {};
   if (force_ && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);

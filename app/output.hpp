@@ -1,6 +1,6 @@
 #pragma once
-/// Result files, complete or not there at all, and never in the place of another file unasked; standard
-/// output and standard error, with every failure noticed.
+/// Output: result files, which are complete or absent and never overwrite others unasked; standard output and
+/// standard error.
 
 #include <filesystem>
 #include <functional>
@@ -12,44 +12,47 @@
 
 namespace dashpad::app {
 
-/// Call first. A reader that goes away or a limit on file sizes becomes an error code instead of a signal,
-/// and no file that is opened later can take the place of a standard stream that is closed.
+/// Call first. Turns broken pipes and file size limits into error codes instead of signals, and keeps later
+/// files from taking the place of a closed standard stream.
 void prepare_streams();
 
-/// Writes all of `text` to a file descriptor. Returns 0, or the error number of the system.
+/// Writes all of `text`. Returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 
-/// What is for people, to standard output, without control characters. A reader that has gone away has seen
-/// enough: no error. Throws std::runtime_error where the text cannot be written, on a full disk for example.
+/// Writes text for people to standard output, without control characters. A closed pipe is no error. Throws
+/// std::runtime_error if writing fails, as on a full disk.
 void write_output(std::string_view text);
 
-/// What is for programs, to standard output, as it is; a terminal gets it as write_output() would give it.
+/// Writes data for programs to standard output, unchanged, except on a terminal, where it is like
+/// write_output().
 void write_result(std::string_view text);
 
-/// What is for people, to standard error, where possible.
+/// Writes text for people to standard error, if possible.
 void write_error(std::string_view text);
 
-/// A file that the user wants written, as given: "--json" and its FILE.
+/// An output file as given on the command line: "--json" and its FILE.
 struct Target {
   std::string option;
   std::string file;
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
 
-/// Tells `wrong` what forbids writing to the targets, seen before the run, a line each: a file that exists
-/// (without force), a folder that is missing or closed to us, two targets that are one, standard output or
-/// standard error redirected to a target, a target that is one of the files that the command read.
+/// Whether a path is a device or a pipe, which is written to directly.
+bool is_device(const std::filesystem::path& path);
+
+/// Adds to `errors` what forbids writing to the targets: an existing file (without force), a folder that is
+/// missing or not writable, two equal targets, a target of redirected standard output or error, an input
+/// file.
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
                    bool force, std::vector<std::string>& errors);
 
-/// Fills the file of that name, which is there: for results too large for memory.
+/// Fills an existing file, for results too large for memory.
 using WriteFile = std::function<void(const std::filesystem::path&)>;
 
-/// A result on its way to its target. The constructor writes it beside the target under another name and
-/// makes sure that it is on the disk; publish() gives it its name in one step, without force only if that
-/// name is still free. Dropped before that, it leaves nothing. With force, a link is followed. A device or
-/// pipe is written to by publish(), as it is. Both throw std::runtime_error that names the file and the
-/// system's reason, and what `write` throws.
+/// A result to be published. The constructor writes it beside the target under another name and syncs it to
+/// the disk; publish() renames it in one step, without force only if the name is still free. Destroyed before
+/// that, it leaves nothing. With force, links are followed. Devices and pipes are written by publish(). Both
+/// throw std::runtime_error with the file and the system's reason, and what `write` throws.
 class PendingFile {
  public:
   PendingFile(const Target& target, std::string_view text, bool force);
@@ -67,21 +70,20 @@ class PendingFile {
   void settle(int problem);
 
   std::string name_;              ///< for messages
-  std::filesystem::path target_;  ///< links followed
-  std::filesystem::path draft_;   ///< empty once published, or for a device
-  int descriptor_ = -1;           ///< of the draft while it is being written
+  std::filesystem::path target_;  ///< with links followed
+  std::filesystem::path draft_;   ///< empty after publishing, and for a device
+  int descriptor_ = -1;           ///< of the draft, while open
   std::function<void()> write_device_ = {};
   bool force_ = false;
 };
 
-/// The text of a target.
 using TextOf = std::function<std::string(const Target&)>;
 
-/// Writes the files among the targets, all of them or none as far as the disk can tell. Returns the text of
-/// the target that is standard output, empty if there is none. Throws as PendingFile does.
+/// Writes the files among the targets, all or none as far as possible. Returns the text for standard output,
+/// if that is a target. Throws as PendingFile does.
 std::string publish(const std::vector<Target>& targets, bool force, const TextOf& text_of);
 
-/// publish(), then what is for people: to standard output, or to standard error where that is for a target.
+/// The same; then writes `summary` to standard output, or to standard error if standard output is a target.
 void publish(const std::vector<Target>& targets, bool force, const TextOf& text_of, std::string_view summary);
 
 }  // namespace dashpad::app

@@ -1,5 +1,5 @@
 #pragma once
-/// The files that a command may be told to write, each by an option of its own, and how its answer is shown.
+/// The output files of a command, each with its option, and the display of its result.
 
 #include <deque>
 #include <functional>
@@ -18,39 +18,37 @@
 namespace dashpad::app {
 
 struct OutputFiles {
-  std::deque<Target> options = {};  ///< of each the file, empty where it was not given
+  std::deque<Target> options = {};  ///< one per option; no file if not given
   std::string units = {};
   output::Detail detail = output::Detail::main;
   bool force = false;
 
-  /// Those that were given.
+  /// The targets that were given.
   [[nodiscard]] std::vector<Target> targets() const;
-  /// The file of an option that was added; empty where it was not given.
+  /// The file of an option; empty if not given.
   [[nodiscard]] const std::string& of(std::string_view option) const;
 };
 
-/// Adds an option that names a file: "--json", or "-o,--output", the file of --output.
+/// Adds an option for a file: "--json", or "-o,--output", found as --output.
 CLI::Option* add_file(CLI::App& app, OutputFiles& files, const std::string& option, const char* help);
-/// Adds --report and --markdown, and returns them.
+/// Adds --report and --markdown; returns both.
 std::vector<CLI::Option*> add_documents(CLI::App& app, OutputFiles& files);
 
-/// Tells `wrong` what forbids writing the files, as judge_targets() does.
+/// Adds to `errors` what forbids writing the files.
 void judge_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
                  std::vector<std::string>& errors);
-/// Tells `wrong` of a --picture whose name has the ending of no format.
+/// Adds to `errors` a --picture of unknown format.
 void judge_picture(const OutputFiles& files, std::vector<std::string>& errors);
 
-/// A document, with pictures or without.
 using MakeDocument = std::function<output::Document(output::Pictures)>;
-/// What goes into the files that are no documents, by their options.
+/// The texts of files other than documents, by option.
 using Texts = std::map<std::string_view, TextOf>;
 
 bool is_document(const Target& target);
 std::string document_text(const Target& target, const MakeDocument& make);
-/// The picture file of that name.
 std::string picture_text(const output::Plot& plot, const Target& target);
 
-/// Writes the files, then shows `summary`; without one the document with the detail asked for.
+/// Writes the files, then shows `summary`, by default the document with the requested detail.
 void publish(const OutputFiles& files, const MakeDocument& document, const Texts& texts,
              const std::optional<std::string>& summary = {});
 

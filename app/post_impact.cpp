@@ -1,7 +1,6 @@
-// dashpad post-impact: how two bodies move after the impact, and where the energy went.
+// dashpad post-impact: the motion of two bodies after the impact, and the energy.
 
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -95,20 +94,17 @@ int run(const PostImpactRequest& request) {
 }  // namespace
 
 void add_post_impact(CLI::App& app, Action& action) {
-  CLI::App* sub =
-      app.add_subcommand("post-impact", "Velocities of two bodies after the impact, and its energy");
-  const auto request = std::make_shared<PostImpactRequest>();
-  add_case(*sub, request->given);
-  add_option(*sub, "--other-mass MASS", request->other_mass,
-             "Mass of the other body (default: held in place)");
-  add_option(*sub, "--other-velocity SPEED", request->other_velocity, "Its velocity before (default: 0)");
-  add_file(*sub, request->files, "--json", "Write the result as JSON, SI (- for standard output)");
-  add_documents(*sub, request->files);
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->given.materials);
-  sub->footer(post_impact_footer);
-  when_named(*sub, action, [request] { return run(*request); });
+  const auto [sub, request] = add_subcommand<PostImpactRequest>(
+      app, action, "post-impact", "Velocities of two bodies after the impact, and its energy",
+      post_impact_footer, run);
+  add_case(sub, request.given);
+  add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");
+  add_option(sub, "--other-velocity SPEED", request.other_velocity, "Its velocity before (default: 0)");
+  add_file(sub, request.files, "--json", "Write the result as JSON, SI (- for standard output)");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
 }
 
 }  // namespace dashpad::app

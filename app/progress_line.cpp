@@ -16,8 +16,6 @@ namespace dashpad::app {
 
 TerminalLine::TerminalLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-TerminalLine::~TerminalLine() { wipe(); }
-
 void TerminalLine::wipe() {
   if (width_ > 0) write_all(STDERR_FILENO, "\r" + std::string(width_, ' ') + "\r");
   drawn_.clear();
@@ -44,7 +42,7 @@ using namespace std::chrono_literals;
 
 constexpr auto silence = 1s;
 constexpr auto between_drawings = 200ms;
-/// The first share of a computation is no measure of the rest before this time, s.
+/// Earlier, s, the share done does not predict the rest.
 constexpr double enough_to_tell = 2;
 constexpr double worth_saying = 60;                          // s
 constexpr std::array<double, 3> times_of_lines{10, 30, 60};  ///< after the first, s
@@ -182,7 +180,7 @@ StopSignal::StopSignal() {
   action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
   for (std::size_t i = 0; i < stop_signals.size(); ++i) {
     ::sigaction(stop_signals[i], nullptr, &actions_before[i]);
-    // Whoever started this with nohup, or in the background of a script, wants it to go on.
+    // With nohup, or in the background of a script, a signal that is ignored stays so.
     if (actions_before[i].sa_handler != SIG_IGN) ::sigaction(stop_signals[i], &action, nullptr);
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a person hears of a computation that takes a while, on standard error, and the wish to stop it.
+/// Progress of long computations on standard error, and requests to stop them.
 
 #include <atomic>
 #include <condition_variable>
@@ -18,15 +18,15 @@ class TerminalLine {
  public:
   TerminalLine();
   /// Wipes the line.
-  ~TerminalLine();
+  ~TerminalLine() { wipe(); }
   TerminalLine(const TerminalLine&) = delete;
   TerminalLine& operator=(const TerminalLine&) = delete;
 
   /// Whether standard error is a terminal; draw() is only for one.
   [[nodiscard]] bool is_terminal() const { return terminal_; }
-  /// In the place of what was drawn before.
+  /// Replaces what was drawn before.
   void draw(const std::string& line);
-  /// Leaves an empty line, for other text.
+  /// Leaves an empty line for other text.
   void wipe();
 
  private:
@@ -35,30 +35,29 @@ class TerminalLine {
   std::size_t width_ = 0;  ///< of the longest line so far
 };
 
-/// `done` of `all` in thirty characters: "######........................"; full if there is nothing to do.
+/// `done` of `all` in thirty characters: "######........................"; full if all is 0.
 std::string progress_bar(std::uint64_t done, std::uint64_t all);
 
-/// A line with the time since it was made and, if the computation tells, how much is done; from its second
-/// second on, where standard error is a terminal. Wiped at the end. What will take more than a minute says so
-/// once, also where it is no terminal.
+/// A line with the elapsed time and, if known, the share done, from the second second on, if standard error
+/// is a terminal; wiped at the end. A computation of more than a minute is announced once, on any output.
 class ProgressLine {
  public:
   enum class Elsewhere {
     silent,
-    lines,  ///< where standard error is no terminal: a line after 1, 10, 30 and 60 s, then every minute
+    lines,  ///< without a terminal, a line after 1, 10, 30 and 60 s, then every minute
   };
 
-  /// `what` is going on: "Simulating the tests".
+  /// `what` describes the computation: "Simulating the tests".
   explicit ProgressLine(std::string what, Elsewhere elsewhere = Elsewhere::silent);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// `done` of `all`; from any thread.
+  /// Callable from any thread.
   void show(std::size_t done, std::size_t all);
-  /// Says at once that it takes so many seconds, if that is more than a minute.
+  /// Announces the duration at once if it is more than a minute.
   void expect(double seconds);
-  /// The next step.
+  /// Begins the next step.
   void now(std::string what);
 
  private:
@@ -69,7 +68,7 @@ class ProgressLine {
   void say(double seconds);
 
   std::string what_;
-  std::atomic<double> share_ = 0;  ///< done, of 1; 0 as long as the computation does not tell
+  std::atomic<double> share_ = 0;  ///< done, of 1; 0 if unknown
   bool said_how_long_ = false;
   const Elsewhere elsewhere_;
   double next_line_;  ///< s
@@ -88,7 +87,7 @@ class StudyProgress {
  private:
   bool quiet_ = false;
   TerminalLine line_;
-  double next_ = 0;  ///< s, when something is shown again
+  double next_ = 0;  ///< s, of the next update
 };
 
 /// "1:02:03", "2:03" or "12 s".
@@ -96,9 +95,8 @@ std::string clock_text(double seconds);
 /// "812 rows/s", "12.3 thousand rows/s".
 std::string rate_text(double rows, double seconds);
 
-/// While this lives, the first SIGINT, SIGTERM or SIGHUP sets wanted(); the second one ends the program at
-/// once, as it does elsewhere. A signal that is ignored at the beginning (nohup) stays ignored. One at a
-/// time.
+/// While this lives, the first SIGINT, SIGTERM or SIGHUP sets wanted(), and the second ends the program at
+/// once. A signal that was ignored before (nohup) stays ignored. Only one may exist.
 class StopSignal {
  public:
   StopSignal();
@@ -107,7 +105,7 @@ class StopSignal {
   StopSignal& operator=(const StopSignal&) = delete;
 
   [[nodiscard]] static const std::atomic<bool>& wanted();
-  /// 128 and the number of the signal, as a shell reports it.
+  /// 128 plus the number of the signal, as in shells.
   [[nodiscard]] static int exit_code();
 };
 

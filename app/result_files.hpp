@@ -1,6 +1,5 @@
 #pragma once
-/// The result of one solved impact, as dashpad run and dashpad study replay give it: files, and a summary for
-/// people.
+/// The result of one solved impact, as shown and written by dashpad run and dashpad study replay.
 
 #include <span>
 #include <string>
@@ -18,20 +17,18 @@ namespace dashpad::app {
 /// Adds --json, --csv, --report, --markdown, --png, --drawing, --units and --all.
 void add_result_files(CLI::App& app, OutputFiles& files);
 
-/// Tells `wrong` what forbids writing them, as judge_targets does.
+/// Adds to `errors` what forbids writing them.
 void judge_result_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,
                         std::vector<std::string>& errors);
 
-/// A case, and what came of it.
 struct SolvedCase {
   const ImpactCase& impact;
   const Options& options;
   const Solution& solution;
-  std::span<const Blow> blows = {};  ///< of a series, whose last one the solution is
+  std::span<const Blow> blows = {};  ///< the blows of a series; `solution` is that of the last
 };
 
-/// Writes the files, then shows the summary between a heading and what follows it. Throws as PendingFile
-/// does.
+/// Writes the files, then shows the summary between `heading` and `after`. Throws as PendingFile does.
 void publish(const OutputFiles& files, const SolvedCase& solved, std::string_view heading = "",
              std::string_view after = "");
 

@@ -1,7 +1,6 @@
 // dashpad run: solves one case, shows the summary, writes result files.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,16 +64,14 @@ int run(const RunRequest& request) {
 }  // namespace
 
 void add_run(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("run", "Solve one case and show or write the result");
-  const auto request = std::make_shared<RunRequest>();
-  add_case(*sub, request->given);
-  add_result_files(*sub, request->files);
-  add_tolerance(*sub, request->tolerance);
-  add_no_intervals(*sub, request->no_intervals);
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->given.materials);
-  sub->footer(run_footer);
-  when_named(*sub, action, [request] { return run(*request); });
+  const auto [sub, request] = add_subcommand<RunRequest>(
+      app, action, "run", "Solve one case and show or write the result", run_footer, run);
+  add_case(sub, request.given);
+  add_result_files(sub, request.files);
+  add_tolerance(sub, request.tolerance);
+  add_no_intervals(sub, request.no_intervals);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
 }
 
 }  // namespace dashpad::app

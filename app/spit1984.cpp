@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -72,7 +71,7 @@ Settings settings_of(const Spit1984Request& request) {
   return settings;
 }
 
-/// CLI11 takes "nan" for a number within any range.
+/// CLI11 accepts "nan" in any range.
 std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
   std::vector<std::string> errors;
   for (const auto& [option, value] :
@@ -83,12 +82,12 @@ std::vector<std::string> what_is_no_number(const Spit1984Request& request) {
   return errors;
 }
 
-/// Where the questions go: standard output, unless that is for a result.
+/// The stream of the questions: standard output, unless that is for a result.
 std::ostream& terminal(const Spit1984Request& request) {
   return std::ranges::any_of(request.files.options, &Target::is_standard_output) ? std::cerr : std::cout;
 }
 
-/// The deck of the case, or the answers at the terminal. Throws Refused with all that is wrong.
+/// The deck of the case, or of the answers at the terminal. Throws Refused with all errors.
 Deck deck_for(const Spit1984Request& request) {
   std::vector<std::string> errors;
   if (request.interactive == !request.given.file.empty())
@@ -105,7 +104,7 @@ Deck deck_for(const Spit1984Request& request) {
   if (request.interactive) {
     const std::optional<Deck> answers = ensol(std::cin, terminal(request));
     if (!answers) {
-      terminal(request) << std::endl;  // the last question still stands on the line
+      terminal(request) << std::endl;  // ends the line of the last question
       throw Refused({"the input ended before the last answer"});
     }
     for (const Violation& violation : violations(*answers))
@@ -119,7 +118,7 @@ Deck deck_for(const Spit1984Request& request) {
   return deck;
 }
 
-/// What the listing does not say.
+/// Remarks beyond the listing.
 std::string remarks(const Deck& deck, const Settings& settings, const Run& run) {
   std::string text = fmt::format("1984 program in {} arithmetic", to_string(settings.arithmetic));
   for (const Defect& defect : defects)
@@ -142,7 +141,7 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
 }
 
 Run run_with_progress(const Deck& deck, const Settings& settings) {
-  // How many steps the impact takes is not known before its end.
+  // The number of steps is not known in advance.
   ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.max_steps)};
   return run(deck, settings, [&](int step) {
     line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.max_steps));
@@ -160,7 +159,7 @@ int run_program(const Spit1984Request& request) {
     return listing(deck, result, Device::printer);
   });
   write_error(remarks(deck, settings, result));
-  // As it was printed, with its form feeds.
+  // Unchanged, with form feeds.
   write_result(output.empty() ? listing(deck, result, Device::terminal) : output);
   return result.abend == Abend::none ? exit_done : exit_not_trusted;
 }
@@ -168,45 +167,44 @@ int run_program(const Spit1984Request& request) {
 }  // namespace
 
 void add_spit1984(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("spit1984", "Run the program of 1984, digit for digit");
-  const auto request = std::make_shared<Spit1984Request>();
+  const auto [sub, request] =
+      add_subcommand<Spit1984Request>(app, action, "spit1984", "Run the program of 1984, digit for digit",
+                                      footer_with_defects(), run_program);
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
-  add_case(*sub, request->given)->required(false);
+  add_case(sub, request.given)->required(false);
   CLI::Option* interactive =
-      add_flag(*sub, "--interactive", request->interactive, "Ask at the terminal, as ENSOL did");
-  add_option(*sub, "--arithmetic A", request->arithmetic, "pdp10 (default), binary32 or binary64")
+      add_flag(sub, "--interactive", request.interactive, "Ask at the terminal, as ENSOL did");
+  add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(*sub, "--repair DEFECT", request->repair, "Mend a defect of the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Mend a defect of the listing, or all of them")
       ->check(CLI::IsMember(repairs));
-  add_file(*sub, request->files, "--listing", "Write the line printer's report (- for standard output)");
-  add_file(*sub, request->files, "--json", "Write input and results as JSON (- for standard output)");
-  add_file(*sub, request->files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
-  add_option(*sub, "--time-step MS", request->time_step_ms, "DELT, ms (default 0.1)")
+  add_file(sub, request.files, "--listing", "Write the line printer's report (- for standard output)");
+  add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
+  add_option(sub, "--time-step MS", request.time_step_ms, "DELT, ms (default 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
       ->excludes(interactive);
-  add_option(*sub, "--print-interval N", request->print_interval,
+  add_option(sub, "--print-interval N", request.print_interval,
              "NDEL, time steps to a printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(interactive);
-  add_option(*sub, "--equilibrium-tolerance X", request->settings.equilibrium_tolerance,
+  add_option(sub, "--equilibrium-tolerance X", request.settings.equilibrium_tolerance,
              "TOLMAX, of the force (default 0.02)")
       ->check(CLI::Range(0.0, 1.0));
-  add_option(*sub, "--precision-tolerance X", request->settings.precision_tolerance,
+  add_option(sub, "--precision-tolerance X", request.settings.precision_tolerance,
              "TOL, of the penetration (default 1e-5)")
       ->check(CLI::Range(0.0, 1.0));
-  add_option(*sub, "--most-steps N", request->settings.max_steps,
+  add_option(sub, "--most-steps N", request.settings.max_steps,
              "Dimension of the time history (default 1000)")
       ->check(CLI::Range(4, 1'000'000));
-  add_option(*sub, "--most-stations N", request->settings.max_stations,
+  add_option(sub, "--most-stations N", request.settings.max_stations,
              "Dimension of the contact field (default 1000)")
       ->check(CLI::Range(2, 1'000'000));
-  add_option(*sub, "--most-iterations N", request->settings.max_iterations, "Trials of a step (default 100)")
+  add_option(sub, "--most-iterations N", request.settings.max_iterations, "Trials of a step (default 100)")
       ->check(CLI::Range(1, 100'000));
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->given.materials);
-  sub->footer(footer_with_defects());
-  when_named(*sub, action, [request] { return run_program(*request); });
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
 }
 
 }  // namespace dashpad::app

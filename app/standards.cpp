@@ -1,6 +1,5 @@
 // dashpad standards: lists the presets of test standards, or shows one.
 
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -34,7 +33,7 @@ struct StandardsRequest {
   std::string folder;
 };
 
-int show(const StandardsRequest& request, const fs::path& folder) {
+int show_one(const StandardsRequest& request, const fs::path& folder) {
   const input::StandardChoice choice = input::standard_choice(request.name);
   const fs::path file = input::find_standard(choice.name, folder).value();
   std::vector<std::string> errors;
@@ -53,7 +52,7 @@ int show(const StandardsRequest& request, const fs::path& folder) {
   return exit_done;
 }
 
-/// One with faults does not hide the others.
+/// A preset with faults does not hide the others.
 int list_all_standards(const fs::path& folder) {
   std::string text = fmt::format("Standards in {}:\n", folder.string());
   std::vector<std::string> faults;
@@ -65,24 +64,25 @@ int list_all_standards(const fs::path& folder) {
   return exit_done;
 }
 
+int show_standards(const StandardsRequest& request) {
+  const fs::path folder = chosen_standards(request.folder);
+  if (!request.name.empty()) return show_one(request, folder);
+  if (!request.files.targets().empty())
+    throw Refused({"--report, --markdown: are of one preset; give its NAME"});
+  return list_all_standards(folder);
+}
+
 }  // namespace
 
 void add_standards(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("standards", "List the presets of test standards, or show one");
-  const auto request = std::make_shared<StandardsRequest>();
-  add_option(*sub, "NAME", request->name, "Preset to show in full");
-  add_documents(*sub, request->files);
-  add_force(*sub, request->files.force);
-  add_units(*sub, request->files.units);
-  add_standard_folder(*sub, request->folder);
-  sub->footer(standards_footer);
-  when_named(*sub, action, [request] {
-    const fs::path folder = chosen_standards(request->folder);
-    if (!request->name.empty()) return show(*request, folder);
-    if (!request->files.targets().empty())
-      throw Refused({"--report, --markdown: are of one preset; give its NAME"});
-    return list_all_standards(folder);
-  });
+  const auto [sub, request] = add_subcommand<StandardsRequest>(
+      app, action, "standards", "List the presets of test standards, or show one", standards_footer,
+      show_standards);
+  add_option(sub, "NAME", request.name, "Preset to show in full");
+  add_documents(sub, request.files);
+  add_force(sub, request.files.force);
+  add_units(sub, request.files.units);
+  add_standard_folder(sub, request.folder);
 }
 
 }  // namespace dashpad::app

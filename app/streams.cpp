@@ -15,8 +15,7 @@ namespace dashpad::app {
 void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // Read-only, so that writing to a closed standard output is still an error. It takes the lowest free
-  // number.
+  // Opened read-only, so that writing to a closed standard output still fails. Takes the lowest free number.
   while (true) {
     const int descriptor = ::open("/dev/null", O_RDONLY);
     if (descriptor <= STDERR_FILENO && descriptor >= 0) continue;

@@ -1,10 +1,9 @@
-// dashpad validate: the validation study of the 1986 report, computed again.
+// dashpad validate: repeats the validation study of the 1986 report.
 
 #include <algorithm>
 #include <csignal>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -62,12 +61,8 @@ std::vector<Target> stills(const ValidateRequest& request) {
   return wanted;
 }
 
-output::PictureFormat picture_format_of(const ValidateRequest& request) {
-  return *output::picture_format("still." + request.format);
-}
-
-/// What is to be written, as far as it can be judged before the run. `wrong` is told what forbids the folder
-/// of the figures, which need not be there yet.
+/// The files to be written, as far as they can be checked before the run; the folder of the figures may not
+/// exist yet.
 std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& errors) {
   std::vector<Target> targets = request.files.targets();
   if (!request.figures) return targets;
@@ -79,7 +74,7 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
     std::ranges::move(stills(request), std::back_inserter(targets));
   else if (fs::exists(fs::symlink_status(folder, error)))
     errors.push_back(fmt::format("--figures {}: is no folder", *request.figures));
-  else  // A file in its place is refused for the reasons that forbid the folder.
+  else  // a file of this name is refused for the same reasons as the folder
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
 }
@@ -100,13 +95,7 @@ ValidateInput read_and_check(const ValidateRequest& request) {
   return input;
 }
 
-report1986::Study study_of(const ValidateInput& input) {
-  ProgressLine line{"Simulating the tests"};
-  return report1986::run_study(input.data, input.ensolite,
-                               [&](std::size_t done, std::size_t all) { line.show(done, all); });
-}
-
-/// Interrupts wait while this lives: files get their names all together.
+/// Holds back interrupts while it lives, so that all files are published together.
 class InterruptsHeld {
  public:
   InterruptsHeld() {
@@ -123,7 +112,7 @@ class InterruptsHeld {
   sigset_t before_{};
 };
 
-/// The texts of all files by file, before the first of them is written.
+/// The texts of all files, by file, before the first is written.
 std::map<std::string, std::string> texts_of(const ValidateRequest& request, const report1986::Study& study) {
   std::map<std::string, std::string> texts;
   const auto document = [&](output::Pictures pictures) {
@@ -137,7 +126,7 @@ std::map<std::string, std::string> texts_of(const ValidateRequest& request, cons
   const std::vector<report1986::ValidationFigure> figures = report1986::validation_figures(study);
   ProgressLine line{"Drawing the figures"};
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    texts[targets[i].file] = output::picture(figures[i].plot, picture_format_of(request));
+    texts[targets[i].file] = picture_text(figures[i].plot, targets[i]);
     line.show(i + 1, figures.size());
   }
   return texts;
@@ -156,7 +145,11 @@ void write_results(const ValidateRequest& request, const report1986::Study& stud
 
 int run_validation(const ValidateRequest& request) {
   const ValidateInput input = read_and_check(request);
-  const report1986::Study study = study_of(input);
+  const report1986::Study study = [&] {
+    ProgressLine line{"Simulating the tests"};
+    return report1986::run_study(input.data, input.ensolite,
+                                 [&](std::size_t done, std::size_t all) { line.show(done, all); });
+  }();
   write_results(request, study);
   return request.strict && !report1986::passes(study) ? exit_not_passed : exit_done;
 }
@@ -164,22 +157,21 @@ int run_validation(const ValidateRequest& request) {
 }  // namespace
 
 void add_validate(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("validate", "Compare with the validation tests of the 1986 report");
-  const auto request = std::make_shared<ValidateRequest>();
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--json", "Write everything as JSON (- for standard output)");
+  const auto [sub, request] = add_subcommand<ValidateRequest>(
+      app, action, "validate", "Compare with the validation tests of the 1986 report", validate_footer,
+      run_validation);
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      add_option(*sub, "--figures DIR", request->figures, "Draw the figures as stills in this folder");
-  add_option(*sub, "--format FORMAT", request->format, "Of the stills: svg (default), png or pdf")
+      add_option(sub, "--figures DIR", request.figures, "Draw the figures as stills in this folder");
+  add_option(sub, "--format FORMAT", request.format, "Of the stills: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->needs(figures);
-  add_option(*sub, "--data DIR", request->data,
+  add_option(sub, "--data DIR", request.data,
              "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
-  add_flag(*sub, "--strict", request->strict, "Exit code 4 if the accurate solver misses a rule");
-  add_force(*sub, request->files.force);
-  add_material_folder(*sub, request->materials);
-  sub->footer(validate_footer);
-  when_named(*sub, action, [request] { return run_validation(*request); });
+  add_flag(sub, "--strict", request.strict, "Exit code 4 if the accurate solver misses a rule");
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.materials);
 }
 
 }  // namespace dashpad::app

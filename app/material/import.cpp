@@ -1,7 +1,6 @@
-// dashpad material, and dashpad material import: foams out of decks and tables, as material cards.
+// dashpad material, and dashpad material import: material cards from decks and tables.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -63,7 +62,7 @@ bool is_table(const std::string& file) {
   return input::lower_case(fs::path(file).extension().string()) == ".csv";
 }
 
-/// What the options say and the kind of file has no use for.
+/// Checks the options that depend on the kind of file.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
                                        Wrong& errors) {
   rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
@@ -79,7 +78,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
   return deck_units_of(request.units, errors);
 }
 
-/// The one of that number or name.
+/// Keeps the foam of that number or name.
 void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
   std::string names;
   for (const input::DeckMaterial& each : found)
@@ -91,7 +90,7 @@ void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
     errors.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
 }
 
-/// A card into a folder keeps its name; else all goes to one file.
+/// One file for each card in a folder, or one file for all.
 std::vector<Target> targets_of(const ImportRequest& request, const Found& found, Wrong& errors) {
   std::error_code ignored;
   const bool into_folder = request.out.ends_with('/') || fs::is_directory(request.out, ignored);
@@ -201,17 +200,16 @@ void add_material(CLI::App& app, Action& action) {
 }
 
 void add_material_import(CLI::App& material, Action& action) {
-  CLI::App* sub = material.add_subcommand("import", "A card from a solver's deck or a table of tests");
-  const auto request = std::make_shared<ImportRequest>();
-  add_option(*sub, "FILE", request->file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
-  add_deck_units(*sub, request->units);
-  add_option(*sub, "--rate RATE", request->rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
-  add_option(*sub, "--material NAME", request->material, "One foam of a deck, by its number or name");
-  add_option(*sub, "-o,--out FILE", request->out,
+  const auto [sub, request] = add_subcommand<ImportRequest>(material, action, "import",
+                                                            "A card from a solver's deck or a table of tests",
+                                                            import_footer, import_material);
+  add_option(sub, "FILE", request.file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
+  add_deck_units(sub, request.units);
+  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
+  add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
+  add_option(sub, "-o,--out FILE", request.out,
              "Where the card goes: a file, or a folder (default: standard output)");
-  add_force(*sub, request->force);
-  sub->footer(import_footer);
-  when_named(*sub, action, [request] { return import_material(*request); });
+  add_force(sub, request.force);
 }
 
 }  // namespace dashpad::app

@@ -1,11 +1,9 @@
 #pragma once
-/// The ranks of an MPI job, and what they say to each other: the rows of a batch as numbers, bit for bit.
-/// Only built where there is an MPI.
+/// The ranks of an MPI job and their messages, which hold the rows of a batch bit for bit. Only built with an
+/// MPI.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "dashpad/study/store.hpp"
@@ -14,7 +12,6 @@ namespace dashpad::app {
 
 using Message = std::vector<std::uint64_t>;
 
-/// A batch and its rows.
 struct BatchReport {
   std::uint64_t batch = 0;
   bool stop_wanted = false;  ///< this rank was told to stop
@@ -22,10 +19,10 @@ struct BatchReport {
 };
 
 Message packed(const BatchReport& report);
-/// Throws std::runtime_error for numbers that are no report.
+/// Throws std::runtime_error for an invalid message.
 BatchReport unpacked(const Message& message);
 
-/// What a rank says to rank 0, and what that answers.
+/// Messages from a rank to rank 0, and its answers.
 enum class Tag { ready = 1, result, failure, batch, stop };
 
 struct Letter {
@@ -34,7 +31,7 @@ struct Letter {
   Message numbers;
 };
 
-/// MPI from here to the end of this object's life. One in a program; used from one thread.
+/// MPI during the life of this object. One per program, used from one thread.
 class Ranks {
  public:
   Ranks();
@@ -46,7 +43,7 @@ class Ranks {
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] bool is_first() const { return rank_ == 0; }
 
-  /// Called by all: the first rank for which something is wrong.
+  /// Called by all: the first rank with errors.
   [[nodiscard]] std::optional<int> first_with(bool errors) const;
   /// Called by all: whether all have the same number.
   [[nodiscard]] bool is_same_for_all(std::uint64_t number) const;
@@ -54,9 +51,9 @@ class Ranks {
   [[nodiscard]] std::uint64_t of_first(std::uint64_t number) const;
 
   static void send(int to, Tag tag, const Message& numbers);
-  /// Waits for it.
+  /// Waits for a letter.
   static Letter receive(int from);
-  /// A letter from anyone, if one is there.
+  /// A letter from anyone, if there is one.
   static std::optional<Letter> next_letter();
 
   /// Ends all ranks at once.

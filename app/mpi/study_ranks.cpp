@@ -1,4 +1,4 @@
-// A study on ranks: rank 0 hands out the batches, computes some itself, and writes all results.
+// A study on ranks: rank 0 distributes the batches, computes some itself, and writes all results.
 
 #include <chrono>
 #include <cstdint>
@@ -35,24 +35,114 @@ std::string text_of(const Message& numbers) {
   return text;
 }
 
-/// What rank 0 does. One thread computes; the other one serves, writes and sleeps in between, so that a core
-/// is enough for both.
+/// The work of rank 0. One thread computes; the other one serves, writes and sleeps in between, so that one
+/// core is enough for both.
 class StudyScheduler {
  public:
-  StudyScheduler(const study::Study& study, study::Store& store, int other_ranks);
+  StudyScheduler(const study::Study& study, study::Store& store, int other_ranks)
+      : study_(study),
+        store_(store),
+        design_(study),
+        open_ranks_(other_ranks),
+        rows_done_(store.rows_done()) {
+    const std::vector<std::uint64_t> missing = store.missing_batches();
+    batches_.assign(missing.begin(), missing.end());
+  }
 
-  /// Until every rank is told to stop. True where all rows are there. Throws what went wrong in a rank or in
-  /// writing, after the batches at hand.
-  bool serve(const std::function<void(const study::Progress&)>& progress);
+  /// Serves until every rank is told to stop. True if all rows are there. Throws what went wrong in a rank or
+  /// in writing, after the batches at hand.
+  bool serve(const std::function<void(const study::Progress&)>& progress) {
+    const auto begin = Clock::now();
+    const std::uint64_t before = rows_done_, rows = design_.rows();
+    std::thread computing{[this] { compute(); }};
+    const auto is_computing = [this] {
+      const std::lock_guard lock{mutex_};
+      return computing_ || !own_.empty();
+    };
+    while (open_ranks_ > 0 || is_computing()) {
+      const std::optional<Letter> letter = Ranks::next_letter();
+      if (letter) answer(*letter);
+      const std::optional<BatchReport> own = taken_from(own_);
+      if (own) write(*own);
+      if (!letter && !own) {
+        std::this_thread::sleep_for(nap);
+        continue;
+      }
+      progress({rows_done_, rows, std::chrono::duration<double>(Clock::now() - begin).count(), before});
+    }
+    computing.join();
+    if (failure_) std::rethrow_exception(failure_);
+    return rows_done_ == rows;
+  }
 
  private:
-  std::optional<std::uint64_t> next_batch();
-  void close();
-  void compute();
-  void answer(const Letter& letter);
-  void write(const BatchReport& report);
-  std::optional<BatchReport> own_report();
-  void fail(std::exception_ptr failure);
+  /// The first entry of a queue that both threads use.
+  template <class T>
+  std::optional<T> taken_from(std::deque<T>& queue) {
+    const std::lock_guard lock{mutex_};
+    if (queue.empty()) return std::nullopt;
+    T first = std::move(queue.front());
+    queue.pop_front();
+    return first;
+  }
+
+  std::optional<std::uint64_t> next_batch() {
+    return StopSignal::wanted() ? std::nullopt : taken_from(batches_);
+  }
+
+  /// Leaves the batches that are not handed out yet to the next run.
+  void close() {
+    const std::lock_guard lock{mutex_};
+    batches_.clear();
+  }
+
+  void fail(std::exception_ptr failure) {
+    close();
+    const std::lock_guard lock{mutex_};
+    if (!failure_) failure_ = std::move(failure);
+  }
+
+  void compute() {
+    try {
+      study::Worker worker{study_, design_};
+      const std::uint64_t size = store_.batch_size();
+      while (const std::optional<std::uint64_t> batch = next_batch()) {
+        BatchReport report{.batch = *batch, .rows = worker.compute(*batch, size)};
+        const std::lock_guard lock{mutex_};
+        own_.push_back(std::move(report));
+      }
+    } catch (...) {
+      fail(std::current_exception());
+    }
+    const std::lock_guard lock{mutex_};
+    computing_ = false;
+  }
+
+  void answer(const Letter& letter) {
+    BatchReport report;
+    if (letter.tag == Tag::result) report = unpacked(letter.numbers);
+    if (letter.tag == Tag::failure)
+      fail(std::make_exception_ptr(std::runtime_error(text_of(letter.numbers))));
+    if (report.stop_wanted) close();
+    // The rank goes on while this one writes.
+    const std::optional<std::uint64_t> next = letter.tag == Tag::failure ? std::nullopt : next_batch();
+    if (next)
+      Ranks::send(letter.rank, Tag::batch, {*next});
+    else
+      Ranks::send(letter.rank, Tag::stop, {});
+    if (!next) --open_ranks_;
+    if (letter.tag == Tag::result) write(report);
+  }
+
+  void write(const BatchReport& report) {
+    if (failure_) return;  // after a full disk nothing more is tried
+    try {
+      store_.write_batch(report.batch, report.rows);
+      rows_done_ += report.rows.size();
+    } catch (...) {
+      fail(std::current_exception());
+    }
+  }
 
   const study::Study& study_;
   study::Store& store_;
@@ -60,113 +150,14 @@ class StudyScheduler {
   int open_ranks_ = 0;
   std::uint64_t rows_done_ = 0;
 
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards the members below
   std::deque<std::uint64_t> batches_;
   std::deque<BatchReport> own_;
   bool computing_ = true;
   std::exception_ptr failure_;
 };
 
-StudyScheduler::StudyScheduler(const study::Study& study, study::Store& store, int other_ranks)
-    : study_(study), store_(store), design_(study), open_ranks_(other_ranks), rows_done_(store.rows_done()) {
-  const std::vector<std::uint64_t> missing = store.missing_batches();
-  batches_.assign(missing.begin(), missing.end());
-}
-
-std::optional<std::uint64_t> StudyScheduler::next_batch() {
-  const std::lock_guard lock{mutex_};
-  if (StopSignal::wanted() || batches_.empty()) return std::nullopt;
-  const std::uint64_t batch = batches_.front();
-  batches_.pop_front();
-  return batch;
-}
-
-/// Whatever is not handed out yet stays for the next run.
-void StudyScheduler::close() {
-  const std::lock_guard lock{mutex_};
-  batches_.clear();
-}
-
-void StudyScheduler::fail(std::exception_ptr failure) {
-  close();
-  const std::lock_guard lock{mutex_};
-  if (!failure_) failure_ = std::move(failure);
-}
-
-void StudyScheduler::compute() {
-  try {
-    study::Worker worker{study_, design_};
-    const std::uint64_t size = store_.batch_size();
-    while (const std::optional<std::uint64_t> batch = next_batch()) {
-      BatchReport report{.batch = *batch, .rows = worker.compute(*batch, size)};
-      const std::lock_guard lock{mutex_};
-      own_.push_back(std::move(report));
-    }
-  } catch (...) {
-    fail(std::current_exception());
-  }
-  const std::lock_guard lock{mutex_};
-  computing_ = false;
-}
-
-std::optional<BatchReport> StudyScheduler::own_report() {
-  const std::lock_guard lock{mutex_};
-  if (own_.empty()) return std::nullopt;
-  BatchReport report = std::move(own_.front());
-  own_.pop_front();
-  return report;
-}
-
-void StudyScheduler::write(const BatchReport& report) {
-  if (failure_) return;  // after a full disk nothing more is tried
-  try {
-    store_.write_batch(report.batch, report.rows);
-    rows_done_ += report.rows.size();
-  } catch (...) {
-    fail(std::current_exception());
-  }
-}
-
-void StudyScheduler::answer(const Letter& letter) {
-  BatchReport report;
-  if (letter.tag == Tag::result) report = unpacked(letter.numbers);
-  if (letter.tag == Tag::failure) fail(std::make_exception_ptr(std::runtime_error(text_of(letter.numbers))));
-  if (report.stop_wanted) close();
-  // The rank goes on while this one writes.
-  const std::optional<std::uint64_t> next = letter.tag == Tag::failure ? std::nullopt : next_batch();
-  if (next)
-    Ranks::send(letter.rank, Tag::batch, {*next});
-  else
-    Ranks::send(letter.rank, Tag::stop, {});
-  if (!next) --open_ranks_;
-  if (letter.tag == Tag::result) write(report);
-}
-
-bool StudyScheduler::serve(const std::function<void(const study::Progress&)>& progress) {
-  const auto begin = Clock::now();
-  const std::uint64_t before = rows_done_, rows = design_.rows();
-  std::thread computing{[this] { compute(); }};
-  const auto is_computing = [this] {
-    const std::lock_guard lock{mutex_};
-    return computing_ || !own_.empty();
-  };
-  while (open_ranks_ > 0 || is_computing()) {
-    const std::optional<Letter> letter = Ranks::next_letter();
-    if (letter) answer(*letter);
-    const std::optional<BatchReport> own = own_report();
-    if (own) write(*own);
-    if (!letter && !own) {
-      std::this_thread::sleep_for(nap);
-      continue;
-    }
-    progress({rows_done_, rows, std::chrono::duration<double>(Clock::now() - begin).count(), before});
-  }
-  computing.join();
-  if (failure_) std::rethrow_exception(failure_);
-  return rows_done_ == rows;
-}
-
-/// Runs a step of the beginning on a rank. What goes wrong is for all to know.
+/// Runs a first step on a rank. Returns its errors, which all must know.
 template <class Step>
 std::vector<std::string> complaints_of(Step step) {
   try {
@@ -181,8 +172,8 @@ std::vector<std::string> complaints_of(Step step) {
   }
 }
 
-/// Called by all. True where nothing is wrong on any rank; throws on the first one that has complaints, so
-/// that there is one message.
+/// Called by all. True if no rank has complaints; else throws on the first one that has, so that there is one
+/// message.
 bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   const std::optional<int> first = ranks.first_with(!complaints.empty());
   if (!first) return true;
@@ -192,7 +183,7 @@ bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   throw Refused(std::move(complaints));
 }
 
-/// Called by all: what is not the same on all ranks, and would give rows that do not belong together.
+/// Called by all: differences between the ranks that would give rows that do not belong together.
 std::vector<std::string> differences(const Ranks& ranks, const study::Study& study,
                                      const std::string& study_file) {
   const auto same = [&](std::string_view text) {
@@ -207,9 +198,7 @@ std::vector<std::string> differences(const Ranks& ranks, const study::Study& stu
           ": its base case, or a card or a data file that it names, is not the same for all ranks"};
 }
 
-Message numbers_of(const std::string& text) { return {text.begin(), text.end()}; }
-
-/// What all ranks but the first do.
+/// The work of all ranks but the first.
 void compute_what_is_asked(const study::Study& study, std::uint64_t batch_size, int rank) {
   const study::Design design{study};
   study::Worker worker{study, design};
@@ -221,7 +210,8 @@ void compute_what_is_asked(const study::Study& study, std::uint64_t batch_size, 
       Ranks::send(0, Tag::result,
                   packed({.batch = batch, .stop_wanted = StopSignal::wanted(), .rows = std::move(rows)}));
     } catch (const std::exception& error) {
-      Ranks::send(0, Tag::failure, numbers_of(fmt::format("rank {}: {}", rank, error.what())));
+      const std::string text = fmt::format("rank {}: {}", rank, error.what());
+      Ranks::send(0, Tag::failure, {text.begin(), text.end()});
     }
   }
 }
@@ -239,7 +229,10 @@ int lead(const study::Study& study, study::Store& store, const StudyRequest& req
   return finish_study(store, request, before, taken.count(), complete);
 }
 
-int run_on(const Ranks& ranks, const StudyRequest& request) {
+}  // namespace
+
+int run_on_ranks(const StudyRequest& request) {
+  const Ranks ranks;
   const StopSignal stop;
   std::optional<study::Study> study;
   std::optional<study::Store> store;
@@ -248,7 +241,7 @@ int run_on(const Ranks& ranks, const StudyRequest& request) {
       throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
     study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   };
-  // Silent ranks end well: mpirun ends all at the first exit code that is not 0, and the message must be out.
+  // Other ranks end with 0, because mpirun ends all at the first other exit code, before the message is out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;
   const std::vector<std::string> differing = differences(ranks, *study, request.study_file);
   const auto open = [&] {
@@ -261,13 +254,6 @@ int run_on(const Ranks& ranks, const StudyRequest& request) {
   if (ranks.is_first()) return lead(*study, *store, request, ranks.size() - 1);
   compute_what_is_asked(*study, batch_size, ranks.rank());
   return exit_done;
-}
-
-}  // namespace
-
-int run_on_ranks(const StudyRequest& request) {
-  const Ranks ranks;
-  return run_on(ranks, request);
 }
 
 }  // namespace dashpad::app

@@ -15,7 +15,7 @@ namespace {
 
 constexpr hsize_t rows_a_chunk = 16384;
 
-/// An identifier of HDF5 with its owner; throws where there is none.
+/// Owns an identifier of HDF5; throws if it is invalid.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -52,7 +52,7 @@ void write_attribute(const Handle& owner, const char* name, const std::string& t
   Handle::check(H5Awrite(attribute.get(), type.get(), text.c_str()));
 }
 
-/// A data set that grows chunk by chunk.
+/// A data set that grows by chunks.
 class Column {
  public:
   Column(const Handle& group, const study::StoredColumn& stored_column, hid_t type, hsize_t rows)
@@ -155,7 +155,7 @@ void write_columns(const study::Store& store, const std::string& name) {
   write_attribute(file, "status_names", status_names());
   {
     const Handle study = group(file, "study");
-    // A long text is no attribute: those are limited to 64 KiB.
+    // The text is no attribute, since those are limited to 64 KiB.
     const Handle type{H5Tcopy(H5T_C_S1), H5Tclose};
     const std::string text = store.study_text();
     Handle::check(H5Tset_size(type.get(), std::max<std::size_t>(text.size(), 1)));
@@ -175,7 +175,7 @@ void write_columns(const study::Store& store, const std::string& name) {
 }  // namespace
 
 void write_hdf5(const study::Store& store, const std::filesystem::path& file, const std::string& shown) {
-  // After a write that the disk refused, HDF5 tries again when the program ends, and crashes.
+  // After a write error HDF5 would try again at exit, and crash.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our message, not HDF5's stack of calls
   try {

@@ -1,5 +1,5 @@
-// In place of the functions that need a part: the part is loaded, and its own is called. The linker takes
-// these instead of those of the library.
+// Replacements for functions in parts, which load the part and call its function. The linker prefers them to
+// those of the library.
 
 #include <stdexcept>
 #include <string>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace app {
 namespace {
 
-/// Beside the command where it was built, elsewhere where it was installed.
+/// Beside the program in the build tree, in another folder of an installation.
 fs::path file_of_part(const std::string& name) {
   const fs::path folder = running_executable().parent_path();
   std::error_code ignored;
@@ -28,7 +28,7 @@ fs::path file_of_part(const std::string& name) {
   return fs::exists(built, ignored) ? built : (folder / DASHPAD_INSTALLED_PARTS / name).lexically_normal();
 }
 
-/// It stays loaded to the end.
+/// Loads the part for the rest of the program.
 template <class Part>
 const Part& part() {
   static const Part* const loaded = [] {

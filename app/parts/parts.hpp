@@ -1,7 +1,7 @@
 #pragma once
-/// Parts of the command that are loaded when they are used: what they link takes many times longer to load
-/// than an impact takes to solve. Each is a shared library with one function, dashpad_part(), which gives the
-/// functions of the part; each holds a copy of what it needs of the library.
+/// Parts of the command that are loaded on first use, because their libraries take many times longer to load
+/// than an impact to solve. Each is a shared library whose function dashpad_part() returns the functions of
+/// the part, with a copy of what they need of dashpad.
 
 #include <filesystem>
 #include <map>
@@ -36,11 +36,11 @@ struct Hdf5Part {
   void (*write)(const study::Store& store, const std::filesystem::path& file, const std::string& shown);
 };
 
-/// One data set a column, one value a row done, by row number; named as in the CSV and with the attributes
-/// `unit` and `meaning`. Groups: /factors, /responses, /rows (row, status, extrapolated, bottomed, error).
-/// The study's text, the program and what `status` counts are attributes of the file. NaN where a row has no
-/// value. Memory does not grow with the rows. Replaces the file if it is there. Throws std::runtime_error
-/// that calls it `shown`; then no file is left.
+/// Writes a store as HDF5: one data set per column with a value for each computed row, by row number, named
+/// as in the CSV, with the attributes `unit` and `meaning`. Groups: /factors, /responses, /rows (row, status,
+/// extrapolated, bottomed, error). The study's text, the program and the names of `status` are attributes of
+/// the file. Missing values are NaN. Memory does not grow with the rows. Replaces an existing file. Throws
+/// std::runtime_error that calls the file `shown`, and leaves no file then.
 void write_hdf5(const study::Store& store, const std::filesystem::path& file, const std::string& shown);
 
 }  // namespace dashpad::app

@@ -1,4 +1,4 @@
-// In place of a study on ranks: the command becomes dashpad-mpi, which is beside it and links MPI.
+// Runs a study on ranks by turning the process into dashpad-mpi, which is beside it and links MPI.
 
 #include <cerrno>
 #include <cstring>

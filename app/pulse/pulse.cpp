@@ -1,7 +1,6 @@
 // dashpad pulse: injury figures of a measured acceleration.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,7 +66,7 @@ is kept unless --force is given. A file is written whole or not at all.
 Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written. With
 --standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
 
-/// What was asked for of all files alike.
+/// The request for all files.
 struct PulsesRequest {
   std::vector<std::string> files;
   PulseRequest each;
@@ -76,7 +75,7 @@ struct PulsesRequest {
   std::string standard_folder;
 };
 
-/// Of every file. Throws Refused with all that is wrong with any of them, each complaint once.
+/// Evaluates every file. Throws Refused with all errors, each once.
 std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
   PulseRequest each = request.each;
   std::vector<std::string> errors;
@@ -136,18 +135,18 @@ int show_figures(const PulsesRequest& request) {
   return code;
 }
 
-std::string list_of(const PulseRequest& request) {
-  const ProgressLine waiting("Reading " + request.file);
+std::string list_of(const std::string& file) {
+  const ProgressLine waiting("Reading " + file);
   std::string text;
-  if (input::is_iso_mme(request.file)) {
-    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(request.file).value())
+  if (input::is_iso_mme(file)) {
+    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(file).value())
       text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
                           channel.samples, channel.name,
                           channel.problem.empty() ? "" : " (" + channel.problem + ")");
     text = fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}\n", "No.", "code", "unit", "samples", "name") + text;
   } else {
     text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
-    for (const injury::MeasuredColumn& column : input::pulse_csv_columns(request.file).value())
+    for (const injury::MeasuredColumn& column : input::pulse_csv_columns(file).value())
       text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
                           column.unit.empty() ? "not said" : column.unit);
   }
@@ -156,41 +155,39 @@ std::string list_of(const PulseRequest& request) {
   return text;
 }
 
-int show_list(PulsesRequest request) {
+int show_pulses(const PulsesRequest& request) {
+  if (!request.each.list) return show_figures(request);
   if (request.files.size() > 1) throw Refused({"--list: is of one file; give one FILE"});
-  request.each.file = request.files.front();
-  write_output(list_of(request.each));
+  write_output(list_of(request.files.front()));
   return exit_done;
 }
 
 }  // namespace
 
 void add_pulse(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)");
-  const auto request = std::make_shared<PulsesRequest>();
-  PulseRequest& each = request->each;
-  add_option(*sub, "FILE", request->files, "Tables, or tests in ISO-MME")->required();
-  add_source_options(*sub, each);
-  CLI::Option* list = add_flag(*sub, "--list", each.list, "Show the columns or channels, and nothing else");
-  add_processing_options(*sub, each);
-  add_figure_options(*sub, each);
-  add_option(*sub, "--standard NAME[:VARIANT]", request->standard,
+  const auto [sub, request] = add_subcommand<PulsesRequest>(
+      app, action, "pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
+      show_pulses);
+  PulseRequest& each = request.each;
+  add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();
+  add_source_options(sub, each);
+  CLI::Option* list = add_flag(sub, "--list", each.list, "Show the columns or channels, and nothing else");
+  add_processing_options(sub, each);
+  add_figure_options(sub, each);
+  add_option(sub, "--standard NAME[:VARIANT]", request.standard,
              "The limits of a preset beside the figures (dashpad standards lists them)")
       ->excludes(list);
-  add_standard_folder(*sub, request->standard_folder);
-  OutputFiles& written = request->written;
-  add_file(*sub, written, "--json", "Write figures and processing as JSON (- for standard output)")
+  add_standard_folder(sub, request.standard_folder);
+  OutputFiles& written = request.written;
+  add_file(sub, written, "--json", "Write figures and processing as JSON (- for standard output)")
       ->excludes(list);
-  add_file(*sub, written, "--csv", "Write the pulse of the figures as CSV (- for standard output)")
+  add_file(sub, written, "--csv", "Write the pulse of the figures as CSV (- for standard output)")
       ->excludes(list);
-  add_file(*sub, written, "--picture", "Draw the pulse (.svg, .png, .pdf)")->excludes(list);
-  for (CLI::Option* document : add_documents(*sub, written)) document->excludes(list);
-  add_units(*sub, written.units);
-  add_all(*sub, written.detail);
-  add_force(*sub, written.force);
-  sub->footer(pulse_footer);
-  when_named(*sub, action,
-             [request] { return request->each.list ? show_list(*request) : show_figures(*request); });
+  add_file(sub, written, "--picture", "Draw the pulse (.svg, .png, .pdf)")->excludes(list);
+  for (CLI::Option* document : add_documents(sub, written)) document->excludes(list);
+  add_units(sub, written.units);
+  add_all(sub, written.detail);
+  add_force(sub, written.force);
 }
 
 }  // namespace dashpad::app

@@ -1,4 +1,4 @@
-// A measured pulse, read and processed as the options ask, with its figures.
+// Reads and evaluates a measured pulse.
 
 #include "pulse/request.hpp"
 
@@ -18,7 +18,7 @@ namespace dashpad::app {
 
 namespace {
 
-constexpr double usual_speed = 15e6;  // bytes of a table read and computed in a second, on one core of 2020
+constexpr double usual_speed = 15e6;  // bytes of a table per second, on one core of 2020
 
 input::Reading<input::PulseFile> read(const PulseRequest& request, const PulseSettings& settings,
                                       bool is_test) {
@@ -32,7 +32,6 @@ input::Reading<input::PulseFile> read(const PulseRequest& request, const PulseSe
   return input::read_pulse_csv(request.file, options);
 }
 
-/// Resampled and filtered as asked for; `wrong` is told where that cannot be.
 injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const PulseSettings& settings,
                                  const std::optional<injury::PulseFilter>& filter,
                                  std::vector<std::string>& errors) {
@@ -46,8 +45,8 @@ injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const Pu
   }
 }
 
-/// The offset in the interval of --zero, else in the quiet part before the impact; `wrong` is told where
-/// --zero wants one and there is none. Leaves out what shows another level than the quiet part.
+/// The offset in the interval of --zero, or in the quiet part before the impact. Removes earlier samples at
+/// another level.
 std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
                                               injury::MeasuredPulse& measured,
                                               std::vector<std::string>& errors) {
@@ -72,14 +71,13 @@ std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const
   return offset;
 }
 
-/// How long it takes to read a file and to compute its figures, s.
+/// The expected time to read and evaluate a file, s.
 double expected_time(const std::string& file) {
   std::error_code error;
   const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
   return error ? 0 : bytes / usual_speed;
 }
 
-/// Adds the remarks on what was done and found.
 void remark_on(injury::PulseReport& report) {
   std::vector<std::string>& remarks = report.measured.remarks;
   if (report.filter)

@@ -42,7 +42,7 @@ std::optional<std::pair<double, double>> interval_of(const std::string& text,
   }
 }
 
-/// What --speed, --drop-height or a case tells.
+/// The impact by --speed, --drop-height or a case.
 std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
                                                 std::vector<std::string>& errors) {
   const std::optional<double> speed = positive_quantity_of("--speed", request.speed, "m/s", errors);

@@ -1,6 +1,5 @@
 #pragma once
-/// What `dashpad pulse` was asked for, and what it and `dashpad compare --pulse` do with a measured pulse
-/// before they show it.
+/// The options of `dashpad pulse`, and the processing of a pulse for it and for `dashpad compare --pulse`.
 
 #include <functional>
 #include <optional>
@@ -32,48 +31,47 @@ struct PulseRequest {
   std::vector<std::string> sensitivities;
   std::optional<std::string> speed;
   std::optional<std::string> drop_height;
-  /// Of a case beside which the pulse is laid: where neither --speed nor --drop-height is given.
+  /// The impact of a case compared with the pulse, used without --speed and --drop-height.
   std::optional<injury::MeasuredImpact> case_impact = {};
   std::optional<std::string> calibration;
-  /// What whoever measured says of it.
+  /// Remarks of the user.
   std::string position, date, note;
-  /// Beside whose limits it is laid.
+  /// The standard whose limits apply.
   std::optional<injury::Standard> standard = {};
   std::vector<double> windows_ms;
   std::vector<std::string> dwells;
 };
 
-/// What the options say beside the file.
+/// The values of the options.
 struct PulseSettings {
   std::optional<double> interval;                          ///< s
   std::vector<double> windows, levels;                     ///< s, m/s2
-  std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for that of the quiet part
+  std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for the quiet part
   std::optional<double> interval_of_samples;               ///< s, of a table without times
   std::vector<input::Sensitivity> sensitivities;
-  std::optional<injury::MeasuredImpact> impact;  ///< with its speed
+  std::optional<injury::MeasuredImpact> impact;  ///< with a known speed
 };
 
-/// Adds to `wrong` all that is wrong with them.
+/// Adds to `errors` all invalid values.
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& errors);
 
-/// Of --calibration: relative, k = 2.
+/// The value of --calibration: relative, k = 2.
 std::optional<double> calibration_of(const PulseRequest& request, std::vector<std::string>& errors);
 
 std::optional<injury::PulseFilter> filter_of(const PulseRequest& request);
 
-/// Complaints about options that mean nothing for this kind of file.
+/// Errors for options that do not apply to this kind of file.
 std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test);
 
-/// Options for the choice of columns or channels.
+/// Adds the options for columns or channels.
 void add_source_options(CLI::App& sub, PulseRequest& request);
-/// Options for what is done to the pulse, and for its impact speed.
+/// Adds the options for processing and impact speed.
 void add_processing_options(CLI::App& sub, PulseRequest& request);
-/// Options for further figures.
+/// Adds the options for further figures.
 void add_figure_options(CLI::App& sub, PulseRequest& request);
 
-/// The pulse of the request, read, zeroed, resampled and filtered as asked for, with its figures and flags.
-/// `judge` sees the files that it was read from, and may add to `wrong`. Throws Refused with all that is
-/// wrong then.
+/// Reads and processes the pulse of the request, with its figures and flags. `judge` receives the files that
+/// it was read from. Throws Refused with all errors.
 injury::PulseReport pulse_report(
     const PulseRequest& request, std::vector<std::string> errors,
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge);

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <system_error>
 
@@ -63,14 +62,7 @@ void write_csv(const study::Store& store, const fs::path& file, const std::strin
   check();
 }
 
-/// HDF5 cannot be written to a device or pipe.
-bool is_special(const std::string& file) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(file, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
-/// The files first, then what goes to standard output.
+/// Writes the files, then standard output.
 void write_files(const study::Store& store, const StudyExportRequest& request) {
   std::vector<PendingFile> files;
   for (const Target& target : request.files.targets()) {
@@ -93,7 +85,7 @@ int run_export(const StudyExportRequest& request) {
   std::vector<std::string> errors;
   judge_files(request.files, files_of_store(request.store_file), errors);
   if (request.files.targets().empty()) errors.emplace_back("--csv or --hdf5: one of them is needed");
-  if (const std::string& file = request.files.of("--hdf5"); file == "-" || is_special(file))
+  if (const std::string& file = request.files.of("--hdf5"); file == "-" || is_device(file))
     errors.push_back(fmt::format("--hdf5 {}: needs the name of a file", file));
   if (!errors.empty()) throw Refused(std::move(errors));
   write_files(store, request);
@@ -106,14 +98,12 @@ int run_export(const StudyExportRequest& request) {
 }  // namespace
 
 void add_study_export(CLI::App& study, Action& action) {
-  CLI::App* sub = study.add_subcommand("export", "Write the rows as CSV or HDF5");
-  const auto request = std::make_shared<StudyExportRequest>();
-  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
-  add_file(*sub, request->files, "--csv", "Write a CSV file (- for standard output)");
-  add_file(*sub, request->files, "--hdf5", "Write an HDF5 file");
-  add_force(*sub, request->files.force);
-  sub->footer(study_export_footer);
-  when_named(*sub, action, [request] { return run_export(*request); });
+  const auto [sub, request] = add_subcommand<StudyExportRequest>(
+      study, action, "export", "Write the rows as CSV or HDF5", study_export_footer, run_export);
+  add_option(sub, "FILE", request.store_file, "The store of a study")->required();
+  add_file(sub, request.files, "--csv", "Write a CSV file (- for standard output)");
+  add_file(sub, request.files, "--hdf5", "Write an HDF5 file");
+  add_force(sub, request.files.force);
 }
 
 }  // namespace dashpad::app

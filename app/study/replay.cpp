@@ -1,8 +1,6 @@
-// dashpad study replay: one row of a store solved again, with its history.
+// dashpad study replay: solves one row of a store again, with its history.
 
-#include <charconv>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -10,6 +8,7 @@
 #include "dashpad/output/study.hpp"
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "quantities/from_chars.hpp"
 #include "result_files.hpp"
 #include "study/study.hpp"
 
@@ -35,10 +34,10 @@ struct StudyReplayRequest {
   OutputFiles files;
 };
 
-/// A row as it was and as it is now.
+/// A row as stored and as solved again.
 struct Replay {
   study::StoredRow stored;
-  std::vector<double> factors;  ///< as the study has them in this row
+  std::vector<double> factors;  ///< as the study defines them
   study::Outcome again;
   ImpactCase impact;
   Options options;
@@ -47,14 +46,12 @@ struct Replay {
 };
 
 study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest& request) {
-  std::uint64_t number = 0;
-  const char* end = request.row.data() + request.row.size();
-  const auto [stop, error] = std::from_chars(request.row.data(), end, number);
-  if (error != std::errc{} || stop != end || number >= store.rows())
+  const auto number = parsed<std::uint64_t>(request.row);
+  if (!number || *number >= store.rows())
     throw Refused(
         {fmt::format("ROW {}: must be a whole number; {} has rows 0 to {}",
                      request.row.empty() ? "\"\"" : request.row, request.store_file, store.rows() - 1)});
-  std::optional<study::StoredRow> row = store.row(number);
+  std::optional<study::StoredRow> row = store.row(*number);
   if (!row)
     throw Refused({fmt::format("ROW {}: is not computed yet; {} has {} of {} rows", request.row,
                                request.store_file, store.rows_done(), store.rows())});
@@ -83,7 +80,7 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
 
 std::string with_all_digits(double value) { return std::isnan(value) ? "none" : fmt::format("{}", value); }
 
-/// The same bits, or no value both times.
+/// Whether the bits are the same, or neither has a value.
 bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 std::vector<std::string> differences(const Replay& replay, const study::Store& store) {
@@ -135,14 +132,12 @@ int run_replay(const StudyReplayRequest& request) {
 }  // namespace
 
 void add_study_replay(CLI::App& study, Action& action) {
-  CLI::App* sub = study.add_subcommand("replay", "Solve one row again, with its full history");
-  const auto request = std::make_shared<StudyReplayRequest>();
-  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
-  add_option(*sub, "ROW", request->row, "Which row, from 0")->required();
-  add_result_files(*sub, request->files);
-  add_force(*sub, request->files.force);
-  sub->footer(study_replay_footer);
-  when_named(*sub, action, [request] { return run_replay(*request); });
+  const auto [sub, request] = add_subcommand<StudyReplayRequest>(
+      study, action, "replay", "Solve one row again, with its full history", study_replay_footer, run_replay);
+  add_option(sub, "FILE", request.store_file, "The store of a study")->required();
+  add_option(sub, "ROW", request.row, "Which row, from 0")->required();
+  add_result_files(sub, request.files);
+  add_force(sub, request.files.force);
 }
 
 }  // namespace dashpad::app

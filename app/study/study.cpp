@@ -50,7 +50,7 @@ are there but some are doubtful (tolerance missed, no valid case, a figure missi
 Ctrl-C or SIGTERM: the same command goes on.)";
 
 /// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
-/// that a plain command never pays for MPI.
+/// that a plain command never loads MPI.
 bool is_one_of_several_ranks() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* size = std::getenv(name); size != nullptr && std::atoi(size) > 1) return true;
@@ -58,7 +58,7 @@ bool is_one_of_several_ranks() {
 }
 
 int run_here(const StudyRequest& request) {
-  // Before the store is there: who sees its file may stop the study, and is told how it goes on.
+  // Created before the store: whoever sees its file may stop the study, and is told how to continue.
   const StopSignal stop;
   const study::Study study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   study::Store store = open_store(study, request.store_file);

@@ -1,7 +1,6 @@
-// dashpad study summary: what a store says.
+// dashpad study summary: the results of a store.
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,6 +12,7 @@
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/measurement/measurement_text.hpp"
+#include "input/spelling.hpp"
 #include "output_files.hpp"
 #include "quantities/magnitude_bounds.hpp"
 #include "study/study.hpp"
@@ -21,7 +21,7 @@ namespace dashpad::app {
 
 namespace {
 
-/// With a g of acceleration, which elsewhere is a gram.
+/// Accepts g as a unit of acceleration, which elsewhere is a gram.
 double value_in_si(const std::string& text, const std::string& si_unit) {
   if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
     return standard_gravity *
@@ -29,10 +29,10 @@ double value_in_si(const std::string& text, const std::string& si_unit) {
   return stated_si(text, si_unit);
 }
 
-std::string unit_of(const std::string& name, const study::Store& store) {
-  for (const study::StoredColumn& response : store.responses())
-    if (response.name == name) return response.unit;
-  return "1";
+/// The response of that name; null if the store has none.
+const study::StoredColumn* response_of(const std::string& name, const study::Store& store) {
+  const auto found = std::ranges::find(store.responses(), name, &study::StoredColumn::name);
+  return found == store.responses().end() ? nullptr : &*found;
 }
 
 constexpr const char* study_summary_footer = R"(Examples:
@@ -58,15 +58,13 @@ struct StudySummaryRequest {
 
 /// Why the store has no such response; empty if it has.
 std::string response_rule(const std::string& name, const study::Store& store) {
-  std::string names;
-  for (const study::StoredColumn& response : store.responses()) {
-    if (response.name == name) return "";
-    names += (names.empty() ? "" : ", ") + response.name;
-  }
-  return "is no response of this study; it keeps " + names;
+  if (response_of(name, store) != nullptr) return "";
+  std::vector<std::string> names;
+  for (const study::StoredColumn& response : store.responses()) names.push_back(response.name);
+  return "is no response of this study; it keeps " + input::listing(names);
 }
 
-/// "hic15 > 1000", "peak_force = 5 kN". Absent after a complaint.
+/// A limit such as "hic15 > 1000" or "peak_force = 5 kN"; absent after an error.
 std::optional<study::StudyLimit> limit_of(const std::string& text, const study::Store& store,
                                           std::vector<std::string>& errors) {
   const auto refuse = [&](const std::string& rule) {
@@ -79,8 +77,8 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   const std::string value = text.substr(sign + 1);
   try {
-    return study::StudyLimit{name,
-                             value_in_si(std::string(input::without_blanks(value)), unit_of(name, store))};
+    return study::StudyLimit{
+        name, value_in_si(std::string(input::without_blanks(value)), response_of(name, store)->unit)};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }
@@ -101,7 +99,7 @@ study::StudyQuestions questions_of(const StudySummaryRequest& request, const stu
   return questions;
 }
 
-/// Drawn before anything is written: one row, or rows that all bottomed out, are no picture.
+/// Drawn before anything is written, since one row, or rows that all bottomed out, give no picture.
 std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answers) {
   const std::string& file = files.of("--picture");
   if (file.empty()) return {};
@@ -138,21 +136,19 @@ int summarise(const StudySummaryRequest& request) {
 }  // namespace
 
 void add_study_summary(CLI::App& study, Action& action) {
-  CLI::App* sub =
-      study.add_subcommand("summary", "Distributions, probabilities, sensitivities, cushion curves");
-  const auto request = std::make_shared<StudySummaryRequest>();
-  add_option(*sub, "FILE", request->store_file, "The store of a study")->required();
-  add_option(*sub, "--response NAME", request->responses, "Only this one; may be given again")->take_all();
-  add_option(*sub, "--limit LIMIT", request->limits,
+  const auto [sub, request] = add_subcommand<StudySummaryRequest>(
+      study, action, "summary", "Distributions, probabilities, sensitivities, cushion curves",
+      study_summary_footer, summarise);
+  add_option(sub, "FILE", request.store_file, "The store of a study")->required();
+  add_option(sub, "--response NAME", request.responses, "Only this one; may be given again")->take_all();
+  add_option(sub, "--limit LIMIT", request.limits,
              "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
       ->take_all();
-  add_documents(*sub, request->files);
-  add_file(*sub, request->files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
-  add_file(*sub, request->files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
-  add_units(*sub, request->files.units);
-  add_force(*sub, request->files.force);
-  sub->footer(study_summary_footer);
-  when_named(*sub, action, [request] { return summarise(*request); });
+  add_documents(sub, request.files);
+  add_file(sub, request.files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
 }
 
 }  // namespace dashpad::app

@@ -16,9 +16,9 @@ namespace dashpad::injury {
 
 namespace {
 
-/// Sets the time above a level as the value of a result, with what the errors of force and time and the steps
-/// of the history make of it. An error of the force moves the pulse against the level; where the pulse is as
-/// flat as that, the time is open. Unknown where one of them is.
+/// Sets the time above a level and its error, due to the errors of force and time and to the time steps. An
+/// error of the force shifts the level; the time is open where the pulse is that flat. The error is infinite
+/// if one of these is unknown.
 void set_dwell(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
   const Pulse pulse = pulse_of(solution.history);
   const double level = result.criterion.level;
@@ -34,7 +34,7 @@ void set_dwell(const Solution& solution, const InjuryFigures& figures, Criterion
   result.error = std::max(time - shorter, longer - time) + of_steps + of_time;
 }
 
-/// Sets the value of a result and its error; of the peak those of the solver, which lies between its steps.
+/// Sets the value of a result and its error. The peak is the solver's own, which may lie between two steps.
 void set_value(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
   const Metric metric = result.criterion.metric;
   if (metric == Metric::dwell_time) return set_dwell(solution, figures, result);
@@ -46,7 +46,7 @@ void set_value(const Solution& solution, const InjuryFigures& figures, Criterion
   result.error = std::abs(*result.value) * of->error;
 }
 
-/// The force has had its largest value: the impactor came to rest, or went on to leave the pad.
+/// Whether the force has passed its maximum: the impactor came to rest or left the pad.
 bool peak_is_final(const Summary& summary) { return summary.release.has_value() || summary.rest.has_value(); }
 
 bool is_lower_bound(Metric metric, const Summary& summary) {
@@ -104,14 +104,14 @@ KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
   return figures;
 }
 
-/// Without a range no result can be called extrapolated: that is no sign that none is.
+/// Without a range, a result cannot be flagged as extrapolated even if it is.
 void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
   if (range_of(material)) return;
   const std::string where = material.name == foam_of_the_case ? "case" : "card";
   reservations.push_back(flag_of("UNKNOWN RANGE", "the " + where + " does not say where its law was fitted"));
 }
 
-/// Names of values and limits by how well they were read.
+/// Collects the names of values and limits that were not verified in the standard.
 struct ReadNames {
   std::string unverified, secondary;
 
@@ -144,7 +144,7 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
   names.say(reservations);
 }
 
-/// What gives no interval is no better known for it.
+/// Adds the missing intervals. Their absence is no sign of certainty.
 void add_reservations_about(const Summary& summary, std::vector<Flag>& reservations) {
   if (!summary.intervals) {
     reservations.push_back(flag_of(
@@ -157,7 +157,7 @@ void add_reservations_about(const Summary& summary, std::vector<Flag>& reservati
           {"NO INTERVAL", fmt::format("NO INTERVAL for {}: {}", open_source.words, open_source.why_not)});
 }
 
-/// The keys of what the standard limits, by which flags are judged.
+/// The keys of the limited figures, which decide on flags.
 std::vector<std::string> decisive_figures(const Standard& standard) {
   std::vector<std::string> keys;
   for (const Criterion& criterion : standard.criteria) keys.emplace_back(quantity_of(criterion.metric).key);
@@ -170,13 +170,13 @@ void decide(CriterionResult& result) {
   const Criterion& of = result.criterion;
   const double lowest = (result.interval ? result.interval->low : *result.value) - result.error;
   const double highest = (result.interval ? result.interval->high : *result.value) + result.error;
-  // A comparison with a number that is not one is false: then nothing is decided.
+  // Comparisons with NaN are false, which leaves the result undecided.
   const bool is_above = of.strict ? lowest >= of.limit : lowest > of.limit;
   const bool is_within = of.strict ? highest < of.limit : highest <= of.limit;
   result.verdict = is_above                           ? Verdict::fail
                    : is_within && !result.lower_bound ? Verdict::pass
                                                       : Verdict::undecided;
-  if (result.lower_bound && !is_above) return;  // what is left of the limit then is no margin
+  if (result.lower_bound && !is_above) return;  // see `margin`
   result.margin = of.limit - *result.value;
   result.relative_margin = *result.margin / of.limit;
 }

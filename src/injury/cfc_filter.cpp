@@ -31,7 +31,7 @@ double even_interval(const Pulse& pulse) {
   return interval;
 }
 
-/// Puts twice - x in front of the samples, in reverse and without the first.
+/// Prepends twice - x, in reverse and without the first sample.
 void put_before(Samples& samples, std::size_t count, double twice) {
   count = std::min(count, samples.size() - 1);
   Samples front(count);
@@ -39,7 +39,7 @@ void put_before(Samples& samples, std::size_t count, double twice) {
   samples.insert(samples.begin(), front.begin(), front.end());
 }
 
-/// Puts 2 x(end) - x behind the samples.
+/// Appends 2 x(end) - x.
 void mirror_behind(Samples& samples, std::size_t count) {
   const std::size_t size = samples.size();
   count = std::min(count, size - 1);
@@ -52,7 +52,7 @@ void mirror(Samples& samples, std::size_t count) {
   mirror_behind(samples, own);
 }
 
-/// Extends the samples and returns how many were put before them.
+/// Extends the samples; returns the number of samples prepended.
 std::size_t extend(Samples& samples, double interval, Ends ends) {
   const std::size_t size = samples.size();
   const double spare = 1e-6;  // an interval of 0.1 ms fits into 10 ms a hundred times
@@ -75,8 +75,8 @@ std::size_t extend(Samples& samples, double interval, Ends ends) {
   throw std::invalid_argument("filter: unknown treatment of the ends");
 }
 
-/// One run, in place. As b1 = 1 - 4 a0 - b2, the recursion can be written with differences that are 0 for a
-/// constant: rounding does not change its gain, as it would with a0 of 1e-7.
+/// One run, in place. Since b1 = 1 - 4 a0 - b2, the recursion can be written with differences that vanish for
+/// a constant, so that rounding does not change its gain even with a0 of 1e-7.
 void run(Samples& samples, const FilterCoefficients& c, Ends ends) {
   double x1 = samples[0];
   double x2 = samples[0];

@@ -11,7 +11,7 @@
 namespace dashpad::injury {
 namespace {
 
-/// That of a pulse which is too short to have one, or a hump.
+/// The clip of a pulse that is too short, or of a hump.
 std::optional<Clip> simple_clip(const Pulse& pulse, double duration) {
   check(pulse);
   if (!(duration > 0)) throw std::invalid_argument("clip: the duration must be positive");
@@ -27,7 +27,7 @@ class Window {
     while (last_ + 2 < line.size() && line[last_ + 1].time < begin_ + length) pass_at_end();
   }
 
-  /// Moves until begin or end meets a corner, and offers what is best on the way. False at the end.
+  /// Moves until begin or end meets a corner, and offers the best window on the way. False at the end.
   bool advance(Clip& best) {
     const double at_end = line_[last_ + 1].time - length_;
     const double at_begin = line_[first_ + 1].time;
@@ -58,8 +58,7 @@ class Window {
     if (level > best.level) best = {level, begin, 0};
   }
 
-  /// Both ends are on straight pieces: the lower of the two is highest at one of the limits or where they
-  /// are equal.
+  /// With both ends on straight pieces, the lower of the two is highest at a limit or where they are equal.
   void offer_between(double next, Clip& best) const {
     const double left = at(begin_, first_);
     const double right = at(begin_ + length_, last_);
@@ -86,7 +85,7 @@ class Window {
   double begin_;
   std::size_t first_ = 0;           // piece with the begin
   std::size_t last_ = 0;            // piece with the end
-  std::deque<std::size_t> lowest_;  // corners inside: each the lowest of those from it on
+  std::deque<std::size_t> lowest_;  // corners inside, each the lowest from there on
 };
 
 Magnitude checked(const Pulse& pulse, double level) {
@@ -97,7 +96,7 @@ Magnitude checked(const Pulse& pulse, double level) {
 
 }  // namespace
 
-/// The highest level that lasts is the highest minimum over a window of that length.
+/// The result is the highest minimum over a window of that length.
 Clip contiguous_clip(const Pulse& pulse, double duration) {
   if (const std::optional<Clip> clip = simple_clip(pulse, duration)) return *clip;
   const Magnitude line = magnitude_of(pulse);
@@ -109,8 +108,8 @@ Clip contiguous_clip(const Pulse& pulse, double duration) {
   return best;
 }
 
-/// The time spent at or above a level falls as the level rises: linearly between two neighbouring values of
-/// the corners, with a jump where the pulse has a plateau. The pair is found by bisection.
+/// The time at or above a level decreases with the level: linearly between neighbouring corner values, and
+/// with a jump at a plateau. Bisection finds the two values.
 Clip cumulative_clip(const Pulse& pulse, double duration) {
   if (const std::optional<Clip> clip = simple_clip(pulse, duration)) return *clip;
   const double wanted = attainable(pulse, duration);

@@ -9,13 +9,13 @@
 namespace dashpad::injury {
 namespace {
 
-constexpr double of_the_width = 0.25;  // how long an interruption may be
+constexpr double of_the_width = 0.25;  // longest interruption
 constexpr double goes_on = 1.01;       // of the velocity so far: the interruption was not the end
-constexpr double max_scatter = 0.05;   // of the peak: more is not quiet
+constexpr double max_scatter = 0.05;   // of the peak: the limit for a quiet part
 constexpr double highest_level = 0.5;  // of the peak: an offset higher than that leaves no pulse
 constexpr double rounding = 1e-6;      // of the peak
 
-/// The level of the quiet part on the side of the peak; 0 without one.
+/// The level of the quiet part, with the sign of the peak; 0 without one.
 double level_of(const Pulse& pulse, const std::optional<Stretch>& quiet, double side, double peak) {
   if (!quiet) return 0;
   const auto begin = std::ranges::lower_bound(pulse.time, quiet->begin) - pulse.time.begin();
@@ -31,8 +31,8 @@ double level_of(const Pulse& pulse, const std::optional<Stretch>& quiet, double 
   return scatter < max_scatter * peak && level < highest_level * peak ? level : 0;
 }
 
-/// The time above half the peak, s, around the peak, to where the acceleration falls to `level` on either
-/// side: a second blow is not in it, and dips of a ringing that do not reach so far interrupt nothing.
+/// The time above half the peak, s, within the stretch around the peak above `level`. A second impact is
+/// outside of it; dips that stay above `level` do not interrupt it.
 double width_of_hump(const Pulse& pulse, std::size_t peak, double side, double level) {
   const auto is_inside = [&](std::size_t i) { return side * pulse.acceleration[i] > level; };
   std::size_t first = peak, last = peak;
@@ -46,7 +46,7 @@ double width_of_hump(const Pulse& pulse, std::size_t peak, double side, double l
   return cumulative_dwell(hump, hump.acceleration[peak - first] / 2);
 }
 
-/// The last sample of the contact on the way from the peak, forwards or backwards.
+/// The last sample of the contact, from the peak forwards or backwards.
 std::size_t last_of_contact(const Pulse& pulse, std::size_t peak, bool forwards, double side, double level,
                             double longest) {
   const std::vector<double>&time = pulse.time, &a = pulse.acceleration;
@@ -80,7 +80,7 @@ Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet) {
   const std::size_t last = last_of_contact(along, at, true, side, level, longest);
   Pulse contact;
   const auto add = [&contact](double when, double value) {
-    if (!contact.time.empty() && when <= contact.time.back()) return;  // a passing that rounds onto a sample
+    if (!contact.time.empty() && when <= contact.time.back()) return;  // rounded onto a sample
     contact.time.push_back(when);
     contact.acceleration.push_back(value);
   };

@@ -32,34 +32,28 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   return figures;
 }
 
-std::array<InjuryValue, 9> injury_values(const InjuryFigures& injury_figures) {
-  const InjuryFigures::Errors& errors = injury_figures.errors;
-  const auto hic = [](const char* key, const Hic& value, double error) {
-    return InjuryValue{&result_quantity(key), value.value, error, {}, value.begin, value.end};
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
+  const InjuryFigures::Errors& errors = of.errors;
+  const auto value = [](const char* key, double size, double error) {
+    return InjuryValue{.quantity = &result_quantity(key), .value = size, .error = error};
   };
-  const auto clip = [](const char* key, const Clip& value, double error) {
-    return InjuryValue{&result_quantity(key), value.level, error, {}, value.begin, value.end};
+  const auto within = [&](const char* key, const auto& window, double size, double error) {
+    InjuryValue result = value(key, size, error);
+    result.begin = window.begin;
+    result.end = window.end;
+    return result;
   };
-  return {
-      {{&result_quantity("peak_acceleration"),
-        injury_figures.peak.magnitude,
-        errors.peak,
-        injury_figures.peak.time,
-        {},
-        {}},
-       hic("hic15", injury_figures.hic15, errors.hic15),
-       hic("hic36", injury_figures.hic36, errors.hic36),
-       hic("hic_unlimited", injury_figures.hic_unlimited, errors.hic_unlimited),
-       {&result_quantity("hic_d"), injury_figures.hic_d, errors.hic_d, {}, {}, {}},
-       clip("clip_3ms", injury_figures.clip_3ms, errors.clip_3ms),
-       clip("cumulative_3ms", injury_figures.cumulative_3ms, errors.cumulative_3ms),
-       {&result_quantity("severity_index"), injury_figures.severity_index, errors.severity_index, {}, {}, {}},
-       {&result_quantity("velocity_change"),
-        injury_figures.velocity_change,
-        errors.velocity_change,
-        {},
-        {},
-        {}}}};
+  InjuryValue peak = value("peak_acceleration", of.peak.magnitude, errors.peak);
+  peak.time = of.peak.time;
+  return {peak,
+          within("hic15", of.hic15, of.hic15.value, errors.hic15),
+          within("hic36", of.hic36, of.hic36.value, errors.hic36),
+          within("hic_unlimited", of.hic_unlimited, of.hic_unlimited.value, errors.hic_unlimited),
+          value("hic_d", of.hic_d, errors.hic_d),
+          within("clip_3ms", of.clip_3ms, of.clip_3ms.level, errors.clip_3ms),
+          within("cumulative_3ms", of.cumulative_3ms, of.cumulative_3ms.level, errors.cumulative_3ms),
+          value("severity_index", of.severity_index, errors.severity_index),
+          value("velocity_change", of.velocity_change, errors.velocity_change)};
 }
 
 std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, const ResultQuantity& quantity) {
@@ -70,12 +64,12 @@ std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, con
 
 Pulse pulse_of(const History& history) { return {history.time, history.acceleration}; }
 
-/// What the steps leave and, to the power that it has in the figure, the solver's own error of the force.
-/// Without a coarser run the errors are unknown, but for the peak, which is the solver's.
+/// The error is that of the time steps plus the solver's error of the force times the exponent of the
+/// acceleration. Without a coarser run only the error of the peak is known.
 InjuryFigures injury_figures(const Solution& solution) {
   const Pulse pulse = pulse_of(solution.history);
   InjuryFigures figures = injury_figures(pulse);
-  // Between two samples of the history, and known to the solver.
+  // The solver's peak may lie between two samples of the history.
   const Summary& summary = solution.summary;
   if (summary.peak_acceleration && summary.time_of_peak_force)
     figures.peak = {*summary.peak_acceleration, *summary.time_of_peak_force};

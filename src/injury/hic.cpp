@@ -17,7 +17,13 @@ using hic_search::Best;
 using hic_search::Blocks;
 using hic_search::Curve;
 
-/// The windows of the greatest length, earliest first: a start that lets most pairs of blocks be left out.
+/// HIC, g^2.5 s, from the criterion of levels in m/s2 that were multiplied by `scale`.
+double hic_from(double criterion, double scale) {
+  const double levels = scale * standard_gravity;
+  return criterion / (levels * levels * std::sqrt(levels));
+}
+
+/// Offers the windows of greatest length. With a good first value most pairs of blocks can be skipped.
 void offer_all_longest(const Curve& curve, double longest, Best& best) {
   const std::size_t intervals = curve.samples() - 1;
   std::size_t j = 0;
@@ -30,7 +36,7 @@ void offer_all_longest(const Curve& curve, double longest, Best& best) {
   }
 }
 
-/// Branch and bound over pairs of blocks: the windows that begin in the one and end in the other.
+/// Branch and bound over pairs of blocks: windows that begin in one block and end in the other.
 class Search {
  public:
   Search(const Curve& curve, double longest, Best& best)
@@ -45,7 +51,7 @@ class Search {
   };
 
   void visit(std::size_t rank, std::size_t i, std::size_t j) {
-    // Any window of the pair: the sooner a good one is known, the more pairs can be left out.
+    // Any window of the pair: a good value early on lets more pairs be skipped.
     const hic_search::Window window{blocks_.last(rank, i),
                                     std::max(blocks_.last(rank, i), Blocks::first(rank, j)), 0, 0};
     if (curve_.duration(window) <= longest_) best_.offer(curve_, window);
@@ -60,7 +66,7 @@ class Search {
     for (std::size_t k = 2 * i; k < std::min(2 * i + 2, count); ++k)
       for (std::size_t l = std::max(k, 2 * j); l < std::min(2 * j + 2, count); ++l)
         *next++ = {blocks_.bound(rank, k, l, longest_), k, l};
-    // Where the best window is likely, first.
+    // Most promising pairs first.
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.bound > b.bound; });
     for (const Pair& pair : pairs)
       if (pair.bound > 0 && !best_.rules_out(pair.bound, curve_.time(Blocks::first(rank, pair.i))))
@@ -73,11 +79,8 @@ class Search {
   Best& best_;
 };
 
-using hic_search::Best;
-using hic_search::Curve;
-
-/// Between two neighbouring values of the samples: where the pulse is above `base` begins `before` seconds
-/// ahead of sample `first` and ends `after` seconds past sample `last`.
+/// A band between two neighbouring sample values: the pulse is above `base` from `before` seconds ahead of
+/// sample `first` to `after` seconds past sample `last`.
 struct Band {
   std::size_t first = 0, last = 0;
   double base = 0;
@@ -85,7 +88,7 @@ struct Band {
   double spread = 0;  ///< by how much both ends move as the level falls by 1, s
 };
 
-/// Bands from the peak down, until `visit` returns false or the pulse ends on both sides.
+/// Visits the bands from the peak downwards, until `visit` returns false or the pulse ends on both sides.
 template <class Time, class Level, class Visit>
 void walk_down(std::size_t peak, std::size_t samples, Time time, Level level, Visit visit) {
   const double none = -infinite;
@@ -111,7 +114,7 @@ void walk_down(std::size_t peak, std::size_t samples, Time time, Level level, Vi
   }
 }
 
-/// All windows that end in a band on either side and can be the best.
+/// Offers all windows that end in a band on either side and can be the best.
 void offer_band(const Curve& curve, const Band& band, double longest, Best& best) {
   const std::size_t begin = band.first > 0 ? band.first - 1 : 0;
   const std::size_t end = std::min(band.last, curve.samples() - 2);
@@ -125,7 +128,7 @@ Hic hic(const Pulse& pulse, double longest_window) {
   if (!(longest_window > 0)) throw std::invalid_argument("HIC: the longest window must be positive");
   const auto [lowest, highest] = std::minmax_element(pulse.acceleration.begin(), pulse.acceleration.end());
   const double largest = std::max(*highest, -*lowest);
-  // Nor have denormal numbers a power 2.5 that is more.
+  // For denormal numbers the power 2.5 is zero.
   if (largest < std::numeric_limits<double>::min()) return {0, pulse.time.front(), pulse.time.front()};
   const double scale = scale_for(largest);
   if (const std::optional<Hump> hump = hump_of(pulse))
@@ -154,10 +157,11 @@ std::optional<Hump> hump_of(const Pulse& pulse) {
   return Hump{peak, sign};
 }
 
-/// As the level falls the criterion grows while lead = level * duration - 0.6 gain is positive. Within a band
-/// the lead is concave in the level, with the derivative duration - 0.4 spread level at the base less 1.4
-/// spread a unit of level: a maximum is where it passes from positive to negative, or rises and falls within.
-/// A window of duration T has at most the gain of the whole pulse, which ends the walk.
+/// As the level falls, the criterion grows while lead = level * duration - 0.6 gain is positive. Within a
+/// band the lead is concave in the level; its derivative at the base is duration - 0.4 spread level, and
+/// decreases by 1.4 spread per unit of level. A maximum is where the lead passes from positive to negative,
+/// or rises and falls within a band. The gain of a window is at most that of the whole pulse, which ends the
+/// walk.
 Hic hic_of(const Hump& hump, const Curve& curve, double scale, double longest_window) {
   Best best;
   const double whole = curve.gained(0, curve.samples() - 1);
@@ -215,10 +219,5 @@ Clip clip_of(const Hump& hump, const Pulse& pulse, double duration) {
 }
 
 double scale_for(double largest) { return std::ldexp(1.0, -std::ilogb(largest)); }
-
-double hic_from(double criterion, double scale) {
-  const double levels = scale * standard_gravity;
-  return criterion / (levels * levels * std::sqrt(levels));
-}
 
 }  // namespace dashpad::injury

@@ -30,7 +30,7 @@ double Curve::gain(const Window& window) const {
 namespace {
 
 /// One end of a window, on an interval where the level falls from `high` to `low` as the window grows, or
-/// fixed at the begin or the end of the pulse.
+/// fixed at the beginning or the end of the pulse.
 struct End {
   double low = -infinite, high = infinite;
   double spread = 0;  // by how much the window grows as the level falls by 1, s
@@ -45,8 +45,8 @@ End end_of(const Curve& curve, std::size_t j) {
   return {curve.level(j + 1), curve.level(j), -1 / curve.slope(j)};
 }
 
-/// Of the windows from `first` to `last`, both ends moved outwards to one common level c, the one with
-/// c = 0.6 mean. With c = base + d and the window at `base`, c = 0.6 mean reads
+/// Offers the window with c = 0.6 mean, among those from `first` to `last` whose ends are moved outwards to a
+/// common level c. With c = base + d and the window at `base`, this condition is
 ///   0.7 spread d^2 - (duration - 0.4 spread base) d + 0.6 gain - base duration = 0,
 /// and the maximum is at its lower root.
 void offer_stationary(const Curve& curve, std::size_t first, const End& begin, std::size_t last,
@@ -68,7 +68,8 @@ void offer_stationary(const Curve& curve, std::size_t first, const End& begin, s
   const double constant = 0.6 * curve.gain(widest) - base * duration;
   const double falling = duration - 0.4 * spread * base;
   const double discriminant = falling * falling - 2.8 * spread * constant;
-  // A root that rounding moves out of the range is taken at its end; a window without need does no harm.
+  // A root that rounding moves out of the range is taken at its end; offering an unneeded window does no
+  // harm.
   double d = 0;
   if (constant > 0)
     d = falling > 0 && discriminant >= 0 ? 2 * constant / (falling + std::sqrt(discriminant)) : infinite;
@@ -84,7 +85,7 @@ void Best::offer(const Curve& curve, const Window& window) {
   if (!(value > 0) || value < highest_ * (1 - rounding)) return;
   highest_ = std::max(highest_, value);
   const double begin = std::max(curve.time(window.first) - window.before, curve.time(0));
-  // A window that begins hardly earlier or later is the same one, only better or worse aimed.
+  // Windows that begin at almost the same time are the same window, with different rounding.
   const double earlier = begin_ - begin;
   const bool same = std::abs(earlier) <= 1e-6 * duration;
   if (value > value_ * (1 + rounding) || (same ? value > value_ : earlier > 0)) {
@@ -107,7 +108,7 @@ void offer_longest(const Curve& curve, std::size_t i, std::size_t j, double long
   const double most = std::min(curve.length(i), rest);
   if (!(least <= most)) return;
   const auto offer = [&](double before) { best.offer(curve, {i + 1, j, before, rest - before}); };
-  // The level at the begin less that at the end is the rate at which an earlier window gains.
+  // The level at the beginning minus that at the end is the rate of gain of an earlier window.
   const double difference = curve.level(i + 1) - curve.level(j) - curve.slope(j) * rest;
   const double bend = curve.slope(i) - curve.slope(j);
   if (bend > 0) {
@@ -164,11 +165,8 @@ Blocks::Blocks(const Curve& curve) : curve_(&curve) {
   }
 }
 
-std::size_t Blocks::last(std::size_t rank, std::size_t block) const {
-  return std::min((block + 1) << rank, curve_->samples() - 1);
-}
-
-/// For a block with itself or the next one, where windows may be arbitrarily short: mean <= highest level.
+/// For adjacent or equal blocks, whose windows may be arbitrarily short: the mean is at most the highest
+/// level.
 double Blocks::close_bound(std::size_t rank, std::size_t i, std::size_t j, double longest) const {
   const Bounds& begin = bounds_[rank][i];
   const Bounds& end = bounds_[rank][j];

@@ -1,6 +1,7 @@
 #pragma once
-/// Windows of a pulse that is linear between its samples: how long they are and what velocity they gain.
+/// Windows of a pulse that is linear between its samples: their durations and velocity gains.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -12,33 +13,33 @@
 
 namespace dashpad::injury::hic_search {
 
-/// A window from `before` (s) ahead of sample `first` to `after` (s) past sample `last`, first <= last. Each
-/// end is told from a sample near to it, so that no late time and no long pulse costs it digits.
+/// A window from `before` (s) ahead of sample `first` to `after` (s) past sample `last`, first <= last. Ends
+/// are relative to a nearby sample, so that late times and long pulses cost no digits.
 struct Window {
   std::size_t first = 0, last = 0;
   double before = 0, after = 0;
 };
 
-/// The pulse times a factor, and its integral at the samples.
+/// The pulse times a factor, and its integral up to each sample.
 class Curve {
  public:
   Curve() = default;
   Curve(const Pulse& pulse, double factor) { assign(pulse, factor); }
 
-  /// Keeps a reference to `pulse`. A power of two as factor is exact. Memory is used again.
+  /// Keeps a reference to `pulse` and reuses memory. A power of two as factor is exact.
   void assign(const Pulse& pulse, double factor);
 
   [[nodiscard]] std::size_t samples() const { return time_->size(); }
   [[nodiscard]] double time(std::size_t sample) const { return (*time_)[sample]; }
   [[nodiscard]] double level(std::size_t sample) const { return level_[sample]; }
-  /// Between two samples: seconds, and the integral of the acceleration.
+  /// Seconds, and the integral of the acceleration, between two samples.
   [[nodiscard]] double elapsed(std::size_t from, std::size_t to) const {
     return (*time_)[to] - (*time_)[from];
   }
   [[nodiscard]] double gained(std::size_t from, std::size_t to) const {
     return (velocity_[to].high - velocity_[from].high) + (velocity_[to].low - velocity_[from].low);
   }
-  /// Interval i is that from sample i to sample i + 1.
+  /// Interval i is the one from sample i to sample i + 1.
   [[nodiscard]] double length(std::size_t interval) const { return elapsed(interval, interval + 1); }
   [[nodiscard]] double slope(std::size_t interval) const {
     return (level_[interval + 1] - level_[interval]) / length(interval);
@@ -64,18 +65,18 @@ inline double criterion(double duration, double gain) {
   return gain * mean * std::sqrt(mean);
 }
 
-// The windows that can be the best of all windows that begin in one interval and end in another, and the
-// best of those that were offered. Why these windows suffice: docs/injury.md, HIC.
+// Candidates for the best window among those that begin in one interval and end in another. docs/injury.md,
+// HIC, proves that they suffice.
 
-/// Two values that differ by less, relative, count as the same.
+/// Values with a smaller relative difference are equal.
 inline constexpr double rounding = 1e-13;
 
-/// The best window so far, and of windows with the same value the earliest.
+/// The best window so far; the earliest of equal ones.
 class Best {
  public:
   void offer(const Curve& curve, const Window& window);
 
-  /// Whether no window that begins at `begin` (s) or later, and whose value is at most `bound`, is wanted.
+  /// Whether windows with values of at most `bound` that begin at `begin` (s) or later are irrelevant.
   [[nodiscard]] bool rules_out(double bound, double begin) const {
     return bound <= highest_ * (1 + (begin < begin_ ? -2 : 1) * rounding);
   }
@@ -96,9 +97,9 @@ void offer_longest(const Curve& curve, std::size_t i, std::size_t j, double long
 /// be the best of all.
 void offer_candidates(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best);
 
-// Blocks of intervals in a hierarchy, and what the windows between two blocks cannot exceed.
+// A hierarchy of blocks of intervals, with bounds on the windows between two blocks.
 
-/// Block k of rank r holds the intervals from k 2^r on, 2^r of them or what is left.
+/// Block k of rank r holds the 2^r intervals from k 2^r on, or the remaining ones.
 class Blocks {
  public:
   explicit Blocks(const Curve& curve);
@@ -107,17 +108,19 @@ class Blocks {
   [[nodiscard]] std::size_t top() const { return bounds_.size() - 1; }
   [[nodiscard]] std::size_t count(std::size_t rank) const { return bounds_[rank].size(); }
 
-  /// No window that begins in block i, ends in block j >= i of the same rank and is not longer than `longest`
-  /// has a larger criterion.
+  /// An upper bound of the criterion of all windows not longer than `longest` that begin in block i and end
+  /// in block j >= i of the same rank.
   [[nodiscard]] double bound(std::size_t rank, std::size_t i, std::size_t j, double longest) const;
 
-  /// The first sample of a block, and the last.
+  /// The first and the last sample of a block.
   [[nodiscard]] static std::size_t first(std::size_t rank, std::size_t block) { return block << rank; }
-  [[nodiscard]] std::size_t last(std::size_t rank, std::size_t block) const;
+  [[nodiscard]] std::size_t last(std::size_t rank, std::size_t block) const {
+    return std::min((block + 1) << rank, curve_->samples() - 1);
+  }
 
  private:
-  /// Within a block: how far the velocity is below and above the straight line between its ends, and the
-  /// highest level.
+  /// Within a block: the largest distances of the velocity below and above the straight line between its
+  /// ends, and the highest level.
   struct Bounds {
     double below, above, level;
   };
@@ -131,29 +134,25 @@ class Blocks {
 
 namespace dashpad::injury {
 
-// Pulses of one sign that rise to one peak and fall from it, as those of most impacts. For them the best
-// window of each length is where the pulse is above some level, so that one walk down from the peak answers
-// what a search over all windows does. Results are those of hic.cpp and clip.cpp up to rounding.
+// Humps: pulses of one sign that rise to one peak and fall from it, as in most impacts. The best window of
+// each length is where the pulse exceeds some level, so that one walk down from the peak replaces the search
+// over all windows. Results are those of hic.cpp and clip.cpp up to rounding.
 
-/// Where the peak of a hump is, and its sign, 1 or -1.
 struct Hump {
   std::size_t peak = 0;
   double sign = 1;
 };
 
-/// Absent where the pulse is none: both signs, level stretches, or several peaks. `pulse` has passed check().
+/// Absent for a pulse with both signs, level stretches or several peaks. `pulse` has passed check().
 std::optional<Hump> hump_of(const Pulse& pulse);
 
 /// hic() of a hump; `curve` is its pulse times sign * scale.
 Hic hic_of(const Hump& hump, const hic_search::Curve& curve, double scale, double longest_window);
 
-/// contiguous_clip() and cumulative_clip(), which are the same for a hump.
+/// contiguous_clip() and cumulative_clip() of a hump, which are equal.
 Clip clip_of(const Hump& hump, const Pulse& pulse, double duration);
 
 /// A power of two that brings `largest` (> 0) near to 1, so that no power of a level overflows.
 double scale_for(double largest);
-
-/// HIC in g^2.5 s of the criterion of levels that were multiplied with `scale`.
-double hic_from(double criterion, double scale);
 
 }  // namespace dashpad::injury

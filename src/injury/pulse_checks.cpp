@@ -1,4 +1,4 @@
-// What a pulse says of itself: whether it is whole, zeroed, and of the impact that it is said to be of.
+// Checks of a measured pulse: whether it is whole, zeroed, and consistent with its impact.
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@ constexpr double lowest_cut = 0.01;         // of the peak
 constexpr double cut_in_noise = 4;          // of the scatter
 constexpr double max_quiet_scatter = 0.02;  // of the peak, of a part that is quiet
 constexpr double worth_a_remark = 1e-3;     // of HIC15
-constexpr double surely = 3;                // standard errors of a mean that is not 0
+constexpr double surely = 3;                // standard errors: a larger mean is not 0
 constexpr double rounding_of_zero = 1e-9;   // of the peak
 constexpr double unlike = 0.01;             // of a speed or a height
 constexpr double samples_in_doubt = 4;      // at the beginning and at the end of a fall
 
-/// Root mean square of the samples in the quiet interval, m/s2; 0 where there is none.
+/// Root mean square of the samples in the quiet interval, m/s2; 0 if there is none.
 double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
   if (!report.offset) return 0;
   double squares = 0, count = 0;
@@ -49,7 +49,7 @@ Flag cut(const std::string& where, double acceleration, double peak, const std::
 
 std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
 
-/// A factor next to 1 as its difference from it.
+/// "2 % greater" for a factor near 1, else "1.3 times this one".
 std::string other_scale(double factor) {
   constexpr double near = 0.1;
   const double change = std::abs(factor - 1);
@@ -57,7 +57,7 @@ std::string other_scale(double factor) {
   return brief(factor, 3) + " times this one";
 }
 
-/// What would make up for a change that is off.
+/// Possible causes of an impossible velocity change.
 std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
   const bool is_short = check.shortfall > 0;
   std::string text = fmt::format(

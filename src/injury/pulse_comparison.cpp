@@ -16,9 +16,9 @@ namespace dashpad::injury {
 
 namespace {
 
-constexpr double free_flight = 20e-3;  // s: longer than a filter of class 60 looks
+constexpr double free_flight = 20e-3;  // s: longer than the memory of a class 60 filter
 
-/// Sets when the pulse reaches that level, for the first time and for the last one before its peak.
+/// Finds the first time at that level, and the last one before the peak.
 void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
   const Magnitude line = magnitude_of(pulse);
   if (line.front().value >= level) return;
@@ -43,7 +43,7 @@ Pulse with_peak(Pulse pulse, const Summary& summary) {
   return pulse;
 }
 
-/// The history as far as it is finite.
+/// The finite part of the history.
 Pulse finite_pulse(const History& history) {
   Pulse pulse = pulse_of(history);
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -67,8 +67,8 @@ double shift_of(const PulseShape& measured, const std::optional<PulseShape>& com
   return 0;
 }
 
-/// The solver's own relative error of a figure, from that of the force, to the power that it has in it, or
-/// from those of its times.
+/// The solver's relative error of a figure, due to that of the force with its exponent, or to those of its
+/// times.
 double error_of_solver(std::string_view key, double value, const Summary& summary) {
   const ErrorEstimates& errors = summary.errors;
   const double contact_end = summary.contact_end ? summary.contact_end->time : 0;
@@ -78,7 +78,7 @@ double error_of_solver(std::string_view key, double value, const Summary& summar
   return acceleration_power(key) * errors.peak_force;
 }
 
-/// Adds to that what the steps of the history leave, by the coarser run.
+/// Sets the errors: those of the solver plus those of the time steps, by the coarser run.
 void estimate_errors(std::array<ComparedFigure, 6>& figures, const std::array<ComparedFigure, 6>& coarser,
                      const Summary& summary) {
   for (std::size_t i = 0; i < figures.size(); ++i)
@@ -128,15 +128,6 @@ void check_alignment(const PulseShape& measured, Alignment alignment) {
                   100 * onset_share));
 }
 
-std::optional<double> ComparedFigure::difference() const {
-  return measured && computed ? std::optional{*computed - *measured} : std::nullopt;
-}
-
-std::optional<double> ComparedFigure::share() const {
-  return measured && computed && *measured > 0 ? std::optional{(*computed - *measured) / *measured}
-                                               : std::nullopt;
-}
-
 std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,
                                                const std::optional<PulseShape>& computed,
                                                Alignment alignment) {
@@ -167,7 +158,7 @@ PulseComparison compare_pulses(const PulseReport& report, const Solution& soluti
   comparison.computed_pulse = history;
   const auto shape_of = [&](const Pulse& pulse) {
     PulseShape shape = pulse_shape(pulse, impact);
-    if (!shape.onset) shape.onset = pulse.time.front();  // a foam that answers at first contact
+    if (!shape.onset) shape.onset = pulse.time.front();  // a foam that responds at first contact
     return shape;
   };
   const auto processed = [&](const Pulse& pulse) {

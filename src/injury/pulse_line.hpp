@@ -1,6 +1,6 @@
 #pragma once
-/// A pulse that is linear between its samples: its magnitude |a| as a line with corners, the stretches of
-/// time that it spends above a level, and sums over its samples.
+/// A pulse that is linear between its samples: its magnitude |a| as a polyline, the stretches above a level,
+/// and accurate sums.
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ struct LinePoint {
 
 using Magnitude = std::vector<LinePoint>;
 
-/// The samples, and a corner at zero wherever a changes its sign between two of them. Times do not decrease;
-/// a zero may round onto the sample beside it.
+/// The samples, with a corner at zero wherever a changes sign. Times do not decrease; a zero may round onto a
+/// sample.
 inline Magnitude magnitude_of(const Pulse& pulse) {
   Magnitude line;
   line.reserve(pulse.time.size() + pulse.time.size() / 8);
@@ -40,7 +40,7 @@ inline Magnitude magnitude_of(const Pulse& pulse) {
   return line;
 }
 
-/// When the piece between two corners passes a level that lies between their values.
+/// The time at which the piece between two corners passes a level between their values.
 inline double passing(const LinePoint& from, const LinePoint& to, double level) {
   return std::lerp(from.time, to.time, (level - from.value) / (to.value - from.value));
 }
@@ -50,8 +50,8 @@ enum class Bound {
   exceeded,  ///< |a| > level: a touch from above divides a stretch
 };
 
-/// Calls visit(begin, end) for each stretch, in order of time. The lengths of all stretches need no sum over
-/// their samples, so that rounding does not grow with the number of samples.
+/// Calls visit(begin, end) for each stretch, in order of time. A length is no sum over samples, so that
+/// rounding does not grow with their number.
 template <class Visit>
 void for_each_stretch(const Magnitude& line, double level, Bound bound, Visit&& visit) {
   bool inside = false;
@@ -65,7 +65,7 @@ void for_each_stretch(const Magnitude& line, double level, Bound bound, Visit&& 
   if (inside) visit(begin, line.back().time);
 }
 
-/// The sample with the largest magnitude, the first that has it.
+/// The first sample with the largest magnitude.
 inline std::size_t peak_sample(const Pulse& pulse) {
   std::size_t top = 0;
   for (std::size_t i = 1; i < pulse.time.size(); ++i)
@@ -73,19 +73,19 @@ inline std::size_t peak_sample(const Pulse& pulse) {
   return top;
 }
 
-/// The mean time between two samples, s.
+/// The mean sampling interval, s.
 inline double interval_of(const Pulse& pulse) {
   return (pulse.time.back() - pulse.time.front()) / static_cast<double>(pulse.time.size() - 1);
 }
 
-/// The duration less the rounding of the times: a plateau from 3.5 to 6.5 ms lasts 3 ms, although the
+/// The duration minus the rounding of the times: a plateau from 3.5 to 6.5 ms lasts 3 ms, although the
 /// difference of the two doubles is less than the double 0.003.
 inline double attainable(const Pulse& pulse, double duration) {
   const double latest = std::max(std::abs(pulse.time.front()), std::abs(pulse.time.back()));
   return std::max(0.0, duration - 8 * std::numeric_limits<double>::epsilon() * latest);
 }
 
-/// A sum of doubles that keeps what rounding takes from it.
+/// A compensated sum of doubles.
 class AccurateSum {
  public:
   void add(double x) {
@@ -102,21 +102,21 @@ class AccurateSum {
   double high_ = 0, low_ = 0;
 };
 
-// What the steps of the solver leave in a figure of its history, by the run before the finest and by the
-// bend of the history itself.
+// Errors of the time steps in the figures of a history, by the next coarser run and by the curvature of the
+// history.
 
-/// Whether there is a coarser run to compare with.
 inline bool has_coarser_run(const Solution& solution) { return solution.coarser.time.size() >= 2; }
 
-/// Relative error of a figure that is `coarser` with twice the step. The step is of second order, so that a
-/// third of the difference is left; twice that is taken, for times of events fall anywhere in a step.
+/// Relative error of a figure that has the value `coarser` with twice the step. The method is of second
+/// order, so a third of the difference remains; twice that is taken, since times of events fall anywhere in a
+/// step.
 inline double step_error(double value, double coarser) {
   return value == 0 ? std::abs(coarser) : 2.0 / 3 * std::abs(coarser / value - 1);
 }
 
-/// Relative error of the level of a clip, by the chords between samples that cross it: the curve leaves a
-/// chord of length h by at most h^2 |a''| / 8, with a'' by the second differences at its ends. The level is
-/// read at few places, whose errors in two runs may be equal by chance.
+/// Relative error of the level of a clip due to the chords that cross it. A curve leaves a chord of length h
+/// by at most h^2 |a''| / 8, with a'' by second differences at its ends. The level depends on few places,
+/// whose errors in two runs may agree by chance.
 double chord_error(const Pulse& pulse, const Clip& clip);
 
 inline double step_error(const Pulse& pulse, const Clip& clip, const Clip& coarser) {

@@ -1,5 +1,3 @@
-// What is done to a measured pulse before its figures.
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -14,15 +14,15 @@ namespace dashpad::injury {
 namespace {
 
 constexpr double expanded = 2 * std::numbers::inv_sqrt3;  // k = 2, of a bound
-constexpr double of_finer = 4.0 / 3;   // half the interval takes away three quarters of the error of lines
-constexpr double margin = 20e-3;       // s beyond all windows: longer than a filter of class 60 looks
+constexpr double of_finer = 4.0 / 3;   // halving the interval removes three quarters of the error of lines
+constexpr double margin = 20e-3;       // s beyond all windows: longer than the memory of a class 60 filter
 constexpr std::size_t of_a_cubic = 4;  // samples
 
 constexpr std::array known{"peak_acceleration", "hic15",          "hic36",          "hic_unlimited",
                            "clip_3ms",          "cumulative_3ms", "velocity_change"};
 using Values = std::array<double, known.size()>;
 
-/// Integral from `begin` to `end`, s, of what is linear between the samples.
+/// Integral from `begin` to `end`, s, of the pulse linear between its samples.
 double gained(const Pulse& pulse, double begin, double end) {
   double sum = 0;
   for (std::size_t i = 1; i < pulse.time.size(); ++i) {
@@ -37,7 +37,7 @@ double gained(const Pulse& pulse, double begin, double end) {
   return sum;
 }
 
-/// HIC of a window where it is best: moving it a little changes nothing.
+/// The value of HIC in its best window, to which small shifts make no difference.
 double hic_within(const Pulse& pulse, const Hic& hic) {
   const double duration = hic.end - hic.begin;
   if (!(duration > 0)) return 0;
@@ -58,7 +58,7 @@ Values values_of(const ProcessedPulse& processed, const PulseReport& report) {
           std::abs(gained(processed.along(), report.contact.begin, report.contact.end))};
 }
 
-/// The samples around all that the figures are of, as measured but for the sensor's offset.
+/// The measured samples around all windows of the figures, zeroed as in `report`.
 MeasuredPulse around_the_figures(const PulseReport& report) {
   const InjuryFigures& injury_figures = report.figures;
   double begin = std::min(injury_figures.peak.time, report.contact.begin);
@@ -91,7 +91,7 @@ MeasuredPulse around_the_figures(const PulseReport& report) {
   return part;
 }
 
-/// At `x`, by the polynomial through the samples [first, last).
+/// The value at `x` of the polynomial through the samples [first, last).
 double interpolated(const std::vector<double>& time, const std::vector<double>& values, std::size_t first,
                     std::size_t last, double x) {
   double sum = 0;
@@ -104,7 +104,7 @@ double interpolated(const std::vector<double>& time, const std::vector<double>& 
   return sum;
 }
 
-/// With another sample in the middle between any two.
+/// The pulse with an interpolated sample in the middle of each interval.
 MeasuredPulse finer(const MeasuredPulse& measured) {
   const std::vector<double>& time = measured.pulse.time;
   const auto between = [&](const std::vector<double>& values) {
@@ -129,8 +129,8 @@ MeasuredPulse finer(const MeasuredPulse& measured) {
   return result;
 }
 
-/// By how much a parabola lies above the largest sample at most, m/s2. None at an end of the pulse, where it
-/// may have gone on to grow.
+/// The largest height of a parabola above the largest sample, m/s2. Absent at an end of the pulse, which may
+/// have continued to grow.
 std::optional<double> hidden_peak(const Pulse& pulse) {
   const std::size_t at = peak_sample(pulse);
   if (at == 0 || at + 1 >= pulse.time.size()) return std::nullopt;
@@ -141,7 +141,7 @@ std::optional<double> hidden_peak(const Pulse& pulse) {
   return std::abs(falls) / (before + after) * longer * longer / 4;
 }
 
-/// That with which the figures of a filter are compared.
+/// The filter with whose figures those of `filter` are compared: the next higher class, or none.
 std::optional<PulseFilter> next_filter(const PulseFilter& filter, const Pulse& pulse) {
   for (const int higher : channel_frequency_classes)
     if (higher > filter.channel_frequency_class)
@@ -160,9 +160,9 @@ std::optional<double> figure(const PulseReport& report, const Criterion& criteri
   return of ? std::optional{of->value} : std::nullopt;
 }
 
-/// Absolute; absent where it is not known.
+/// The absolute uncertainty; absent if unknown.
 std::optional<double> uncertainty_of(const PulseReport& report, Metric metric) {
-  // HIC(d) is a line over HIC36: what HIC36 is uncertain by, times its slope.
+  // HIC(d) is linear in HIC36, so its uncertainty is that of HIC36 times the slope.
   const bool is_hic_d = metric == Metric::hic_d;
   const ResultQuantity& quantity = quantity_of(is_hic_d ? Metric::hic36 : metric);
   const auto of = std::ranges::find(report.uncertainty.figures, &quantity, &FigureUncertainty::quantity);

@@ -17,13 +17,13 @@ using Directions = std::span<const std::vector<double>>;
 
 constexpr std::size_t fewest_samples = 10;
 constexpr double surely_impact = 0.1;   // of the largest deviation
-constexpr double min_departure = 5e-3;  // the same
+constexpr double min_departure = 5e-3;  // of the largest deviation
 constexpr double departure = 5;         // of the scatter
 constexpr double left_out = 0.25;       // of the time from the beginning of the impact to its peak
 constexpr double near_gravity = 0.1;    // of it: the step from rest to fall
-constexpr double clear_split = 1.5;     // of the scatter in both; of a sine and its mean it is 1.41
+constexpr double clear_split = 1.5;     // of the scatter in both; a sine and its mean have 1.41
 constexpr double surely_split = 5;      // of the standard error of the step
-constexpr double min_slope = 0.25;      // of the step: between the halves of what is no level but a rise
+constexpr double min_slope = 0.25;      // of the step, between the halves: more is a ramp, no level
 
 Directions directions(const MeasuredPulse& measured) {
   if (measured.components.empty()) return {&measured.pulse.acceleration, 1};
@@ -36,14 +36,14 @@ double length(const std::vector<double>& vector) {
   return sum;
 }
 
-/// Of the samples [first, last).
+/// The offset over the samples [first, last).
 SensorOffset offset_of(const MeasuredPulse& measured, std::size_t first, std::size_t last) {
   SensorOffset offset{
       .begin = measured.pulse.time[first], .end = measured.pulse.time[last - 1], .samples = last - first};
   const auto count = static_cast<double>(offset.samples);
   for (const std::vector<double>& direction : directions(measured)) {
     const auto samples = std::span(direction).subspan(first, offset.samples);
-    // From the first sample on, so that a constant is its own mean without rounding.
+    // Relative to the first sample, so that a constant has no rounding error.
     double sum = 0, squares = 0;
     for (const double value : samples) sum += value - samples.front();
     const double mean = samples.front() + sum / count;
@@ -54,19 +54,17 @@ SensorOffset offset_of(const MeasuredPulse& measured, std::size_t first, std::si
   return offset;
 }
 
-/// The length of the difference of two levels.
 double step_between(const SensorOffset& from, const SensorOffset& to) {
   double step = 0;
   for (std::size_t i = 0; i < to.mean.size(); ++i) step = std::hypot(step, to.mean[i] - from.mean[i]);
   return step;
 }
 
-/// The sample before which [0, last) is best split into two levels: there the squares about their means are
-/// least.
+/// The sample that best splits [0, last) into two levels, with the least squares about their means.
 std::size_t split_of(Directions all, std::size_t last) {
   std::vector<double> taken_away(last);
   for (const std::vector<double>& direction : all) {
-    double whole = 0, before = 0;  // from the first sample on
+    double whole = 0, before = 0;  // relative to the first sample
     for (std::size_t i = 0; i < last; ++i) whole += direction[i] - direction[0];
     for (std::size_t i = 0; i < last; ++i) {
       const auto n = static_cast<double>(i), m = static_cast<double>(last - i);
@@ -78,7 +76,7 @@ std::size_t split_of(Directions all, std::size_t last) {
   return static_cast<std::size_t>(std::ranges::max_element(taken_away) - taken_away.begin());
 }
 
-/// Of the samples [0, last) or, where they show a rest and a fall, of the fall.
+/// The offset over the samples [0, last) or, if they show a rest and a fall, over the fall.
 SensorOffset offset_of_quiet_part(const MeasuredPulse& measured, std::size_t last) {
   const std::size_t split = split_of(directions(measured), last);
   if (split < fewest_samples) return offset_of(measured, 0, last);

@@ -8,7 +8,7 @@
 namespace dashpad::injury {
 namespace {
 
-/// |a| in g with its root.
+/// |a| in g, and its root.
 struct Level {
   double size, root;
 };
@@ -20,14 +20,14 @@ Level level_of(double acceleration) {
 
 /// Mean of |a|^2.5 over a line between two levels of the same sign. With p = sqrt|a|, q = sqrt|b| it is
 ///   2/7 (q^7 - p^7) / (q^2 - p^2) = 2/7 (q^6 + q^5 p + ... + p^6) / (q + p),
-/// in which nothing cancels where the line is level. Even powers are those of |a| and |b|.
+/// without cancellation where the line is level. Even powers are those of |a| and |b|.
 double mean_between(const Level& a, const Level& b) {
   const double product = a.root * b.root, sum = a.size + b.size;
   const double powers = b.size * b.size * (sum + product) + a.size * (a.size + product) * sum;
   return powers == 0 ? 0 : 2.0 / 7 * powers / (a.root + b.root);
 }
 
-/// The same where the line crosses zero: two triangles.
+/// The mean where the line crosses zero: two triangles.
 double mean_across(const Level& a, const Level& b) {
   const double share = a.size / (a.size + b.size);
   return share * mean_between(a, {0, 0}) + (1 - share) * mean_between({0, 0}, b);

@@ -23,7 +23,7 @@ constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::
                                     {"radius", &Standard::radius, &StandardVariant::radius},
                                     {"speed", &Standard::speed, &StandardVariant::speed}};
 
-/// The keys of their quantities, in the order of the enumeration.
+/// Indexed by Metric.
 constexpr const char* keys_of_metrics[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
                                         "dwell_time",        "hic15",    "hic36",
                                         "hic_unlimited",     "hic_d",    "severity_index"};
@@ -38,7 +38,7 @@ const StandardVariant& find_variant(const Standard& standard, const std::string&
                               (names.empty() ? "none" : names));
 }
 
-/// What takes the place of a value of the standard.
+/// The value of a user in place of the standard's.
 StandardValue by_user(const StandardValue& standard, std::optional<double> value,
                       std::optional<double> drop_height = {}) {
   return {.value = value,
@@ -53,7 +53,7 @@ void replace(StandardValue& standard, std::optional<double> value, std::optional
     standard = by_user(standard, value, drop_height);
 }
 
-/// A value of the standard that is not the case's, NaN where the case has none.
+/// Whether the standard has a value that differs from the case's, which is NaN if the case has none.
 bool is_choice(const StandardValue& value, double of_case) {
   return value.value && !value.chosen_by_user && differ(*value.value, of_case);
 }
@@ -128,7 +128,8 @@ Standard with_user_values(const Standard& standard, const UserValues& values) {
   return result;
 }
 
-/// Units are exact to some digits of a double; nobody means less than nine. NaN is what a case does not have.
+/// Unit conversions are exact to many digits of a double, and users give fewer than nine. NaN stands for no
+/// value.
 bool differ(double one, double other) {
   if (std::isnan(one) || std::isnan(other)) return std::isnan(one) != std::isnan(other);
   return std::abs(one - other) > 1e-9 * std::max(std::abs(one), std::abs(other));

@@ -27,7 +27,7 @@ double read_mass(TableReader& table) {
   return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
 }
 
-/// What falls is pressed on the pad by its weight too.
+/// An impactor that falls also presses on the pad by its weight.
 double read_gravity(TableReader& table) {
   if (table.has("gravity")) return table.quantity("gravity", "m/s2");
   return table.has("drop_height") ? standard_gravity : 0;
@@ -82,13 +82,6 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
   return std::nullopt;
 }
 
-/// Nothing after a fault. `card` becomes the file that was found.
-std::optional<Material> read_named_material(TableReader& pad, const Folders& folders,
-                                            std::optional<std::filesystem::path>& card) {
-  card = find_card(pad, folders);
-  return card ? pad.faults().take(read_material(*card)) : std::nullopt;
-}
-
 std::optional<Material> read_material_in_line(TableReader& pad) {
   const auto law = read_law(pad);
   const auto fitted = read_fitted(pad);
@@ -111,7 +104,7 @@ struct MaterialEntry {
 
 struct PadEntry {
   Pad pad;
-  std::vector<MaterialEntry> materials;  ///< of the pad, or of each of its layers
+  std::vector<MaterialEntry> materials;  ///< of the pad, or one per layer
   std::vector<std::filesystem::path> cards;
   bool states_neighbours = false;
 };
@@ -203,7 +196,7 @@ Options read_options(TableReader& table) {
   return options;
 }
 
-/// Whether the key of a broken rule is of a case, and not of the card that it names.
+/// Whether the key of a broken rule belongs to the case rather than to its card.
 bool is_of_case(std::string_view key) {
   const auto has = [&](const auto& parameters) {
     return std::ranges::any_of(parameters, [&](const auto& parameter) { return key == parameter.key; });
@@ -211,10 +204,10 @@ bool is_of_case(std::string_view key) {
   return key == "layers" || has(Pad::parameters) || has(PadCondition::parameters);
 }
 
-/// What a layer may not have is, of a layer with a card, the choice of that card.
+/// Rules for layers, which for a layer with a card concern the choice of that card.
 constexpr std::string_view rules_of_layers[] = {"law", "rate", "unloading"};
 
-/// Takes away what is said with a card itself, under the keys of [pad] or of a layer.
+/// Drops broken rules that are reported with the card itself, under the keys of [pad] or of a layer.
 void drop_faults_of_card(const std::string& prefix, bool is_layer, std::vector<Violation>& broken) {
   std::erase_if(broken, [&](Violation& violation) {
     if (!violation.key.starts_with(prefix)) return false;
@@ -226,7 +219,7 @@ void drop_faults_of_card(const std::string& prefix, bool is_layer, std::vector<V
   });
 }
 
-/// A number is checked as what the case gave for it, and the material of a card with its card.
+/// The broken rules of a case: numbers by the keys that gave them; materials of cards with their cards.
 std::vector<Violation> violations_in_terms_of(const TomlNode& root, const ImpactCase& impact,
                                               const std::vector<MaterialEntry>& materials,
                                               bool support_to_check) {
@@ -237,7 +230,7 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (!materials[i].to_check)
       drop_faults_of_card(is_layered ? fmt::format("pad.layers[{}].", i + 1) : "pad.", is_layered, broken);
-  // Layers that could not be read have said so.
+  // Faults of layers were reported when they were read.
   if (materials.empty())
     std::erase_if(broken, [](const Violation& violation) {
       return violation.key.starts_with("pad.") && violation.key != "pad.area" &&
@@ -253,7 +246,7 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   return broken;
 }
 
-/// `file` is where it stands: what it names is looked for beside it.
+/// Files named in the case are relative to the folder of `file`.
 Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
                           const std::filesystem::path& materials, const std::vector<std::string>& settings) {
   FaultList faults(toml);
@@ -299,7 +292,8 @@ PadMaterial read_pad_material(TableReader& pad, const Folders& folders) {
   if (named && of.is_in_line) pad.fault("material", "give a material or a law with parameters, not both");
   if (!named && !of.is_in_line)
     pad.fault("material", "is missing; give the name of a card, or a law with parameters");
-  if (named && !of.is_in_line) of.material = read_named_material(pad, folders, of.card);
+  if (named && !of.is_in_line) of.card = find_card(pad, folders);
+  if (of.card) of.material = pad.faults().take(read_material(*of.card));
   if (of.is_in_line && !named) of.material = read_material_in_line(pad);
   return of;
 }

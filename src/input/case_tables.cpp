@@ -2,8 +2,6 @@
 
 #include "input/case_tables.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +14,7 @@
 namespace dashpad::input {
 namespace {
 
-/// Two points or more; nothing after a fault.
+/// Reads a list of points; absent after a fault.
 std::optional<Profile> read_points(TableReader& table, const std::string& key, Profile::Of kind) {
   const TomlNode* list = table.array(key);
   if (!list) return std::nullopt;
@@ -59,7 +57,7 @@ Profile read_profile(TableReader& table, const std::filesystem::path& folder, st
     profile = read_points(table, "radii", Profile::Of::radius);
   else
     profile = read_points(table, "areas", Profile::Of::area);
-  // After a fault a cone that keeps all rules, so that nothing else is said of the points.
+  // After a fault, a valid cone avoids further faults of the points.
   Profile result = std::move(profile).value_or(Profile{.points = {{0, 0}, {1, 1}}});
   result.scale = read_parameters<Profile>(table).scale;
   return result;

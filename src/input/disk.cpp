@@ -10,7 +10,7 @@
 namespace dashpad::input {
 namespace {
 
-/// Why it is no regular file that can be read; "" if it is.
+/// Why a file is not regular; "" if it is.
 std::string why_not_regular(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -31,8 +31,7 @@ Reading<std::string> content_of(const std::filesystem::path& file, std::size_t m
   if (const std::string why = why_not_regular(file); !why.empty()) return fault_of_file(file, why);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return fault_of_file(file, std::string("cannot be read: ") + std::strerror(errno));
-  // No more than a piece beyond what is allowed, whatever the file system says of the size: some files grow
-  // while they are read.
+  // Reads little more than is allowed, since some files grow while they are read.
   std::string content;
   std::array<char, 16384> piece;
   while (content.size() <= most && stream) {

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t longest_key = 120, longest_value = 70;  // bytes that are quoted
 constexpr std::size_t most_of_a_kind = 5;
-constexpr std::size_t max_lines = 200;  // of a message, of however many kinds its faults are
+constexpr std::size_t max_lines = 200;  // of a message
 
-/// The first line without its value, with # in the place of every number.
+/// The first line without its value, with # for every number.
 std::string kind_of(std::string_view line) {
   line = line.substr(0, line.find('\n'));
   std::string kind;
@@ -51,10 +51,10 @@ std::string message(const std::vector<Fault>& faults) {
   return text;
 }
 
-/// Characters of a line that are shown, and of those before what is meant where the line is longer.
+/// The number of characters shown of a line, and before the marked part of a longer one.
 constexpr std::size_t widest = 90, max_before = 30;
 
-/// So many characters of a text from the one with that number on, or what there is.
+/// Up to `count` characters of a text, from number `first` on.
 std::string_view characters(std::string_view text, std::size_t first, std::size_t count) {
   const auto without = [](std::string_view rest, std::size_t so_many) {
     for (; so_many > 0 && !rest.empty(); --so_many)

@@ -9,7 +9,7 @@ namespace dashpad::input {
 
 namespace {
 
-/// What a stress of 1 in the unit of a table is in Pa; NaN after a fault.
+/// The factor from the stress unit of a table to Pa; NaN after a fault.
 double stress_scale(TableReader& table) {
   const std::string unit = table.text("stress_unit");
   if (unit.empty()) return no_value;
@@ -103,7 +103,7 @@ bool read_curves(TableReader& table, FoamCurves& into) {
   return sound;
 }
 
-/// False after a fault that leaves no curve to check. Numbers at fault are NaN.
+/// False if no curve is left to check. Numbers at fault are NaN.
 bool read_foam_tables(TableReader& table, Foam& into) {
   bool sound = read_curves(table, into.curves);
   if (auto unloading = table.table("unloading", Presence::optional)) {
@@ -116,7 +116,7 @@ bool read_foam_tables(TableReader& table, Foam& into) {
 
 bool read_foam_tables(TableReader& table, CrushableFoam& into) { return read_curves(table, into.curves); }
 
-/// Whether a law can do without the table of its numbers.
+/// Whether all numbers of a law are optional.
 bool may_lack_parameters(const PadLaw& law) {
   return std::visit(
       []<class Law>(const Law&) {
@@ -134,7 +134,7 @@ std::optional<PadLaw> read_law(TableReader& table) {
   auto parameters =
       table.table("parameters", law && may_lack_parameters(*law) ? Presence::optional : Presence::required);
   if (!law) return std::nullopt;
-  // Known, whatever else is missing.
+  // Marks these keys as known.
   for (const char* key : {"curve", "rate", "unloading"})
     if (has_curves(*law)) table.has(key);
   if (parameters) {

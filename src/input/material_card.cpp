@@ -1,4 +1,4 @@
-// Material cards, and what is not known of a material.
+// Material cards, and the uncertainty of materials.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace dashpad::input {
 
 namespace {
 
-/// Two numbers, the lower first; which values are admitted says violations(Material).
+/// Reads two numbers; violations(Material) checks their values.
 std::optional<ValueRange> read_range(TableReader& table, const std::string& key) {
   if (!table.has(key)) return std::nullopt;
   const auto values = read_numbers(table, key);
@@ -48,7 +48,7 @@ std::optional<Misfit> read_misfit(TableReader& table) {
   return of;
 }
 
-/// The numbers of a law by the keys of its card.
+/// The keys of a law's numbers in a card.
 std::vector<std::string> keys_of(const PadLaw& law) {
   ImpactCase of;
   of.pad.material.law = law;
@@ -134,7 +134,7 @@ TemperatureTable read_temperatures(TableReader& table) {
   return result;
 }
 
-/// Of a law that was found from strikes by a sphere.
+/// Reads how a law was determined from strikes by a sphere.
 double read_strikes(TableReader& table) {
   table.choice("nose", {"sphere"});
   const double radius = table.number("nose_over_pad");

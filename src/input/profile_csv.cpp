@@ -24,8 +24,7 @@ HeaderText name_and_unit(const injury::MeasuredColumn& column) {
   return {lower_case(std::string_view(column.name).substr(0, mark)), column.name.substr(mark + 1)};
 }
 
-/// The only column of a name; nothing if there is none, and a fault if there are several or if its unit is
-/// not that of the quantity.
+/// The column of that name; absent if there is none. Several such columns, or a wrong unit, are faults.
 std::optional<injury::MeasuredColumn> find_column(const CsvColumns& columns, const std::string& name,
                                                   const std::string& si_unit, std::size_t line,
                                                   MeasurementFaults& faults) {
@@ -73,7 +72,7 @@ double read_field(const CsvRow& row, const injury::MeasuredColumn& column, const
   const auto value = number_in(row, column, separator, faults);
   const std::string rule = value ? rule_of(stated_magnitudes, *value, si_unit) : "";
   if (value && rule.empty()) return *value;
-  if (value) faults.add(row.line, column.name, field_in(row, column), rule);
+  if (value) add_fault(row, column, rule, faults);
   return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -17,10 +16,10 @@ namespace {
 
 constexpr std::size_t longest_setting = 1000;
 
-/// Of which a material takes the place.
+/// Keys of a case that a material replaces.
 constexpr std::array of_the_case{"law", "parameters", "curve", "rate", "unloading", "uncertainty"};
 
-/// Takes away what cannot stand beside an entry `name` of `table`, which is called `path`.
+/// Removes what cannot stand beside an entry `name` of `table`, which is called `path`.
 void make_room(TomlNode& table, std::string_view path, std::string_view name) {
   const auto erase = [&](std::string_view key) {
     std::erase_if(table.children, [&](const TomlNode& toml_node) { return toml_node.key == key; });
@@ -41,14 +40,14 @@ std::vector<std::string> parts_of(std::string_view key) {
   return parts;
 }
 
-/// Whether the table above the last two parts of a key names a card, which then holds the number.
+/// Whether a number is held by a card, by the table two levels above it.
 bool is_of_card(const TomlNode& above, std::string_view table) {
   return above.child("material") != nullptr && (table == "parameters" || table == "curve" || table == "rate");
 }
 
 enum class Put { done, waits_for_case, refused };
 
-/// Puts a value at the end of a path, or says what `rule` the key breaks.
+/// Puts a value at the end of a path, or sets the `rule` that the key breaks.
 Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, std::string& rule) {
   const auto refuse = [&rule](std::string why) {
     rule = std::move(why);
@@ -79,7 +78,7 @@ Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, st
   return Put::done;
 }
 
-/// The material whose number a key is, as that of pad.layers[2].curve.modulus; null for other keys.
+/// The material to which a key such as pad.layers[2].curve.modulus belongs; null for other keys.
 Material* material_of(std::string_view key, ImpactCase& impact) {
   const auto is_number_of = [&](std::string_view pad) {
     return key.starts_with(pad) &&
@@ -134,7 +133,7 @@ void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, Fa
       continue;
     }
     found->set(impact, number);
-    // The card has its name for other numbers.
+    // The name of the card stands for other numbers.
     if (Material* material = material_of(key, impact))
       material->name += fmt::format(" with {} = {}", key.substr(key.rfind('.') + 1), value);
   }

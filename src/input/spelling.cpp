@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t longest_word = 64;
 
-/// Letters to insert, delete or replace to make one word of the other.
+/// The number of letters to insert, delete or replace.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -24,7 +24,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
-/// What a name of one letter begins like is no guess.
+/// A single letter does not suggest a word.
 constexpr std::size_t shortest_beginning = 2;
 
 /// "a", "b" or "c".

@@ -1,5 +1,5 @@
 #pragma once
-/// What a user may have meant.
+/// Suggestions for misspelt names.
 
 #include <filesystem>
 #include <span>
@@ -9,24 +9,22 @@
 
 namespace dashpad::input {
 
-/// `; did you mean "radius"?` for the words that begin with `word`, all of them, or else for the closest one;
-/// "" if none is close.
+/// `; did you mean "radius"?`, with all words that begin with `word`, or else the closest one; "" if none is
+/// close.
 std::string did_you_mean(std::string_view word, std::span<const std::string> words);
 
-/// The words, comma separated.
 std::string listing(std::span<const std::string> words);
 
-/// The same of many words: the first twenty.
+/// The first twenty words, comma separated.
 std::string short_listing(const std::vector<std::string>& words);
 
 /// did_you_mean(), or else "; there are radius, mass".
 std::string meant_or_listed(std::string_view word, std::span<const std::string> words);
 
-/// The names of files without their endings.
+/// The names of files without their extensions.
 std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files);
 
-/// What is said of a name that none of the files of a folder has: "no such card in materials, which has
-/// vn600".
+/// The rule for an unknown name in a folder: "no such card in materials, which has vn600".
 std::string no_such(const std::string& kind, const std::string& name, const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& files);
 

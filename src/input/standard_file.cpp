@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// No source after a fault.
+/// SourceKind::none after a fault.
 injury::SourceKind read_kind(TableReader& table) {
   constexpr injury::SourceKind all[]{injury::SourceKind::own_text, injury::SourceKind::secondary,
                                      injury::SourceKind::none};
@@ -35,19 +35,19 @@ injury::Origin read_origin(TableReader& table) {
   return origin;
 }
 
-/// A quantity that must be more than 0; NaN has a fault already.
+/// Requires a quantity to be more than 0; NaN already has a fault.
 double positive(TableReader& table, const std::string& key, double value) {
   if (value <= 0) table.fault(key, "must be more than 0");
   return value;
 }
 
-/// What was computed from an entry that is in itself a number.
+/// Requires a computed number to be finite.
 double finite(TableReader& table, const std::string& key, double value) {
   if (std::isinf(value)) table.fault(key, "the number is too large to compute with");
   return value;
 }
 
-/// Nothing where the standard leaves the value to the case. `drop_height` is known for speeds only.
+/// Absent if the standard leaves the value to the case. Only speeds have a `drop_height`.
 std::optional<double> read_number(TableReader& table, const std::string& si_unit,
                                   std::optional<double>& drop_height) {
   const bool is_speed = si_unit == "m/s";
@@ -77,7 +77,6 @@ std::optional<injury::StandardValue> read_value(TableReader& parent, const std::
   return table ? std::optional{read_value(*table, si_unit)} : std::nullopt;
 }
 
-/// Nothing after a fault.
 std::optional<injury::Metric> read_metric(TableReader& table) {
   std::vector<std::string> keys;
   for (const injury::Metric metric : injury::metrics()) keys.emplace_back(injury::quantity_of(metric).key);
@@ -87,7 +86,7 @@ std::optional<injury::Metric> read_metric(TableReader& table) {
   return injury::metrics()[static_cast<std::size_t>(found - keys.begin())];
 }
 
-/// Accelerations are in g, which no unit of files says: g is a gram.
+/// Accelerations are plain numbers in g, since "g" in files is a gram.
 double read_acceleration(TableReader& table, const std::string& key) {
   return finite(table, key, standard_gravity * positive(table, key, table.number(key)));
 }
@@ -105,7 +104,7 @@ injury::Criterion read_criterion(TableReader& table) {
     criterion.limit = read_limit(table, injury::quantity_of(*metric));
     if (*metric == injury::Metric::dwell_time) criterion.level = read_acceleration(table, "level_g");
   } else {
-    for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // right or wrong: who knows
+    for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // marks them as known
   }
   criterion.strict = table.flag("strict");
   criterion.description = table.text("description");
@@ -124,7 +123,7 @@ std::vector<injury::Criterion> read_criteria(TableReader& top) {
   return criteria;
 }
 
-/// Letters that need no quotes on a command line, and no colon, which separates variants.
+/// Names need no quotes on a command line and have no colon, which separates variants.
 bool is_variant_name(const std::string& name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';

@@ -17,10 +17,9 @@ namespace dashpad::input {
 namespace {
 
 using Kind = TomlNode::Kind;
-constexpr std::size_t longest_text = 2000;  // bytes; a title, a source or a note of a page is no text of use
+constexpr std::size_t longest_text = 2000;  // bytes
 
-/// Whether one would ask by it for an oblique blow, which the model does not have: of the impactor, or of the
-/// pad or the anvil that is set at an angle.
+/// Whether a key suggests an oblique impact, which the model does not have.
 bool asks_for_oblique_blow(const std::string& key) {
   constexpr std::string_view keys[] = {
       "angle",       "angle_deg",          "angle_rad",      "angle_of_impact",      "angle_of_incidence",
@@ -38,7 +37,6 @@ constexpr const char* no_oblique_blow =
 
 constexpr std::size_t max_numbers = 2000;
 
-/// Each by `read`.
 template <class Read>
 std::optional<std::vector<double>> read_list(TableReader& table, const std::string& key, std::size_t most,
                                              Read&& read) {
@@ -53,9 +51,9 @@ std::optional<std::vector<double>> read_list(TableReader& table, const std::stri
   return values;
 }
 
-constexpr const char* option = "--set";  ///< by which a value was given that is in no file
+constexpr const char* option = "--set";  ///< stands for a file in faults of settings
 
-/// Faults that have one: more are not shown, and each costs a line of the file.
+/// Further faults have no excerpt, since each one costs a search through the file.
 constexpr std::size_t max_excerpts = 1000;
 
 }  // namespace
@@ -92,9 +90,6 @@ std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::
   return std::nullopt;
 }
 
-TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
-    : table_(&table), path_(std::move(path)), faults_(&faults) {}
-
 const TomlNode* TableReader::find(const std::string& key, Presence presence) {
   if (!std::ranges::count(known_, key)) known_.push_back(key);
   const TomlNode* node = table_->child(key);
@@ -106,8 +101,6 @@ double TableReader::quantity(const std::string& key, const std::string& si_unit)
   const TomlNode* node = find(key);
   return node ? read_quantity(*node, full_key(key), si_unit, *faults_) : no_value;
 }
-
-double TableReader::number(const std::string& key) { return value(key, "1"); }
 
 double TableReader::value(const std::string& key, const std::string& unit) {
   const TomlNode* node = find(key);
@@ -179,8 +172,6 @@ const TomlNode* TableReader::array(const std::string& key) {
   return nullptr;
 }
 
-bool TableReader::has(const std::string& key) { return find(key, Presence::optional) != nullptr; }
-
 void TableReader::fault(const std::string& key, std::string rule) {
   const TomlNode* node = table_->child(key);
   if (node)
@@ -227,22 +218,6 @@ void FaultList::add(int line, TomlNode::Columns columns, std::string key, std::s
                      std::move(rule),
                      {}});
   if (faults_.size() <= max_excerpts) faults_.back().excerpt = excerpt_of(file_->text, line, columns);
-}
-
-void FaultList::add(int line, std::string key, std::string value, std::string rule) {
-  add(line, {}, std::move(key), std::move(value), std::move(rule));
-}
-
-void FaultList::add(const TomlNode& node, std::string key, std::string rule) {
-  add(node.line, node.columns, std::move(key), node.written(), std::move(rule));
-}
-
-void FaultList::add_key(const TomlNode& node, std::string key, std::string rule) {
-  add(node.line, node.key_columns, std::move(key), node.written(), std::move(rule));
-}
-
-void FaultList::add(const std::vector<Fault>& faults) {
-  faults_.insert(faults_.end(), faults.begin(), faults.end());
 }
 
 void FaultList::add(const std::vector<Violation>& violations) {

@@ -1,11 +1,12 @@
 #pragma once
-/// Reads the entries of a TOML table and collects every fault instead of stopping at the first.
+/// Reads the entries of TOML tables and collects all faults.
 
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,23 +23,29 @@ class FaultList {
  public:
   explicit FaultList(const TomlFile& file) : file_(&file) {}
 
-  void add(int line, std::string key, std::string value, std::string rule);
-  /// Of an entry: of its value, or of the key itself.
-  void add(const TomlNode& node, std::string key, std::string rule);
-  void add_key(const TomlNode& node, std::string key, std::string rule);
-  /// Of another file that this one names.
-  void add(const std::vector<Fault>& faults);
-  /// What another file that this one names gave; its faults are added.
+  void add(int line, std::string key, std::string value, std::string rule) {
+    add(line, {}, std::move(key), std::move(value), std::move(rule));
+  }
+  /// Adds a fault of an entry: of its value, or of its key.
+  void add(const TomlNode& node, std::string key, std::string rule) {
+    add(node.line, node.columns, std::move(key), node.written(), std::move(rule));
+  }
+  void add_key(const TomlNode& node, std::string key, std::string rule) {
+    add(node.line, node.key_columns, std::move(key), node.written(), std::move(rule));
+  }
+  /// Adds the faults of another file.
+  void add(const std::vector<Fault>& faults) { faults_.insert(faults_.end(), faults.begin(), faults.end()); }
+  /// The value read from another file, whose faults are added.
   template <class T>
   std::optional<T> take(Reading<T> reading) {
     if (reading) return *std::move(reading);
     add(reading.faults());
     return std::nullopt;
   }
-  /// The broken rules of what was made of the tree, with line and text of the keys; but not those of keys,
-  /// or parts of keys, that have a fault already.
+  /// Adds broken rules with line and text of their keys, except for keys, or parts of keys, that already have
+  /// a fault.
   void add(const std::vector<Violation>& violations);
-  /// What was read or, if there is a fault, all of them in the order of lines.
+  /// The value or, if there are faults, all of them by line.
   template <class T>
   Reading<T> reading(T value) {
     if (faults_.empty()) return value;
@@ -56,7 +63,7 @@ class FaultList {
   std::vector<Fault> faults_;
 };
 
-/// Where the files that a file names are looked for: beside it, and materials by their names.
+/// The folders in which named files and materials are looked up.
 struct Folders {
   std::filesystem::path of_file;
   std::filesystem::path materials;
@@ -66,31 +73,31 @@ enum class Presence { required, optional };
 
 class TableReader {
  public:
-  /// `path` is the table's dotted key; "" for the file itself. Both arguments must outlive the reader.
-  TableReader(const TomlNode& table, std::string path, FaultList& faults);
+  /// `path` is the dotted key of the table; "" for the file itself. Both references must outlive the reader.
+  TableReader(const TomlNode& table, std::string path, FaultList& faults)
+      : table_(&table), path_(std::move(path)), faults_(&faults) {}
 
-  /// In SI. NaN if absent or at fault.
+  /// A quantity in SI; NaN if absent or at fault.
   double quantity(const std::string& key, const std::string& si_unit);
-  /// A plain number. NaN if absent or at fault.
-  double number(const std::string& key);
-  /// A plain number where `unit` is "1", else a quantity. NaN if absent or at fault.
+  /// A plain number; NaN if absent or at fault.
+  double number(const std::string& key) { return value(key, "1"); }
+  /// A plain number if `unit` is "1", else a quantity; NaN if absent or at fault.
   double value(const std::string& key, const std::string& unit);
-  /// A whole number between two others. Nothing if absent or at fault.
+  /// A whole number in a range; nothing if absent or at fault.
   std::optional<double> whole_number(const std::string& key, double lowest, double highest);
-  /// Empty if absent or at fault; present text is never empty.
+  /// A text, which is empty only if absent or at fault.
   std::string text(const std::string& key, Presence presence = Presence::required);
   /// One of the choices; empty if absent or at fault.
   std::string choice(const std::string& key, const std::vector<std::string>& choices);
-  /// true or false; false after a fault.
   bool yes_or_no(const std::string& key);
-  /// The same of an entry that may be left out; false if absent.
+  /// The value of an optional entry; false if absent.
   bool flag(const std::string& key) { return has(key) && yes_or_no(key); }
-  /// A file that is there, as named from `folder`. Nothing if absent or at fault.
+  /// An existing file, relative to `folder`; nothing if absent or at fault.
   std::optional<std::filesystem::path> file(const std::string& key, const std::filesystem::path& folder);
   std::optional<TableReader> table(const std::string& key, Presence presence = Presence::required);
   const TomlNode* array(const std::string& key);
-  /// Gives each table of the array at `key` to `read`. What is no table is at fault by `rule`, or "must be a
-  /// table: [[key]]".
+  /// Calls `read` for each table of the array at `key`. Other entries break `rule`, or "must be a table:
+  /// [[key]]".
   template <class Read>
   void each_table(const std::string& key, const TomlNode& array, Read&& read, const char* rule = nullptr) {
     for (const TomlNode& node : array.children) {
@@ -102,11 +109,11 @@ class TableReader {
     }
   }
 
-  /// An entry of the table; null, and a fault, where it is required and absent.
+  /// An entry of the table; null if absent, which is a fault if it is required.
   const TomlNode* find(const std::string& key, Presence presence = Presence::required);
 
-  /// Whether the entry is there; from now on it is known.
-  bool has(const std::string& key);
+  /// Whether the entry is there. Marks it as known.
+  bool has(const std::string& key) { return find(key, Presence::optional) != nullptr; }
   void fault(const std::string& key, std::string rule);
   /// Reports entries that nobody asked for.
   void refuse_others();
@@ -124,24 +131,24 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-/// The largest whole number that TOML is sure to give as it stands: it is read as binary64.
+/// The largest whole number that TOML gives exactly, since it is read as binary64.
 inline constexpr double largest_whole_number = 9007199254740991;  // 2^53 - 1
 
-/// In SI; NaN after a fault. For the entries of arrays; TableReader::quantity serves those of tables.
+/// A quantity in SI; NaN after a fault. For entries of arrays.
 double read_quantity(const TomlNode& node, const std::string& key, const std::string& si_unit,
                      FaultList& faults);
-/// The same of a plain number where `unit` is "1".
+/// A plain number if `unit` is "1", else a quantity; NaN after a fault.
 double read_value(const TomlNode& node, const std::string& key, const std::string& unit, FaultList& faults);
-/// A list of two, such as a point of a curve, with a unit each; nothing, and a fault by `rule`, for any
-/// other. NaN after a fault.
+/// A list of two quantities, such as a point of a curve. Anything else breaks `rule` and gives nothing. NaN
+/// after a fault.
 std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::string& key,
                                                const std::array<const char*, 2>& units, const char* rule,
                                                FaultList& faults);
 
-/// Plain numbers, each times `scale`, 2000 at most; those at fault are NaN. Nothing if there is no list.
+/// Up to 2000 plain numbers, times `scale`; those at fault are NaN. Nothing without a list.
 std::optional<std::vector<double>> read_numbers(TableReader& table, const std::string& key, double scale = 1);
 
-/// Quantities in SI, `most` of them at most; likewise.
+/// Up to `most` quantities in SI, likewise.
 std::optional<std::vector<double>> read_quantities(TableReader& table, const std::string& key,
                                                    const std::string& si_unit, std::size_t most);
 
@@ -160,14 +167,13 @@ Owner read_parameters(TableReader& table) {
   return result;
 }
 
-/// The alternative that the text at `key` of `table` names, its numbers still to be read; nothing after a
-/// fault.
+/// The alternative named by the text at `key`, with its numbers still to be read; nothing after a fault.
 template <class Variant>
 std::optional<Variant> read_alternative(TableReader& table, const std::string& key) {
   return alternative_named<Variant>(table.choice(key, names_of_alternatives<Variant>()));
 }
 
-/// The numbers of an alternative that is known.
+/// An alternative with its numbers.
 template <class Variant>
 Variant with_parameters(const Variant& alternative, TableReader& table) {
   return std::visit([&]<class Of>(const Of&) { return Variant(read_parameters<Of>(table)); }, alternative);

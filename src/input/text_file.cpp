@@ -1,4 +1,4 @@
-// Small text files, and streams in the place of files.
+// Small text files, and streams in their place.
 
 #include "input/disk.hpp"
 
@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "dashpad/input/fault.hpp"
+#include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
 
@@ -31,20 +32,11 @@ bool is_pipe(const std::filesystem::path& file) {
 }
 
 std::string read_to_end(int descriptor, const std::filesystem::path& file) {
-  constexpr std::size_t step = 65536;
-  std::string content;
-  while (true) {
-    const std::size_t size = content.size();
-    content.resize(size + step);
-    const ssize_t count = ::read(descriptor, content.data() + size, step);
-    content.resize(size + (count > 0 ? static_cast<std::size_t>(count) : 0));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse_file(file, std::string("cannot be read: ") + std::strerror(errno));
-    if (content.size() > largest_stream)
-      refuse_file(file, fmt::format("is larger than {} MiB, the most that is read from a pipe",
-                                    largest_stream >> 20));
-    if (count == 0) return content;
-  }
+  std::string content = read_bytes(descriptor, file.string(), largest_stream + 1);
+  if (content.size() > largest_stream)
+    refuse_file(
+        file, fmt::format("is larger than {} MiB, the most that is read from a pipe", largest_stream >> 20));
+  return content;
 }
 
 constexpr std::size_t largest_size = 1024 * 1024;  // bytes

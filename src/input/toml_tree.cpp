@@ -13,10 +13,10 @@
 namespace dashpad::input {
 namespace {
 
-/// toml++ nests a table for each dot in a key, without limit, and overflows the stack with some ten thousand.
+/// toml++ nests a table for each dot in a key, without limit; ten thousand overflow the stack.
 constexpr std::ptrdiff_t max_dots = 64;
 
-/// Where the string that begins at `begin` ends; the end of the line or text where it is not closed.
+/// The end of the string that begins at `begin`; that of the line or text if it is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool has_escapes = quote == '"';
@@ -26,7 +26,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
     if (has_escapes && text[at] == '\\') {
       ++at;
     } else if (has_lines && text.substr(at, 3) == fence) {
-      // Up to two quotes more belong to the string and stand before those that close it.
+      // Up to two more quotes belong to the string before the closing ones.
       at += 3;
       for (int extra = 0; extra < 2 && at < text.size() && text[at] == quote; ++extra) ++at;
       return at;
@@ -39,8 +39,8 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// Line of the first name with more dots than that, outside of strings and comments; 0 if there is none. Up
-/// to the first error of syntax it divides the text as toml++ does, which does not read beyond that.
+/// The line of the first name with more dots, outside of strings and comments; 0 if there is none. Text is
+/// divided as by toml++, up to its first error of syntax.
 int line_of_overlong_name(std::string_view text) {
   std::ptrdiff_t dots = 0;
   std::size_t at = 0;
@@ -62,7 +62,7 @@ int line_of_overlong_name(std::string_view text) {
   return 0;
 }
 
-/// Those of a region that begins in the line; of one that ends elsewhere, to the end of the line.
+/// The columns of a region that begins in the line; up to its end if the region ends elsewhere.
 TomlNode::Columns columns_of(const toml::source_region& region, int line) {
   if (static_cast<int>(region.begin.line) != line) return {};
   const bool ends_there = region.end.line == region.begin.line;
@@ -131,7 +131,7 @@ TomlNode toml_value(const std::string& value) {
   TomlNode node{.kind = TomlNode::Kind::text, .text = value};
   if (value.find('\n') == std::string::npos && line_of_overlong_name(value) == 0)
     if (const toml::parse_result read = toml::parse("value = " + value); read && read.table().size() == 1)
-      node = convert(*read.table().get("value"), "");  // or else text
+      node = convert(*read.table().get("value"), "");  // else it is text
   const auto mark = [](TomlNode& toml_node, const auto& again) -> void {
     toml_node.line = set_by_option;
     for (TomlNode& child : toml_node.children) again(child, again);
@@ -154,7 +154,7 @@ Reading<TomlFile> read_toml_text(std::string name, std::string text) {
                     fmt::format("is not TOML: {}", error.description()));
   }
   TomlNode root = convert(read.table(), "");
-  root.line = 0;  // a key that is missing at the top is missing nowhere in particular
+  root.line = 0;  // a missing key at the top has no line
   return TomlFile{std::move(name), std::move(text), std::move(root)};
 }
 

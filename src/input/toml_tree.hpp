@@ -1,5 +1,5 @@
 #pragma once
-/// A TOML file as a plain tree that remembers where everything stands.
+/// A TOML file as a plain tree with the places of all entries.
 
 #include <filesystem>
 #include <string>
@@ -11,23 +11,23 @@
 
 namespace dashpad::input {
 
-/// In place of a line: not in the file, but set by an option of the command.
+/// The line of an entry that was set by an option of the command.
 inline constexpr int set_by_option = -1;
 
 struct TomlNode {
   enum class Kind { table, array, text, number, other };
 
-  /// Of a key or a value in its line, in characters from 1; 0: not known.
+  /// The columns of a key or a value, in characters from 1; 0 if unknown.
   struct Columns {
     std::size_t begin = 0, end = 0;
   };
 
   Kind kind = Kind::other;
   int line = 0;
-  Columns columns = {};      ///< of the value; to the end of the line where that ends in another
-  Columns key_columns = {};  ///< of the key, where it stands in the line
+  Columns columns = {};      ///< of the value; to the end of the line if that ends in another
+  Columns key_columns = {};  ///< of the key
   std::string key = {};      ///< in its table; "[1]", "[2]", ... in an array
-  std::string text = {};     ///< of a text; of other kinds, what stands there in the user's words
+  std::string text = {};     ///< of a text; for other kinds as written
   double number = 0;         ///< of a number, whole or not
   std::vector<TomlNode> children = {};
 
@@ -36,13 +36,15 @@ struct TomlNode {
   [[nodiscard]] TomlNode* child(std::string_view name) {
     return const_cast<TomlNode*>(std::as_const(*this).child(name));
   }
-  /// The entry with a dotted key, such as "pad.thickness" or "support.points[3]", or the last one on the way.
+  /// The entry with a dotted key, such as "pad.thickness" or "support.points[3]", or the last existing one on
+  /// the way.
   [[nodiscard]] const TomlNode& nearest(std::string_view dotted_key) const;
-  /// The value as in the file, shortened to a line; "" for tables and arrays.
+  /// The value as in the file, as one line; "" for tables and arrays.
   [[nodiscard]] std::string written() const;
 };
 
-/// Takes the first part off a dotted key: of "pad.layers[2].thickness" pad, then layers, [2], thickness.
+/// Removes the first part of a dotted key: "pad.layers[2].thickness" has the parts pad, layers, [2],
+/// thickness.
 std::string_view take_key_part(std::string_view& key);
 
 struct TomlFile {
@@ -51,15 +53,15 @@ struct TomlFile {
   TomlNode root = {};
 };
 
-/// A fault where the file cannot be read (input/text_file.hpp) or is not TOML.
+/// Faults: the file cannot be read (input/disk.hpp) or is not TOML.
 Reading<TomlFile> read_toml(const std::filesystem::path& file);
-/// The same of a text, which faults call `name`.
+/// Reads a text, which faults call `name`.
 Reading<TomlFile> read_toml_text(std::string name, std::string text);
 
-/// A line of a text, from 1, with what stands in those columns; empty for a line that is not there.
+/// A line of a text, from 1, with marked columns; empty if there is no such line.
 Excerpt excerpt_of(std::string_view text, int line, TomlNode::Columns columns);
 
-/// A value as a command line gives it: in TOML, or else a text without quotes, as 30 mm. Set by an option.
+/// A value of the command line: TOML, or text without quotes, such as 30 mm.
 TomlNode toml_value(const std::string& value);
 
 }  // namespace dashpad::input

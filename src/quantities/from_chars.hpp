@@ -1,13 +1,15 @@
 #pragma once
 /// std::from_chars for a double. If the standard library lacks it, as libc++ 19 does, fast_float takes its
-/// place, which libstdc++ uses, too.
+/// place, which libstdc++ uses, too. And the number that a whole text is.
 
 #include <charconv>
+#include <optional>
+#include <string_view>
+#include <type_traits>
 
 #ifndef __cpp_lib_to_chars
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include <fast_float/fast_float.h>
 #endif
@@ -30,6 +32,19 @@ inline std::from_chars_result from_chars(const char* first, const char* last, do
   number = value;
   return {end, error};
 #endif
+}
+
+/// The number that a text is as a whole.
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::is_same_v<Number, double>)
+    read = from_chars(text.data(), end, number);
+  else
+    read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace dashpad

@@ -86,18 +86,18 @@ ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1
   return run;
 }
 
-/// Time steps that the program of 1984 takes if its impact lasts as long as the accurate one.
+/// The time steps that the program of 1984 takes if its impact lasts as long as the accurate one.
 std::size_t expected_steps(const ComparedRun& accurate, double time_step, int dimension) {
   if (!accurate.end_time) return static_cast<std::size_t>(dimension);
   return static_cast<std::size_t>(std::min(*accurate.end_time / time_step, 1.0 * dimension)) + 1;
 }
 
-/// A figure in the units shown; a dash where there is none.
+/// A value in the units shown, or a dash.
 std::string shown(std::optional<double> value, const char* si_unit, const UnitSystem& units) {
   return value ? significant(value_in(units, *value, si_unit)) : "-";
 }
 
-/// How far from the reference, signed.
+/// The signed difference from the reference, %.
 std::string deviation(std::optional<double> value, std::optional<double> reference) {
   if (!value || !reference || *reference == 0) return "";
   const double percent = 100 * (*value / *reference - 1);
@@ -132,8 +132,8 @@ output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
   return table;
 }
 
-/// A column of all runs over time in the units shown, each up to twice the reference's peak: an ABEND may
-/// come after absurd forces.
+/// A column of all runs over time. Each run is drawn up to twice the reference's peak, because absurd forces
+/// may precede an ABEND.
 output::Panel panel(const Comparison& comparison, const char* title, const char* quantity,
                     const char* si_unit, std::vector<double> ComparedRun::*values, double peak,
                     const UnitSystem& units) {
@@ -142,7 +142,7 @@ output::Panel panel(const Comparison& comparison, const char* title, const char*
   };
   output::Panel panel{title, axis("Time", "s"), axis(quantity, si_unit), {}};
   for (const ComparedRun& run : comparison.runs) {
-    if (&run == &comparison.runs.front()) continue;  // not to be told from the reference at this scale
+    if (&run == &comparison.runs.front()) continue;  // looks the same as the reference at this scale
     output::Series& drawn = panel.series.emplace_back();
     drawn.label = run.name;
     for (std::size_t i = 0; i < run.time.size() && std::abs((run.*values)[i]) <= 2 * peak; ++i)

@@ -1,4 +1,4 @@
-// Figures 3-3 to 3-9: what was measured, forces over energies, and what follows for the plate.
+// Figures 3-3 to 3-9: measurements, forces over energies, and the conclusions for the plate.
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// The fitted constant of that name, the first if there are several; none if there is none.
+/// The first fitted constant of that name; null if there is none.
 const FittedConstant* fitted(const Study& study, const std::string& name) {
   const auto found = std::ranges::find(study.constants, name, &FittedConstant::name);
   return found == study.constants.end() ? nullptr : &*found;
 }
 
-/// A fitted constant as a band over speed: its 95 % interval.
+/// The 95 % interval of a fitted constant as a band over speed.
 Series interval_band(const FittedConstant& constant, const std::string& label, std::size_t palette_index,
                      const std::function<double(double, double)>& value) {
   Series band = speed_line(
@@ -39,12 +39,11 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
   const auto travel_time = [&](double travel, double speed) { return 1e3 * travel / (inch_per_s * speed); };
   const auto line_of = [&](const std::string& label, std::size_t palette_index, double travel,
                            SeriesStyle style = SeriesStyle::line) {
-    panel.series.push_back(speed_line(
+    panel.add(speed_line(
         label, palette_index, [&](double speed) { return travel_time(travel, speed); }, style));
   };
   if (const FittedConstant* refit = fitted(study, "travel_in")) {
-    panel.series.push_back(
-        interval_band(*refit, "fitted again: 95 % interval", palette_index::mended_1984, travel_time));
+    panel.add(interval_band(*refit, "fitted again: 95 % interval", palette_index::mended_1984, travel_time));
     line_of(fmt::format("fitted again: VT = {:.2f} in", refit->value), palette_index::mended_1984,
             refit->value, SeriesStyle::solid_line);
   }
@@ -54,8 +53,7 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
     const double travel = study.data.constant(name);
     line_of(fmt::format("{}: VT = {} in", words, brief(travel)), palette_index, travel);
   }
-  panel.series.push_back(
-      measured_points(study, group, Quantity::time_to_peak, "measured", palette_index::measured));
+  panel.add(measured_points(study, group, Quantity::time_to_peak, "measured", palette_index::measured));
   return panel;
 }
 
@@ -104,8 +102,7 @@ Drawing support_curves(const Study& study) {
 }
 
 Drawing time_to_peak(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return measured_time_panel(study, title, group); }),
+  return {both_projectiles(study, measured_time_panel),
           lost_readings(study, "time_to_peak_ms", "time to peak") + radius_note(study)};
 }
 
@@ -152,9 +149,9 @@ Drawing force_over_speed(const Study& study) {
     for (Series& series : predicted_lines(study, {Program::accurate}, group, Quantity::peak_force)) {
       series.label += std::string{", "} + name;
       series.palette_index = palette_index;
-      panel.series.push_back(std::move(series));
+      panel.add(std::move(series));
     }
-    panel.series.push_back(
+    panel.add(
         measured_points(study, group, Quantity::peak_force, std::string{"measured, "} + name, palette_index));
   }
   return {{panel},
@@ -169,18 +166,17 @@ Drawing rebound_over_speed(const Study& study) {
         std::tuple{"rebound_ratio_plate", "plate", palette_index::printed_1984}}) {
     const auto times_speed = [](double ratio, double speed) { return ratio * speed; };
     if (const FittedConstant* refit = fitted(study, name))
-      panel.series.push_back(interval_band(*refit,
-                                           fmt::format("fitted again: {:.3f} V, {}", refit->value, support),
-                                           palette_index, times_speed));
+      panel.add(interval_band(*refit, fmt::format("fitted again: {:.3f} V, {}", refit->value, support),
+                              palette_index, times_speed));
     const double ratio = study.data.constant(name);
-    panel.series.push_back(speed_line(fmt::format("report: {} V, {}", brief(ratio), support), palette_index,
-                                      [&](double speed) { return ratio * speed; }));
+    panel.add(speed_line(fmt::format("report: {} V, {}", brief(ratio), support), palette_index,
+                         [&](double speed) { return ratio * speed; }));
   }
   for (const auto& [group, label, palette_index] :
        {std::tuple{test_group::aluminium, "aluminium on load cell", palette_index::accurate},
         std::tuple{test_group::steel, "steel on load cell", palette_index::second},
         std::tuple{test_group::on_plate, "aluminium on plate", palette_index::printed_1984}})
-    panel.series.push_back(measured_points(study, group, Quantity::rebound_speed, label, palette_index));
+    panel.add(measured_points(study, group, Quantity::rebound_speed, label, palette_index));
   return {{panel},
           lost_readings(study, "rebound_mph", "rebound speed") +
               "Bands: 95 % intervals of the ratios, fitted again to the certain rows. The predictions are "
@@ -209,15 +205,12 @@ Drawing force_over_energy(const Study& study) {
   const FittedConstant* new_exponent = fitted(study, "energy_trend_exponent");
   if (new_factor != nullptr && new_exponent != nullptr) {
     const double f = new_factor->value, e = new_exponent->value;
-    panel.series.push_back(energy_line(fmt::format("fitted again: U = ({:.4g} F)^{:.3f}", f, e),
-                                       palette_index::printed_1984, SeriesStyle::dashed_line,
-                                       trend_force_lb(begin, f, e),
-                                       [&](double force) { return trend_energy_in_lb(force, f, e); }));
+    panel.add(energy_line(fmt::format("fitted again: U = ({:.4g} F)^{:.3f}", f, e),
+                          palette_index::printed_1984, SeriesStyle::dashed_line, trend_force_lb(begin, f, e),
+                          [&](double force) { return trend_energy_in_lb(force, f, e); }));
   }
-  panel.series.push_back(
-      energy_points(study, Projectile::aluminium, "aluminium, measured", palette_index::measured));
-  panel.series.push_back(
-      energy_points(study, Projectile::steel, "steel, measured", palette_index::mended_1984));
+  panel.add(energy_points(study, Projectile::aluminium, "aluminium, measured", palette_index::measured));
+  panel.add(energy_points(study, Projectile::steel, "steel, measured", palette_index::mended_1984));
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") +
               "The trends are drawn for energies above 300 in·lb, for which the report fitted them. What "
@@ -229,8 +222,8 @@ Drawing curves_a_and_b(const Study& study) {
   panel.y.high = 6000;
   panel.add(curve_a(study, Projectile::aluminium, palette_index::accurate));
   panel.add(curve_b(study, Projectile::aluminium, palette_index::printed_1984));
-  panel.series.push_back(measured_points(study, test_group::aluminium, Quantity::peak_force,
-                                         "measured on the load cell", palette_index::measured));
+  panel.add(measured_points(study, test_group::aluminium, Quantity::peak_force, "measured on the load cell",
+                            palette_index::measured));
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") + curve_note +
               "No force was measured on the plate."};

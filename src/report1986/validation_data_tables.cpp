@@ -1,4 +1,4 @@
-// Constants, claims, nose radius, lost readings and the tests held out as tables; all tables.
+// Tables of constants, claims, nose radius, lost readings and held-out tests, and the list of all tables.
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,6 @@ output::Table radius_table(const Study& study) {
   return table;
 }
 
-/// Readings whose test is lost.
 output::Table unplaced_table(const Study& study) {
   output::Table table{.columns = {"column", "tests", "readings, in their order"}};
   for (const UnplacedReadings& group : study.data.measured.unplaced) {
@@ -72,7 +71,6 @@ output::Table unplaced_table(const Study& study) {
   return table;
 }
 
-/// The report's statements that can be computed again.
 output::Table claims_table(const Study& study) {
   output::Table table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
   for (const ReportClaim& claim : check_claims(study.data)) {
@@ -83,7 +81,6 @@ output::Table claims_table(const Study& study) {
   return table;
 }
 
-/// Each quantity of each support as predicted by a foam that has not seen the test.
 output::Table held_out_table(const Study& study) {
   output::Table table{
       .columns = {"support", "quantity", "tests", "bias", "standard error", "scatter", "verdict"}};
@@ -97,7 +94,6 @@ output::Table held_out_table(const Study& study) {
   return table;
 }
 
-/// The same test by test.
 output::Table held_out_errors_table(const Study& study) {
   output::Table table{.columns = {"test", "projectile", "support", "speed (mph)", "quantity", "measured",
                                   "predicted", "error"}};
@@ -113,7 +109,7 @@ output::Table held_out_errors_table(const Study& study) {
   return table;
 }
 
-/// The fitted foam: by all readings, and from which to which value without those of a fold.
+/// The foam fitted to all readings, and the range of each number over the folds.
 output::Table fitted_foam_table(const Study& study) {
   struct Number {
     const char* name;

@@ -1,5 +1,3 @@
-// The validation as JSON.
-
 #include <fmt/format.h>
 
 #include "dashpad/report1986/validation/energy.hpp"

@@ -1,4 +1,4 @@
-// Whether Dashpad meets the tests of 1986, on top of the page.
+// The verdict at the top of the page: whether Dashpad meets the tests of 1986.
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ output::Tone tone_of(const Tally& by_law, const Tally& held_out) {
   return held_out.passes_all() ? output::Tone::doubtful : output::Tone::bad;
 }
 
-/// The accurate solver by the report's law, at the favoured radius.
+/// The score of the accurate solver with the report's law, at the favoured radius.
 const Score* score_by_law(const Study& study, TestSupport support, Quantity quantity) {
   for (const Verdict& verdict : study.verdicts)
     if (const Score& score = verdict.score;
@@ -37,12 +37,12 @@ const Score* score_by_law(const Study& study, TestSupport support, Quantity quan
   return nullptr;
 }
 
-/// "15 %", or of strains "0.05".
+/// "15 %", or "0.05" for strain.
 std::string limit_text(const Rule& rule, double value) {
   return rule.logarithmic ? brief(100 * value) + " %" : brief(value);
 }
 
-/// "-2.6 ± 3.9 %"; the unit stays beside its number.
+/// "-2.6 ± 3.9 %", with a no-break space before the unit.
 std::string bias_with_error(const HeldOutScore& score) {
   if (score.errors.empty()) return "none";
   if (!score.standard_error) return bias_text(score.bias, score.quantity);
@@ -51,7 +51,7 @@ std::string bias_with_error(const HeldOutScore& score) {
              : fmt::format("{:+.3f} ± {:.3f}", score.bias, *score.standard_error);
 }
 
-/// A bias with its standard error; the bar goes to whichever of bias and scatter is nearer to its limit.
+/// The bias with its standard error. The bar shows bias or scatter, whichever is nearer to its limit.
 output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
   const Rule& rule = rule_of(score.quantity);
   const Score* const by_law = score_by_law(study, score.support, score.quantity);
@@ -59,7 +59,7 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
       .label = fmt::format("Bias of {}, {}", to_string(score.quantity), to_string(score.support)),
       .value = bias_with_error(score),
       .tone = score.passed ? output::Tone::good : output::Tone::bad};
-  // Rules are as far below zero as above.
+  // Rules are symmetric about zero.
   figure.remark = "at most ±" + limit_text(rule, rule.high);
   if (score.scatter)
     figure.remark += fmt::format("; scatter {}, at most {}", scatter_text(*score.scatter, score.quantity),
@@ -73,30 +73,29 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
   return figure;
 }
 
-/// Predicted over measured of each test, in one colour.
 Series compared(const std::string& label, std::size_t palette_index, const std::vector<TestError>& errors) {
   Series points{.label = label, .style = SeriesStyle::points, .palette_index = palette_index};
   for (const TestError& error : errors) points.add(error.measured, error.predicted);
   return points;
 }
 
-/// Where predicted is measured, and what the rule admits of the bias.
+/// Adds the line "predicted = measured" and the band of bias that the rule admits.
 void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  panel.series.push_back({.label = "bias that the rule admits",
-                          .style = SeriesStyle::band,
-                          .x = {low, high},
-                          .y = {(1 + rule.low) * low, (1 + rule.low) * high},
-                          .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
-                          .palette_index = palette_index::measured});
-  panel.series.push_back({.label = "as measured",
-                          .style = SeriesStyle::dashed_line,
-                          .x = {low, high},
-                          .y = {low, high},
-                          .palette_index = palette_index::measured});
+  panel.add(Series{.label = "bias that the rule admits",
+                   .style = SeriesStyle::band,
+                   .x = {low, high},
+                   .y = {(1 + rule.low) * low, (1 + rule.low) * high},
+                   .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
+                   .palette_index = palette_index::measured});
+  panel.add(Series{.label = "as measured",
+                   .style = SeriesStyle::dashed_line,
+                   .x = {low, high},
+                   .y = {low, high},
+                   .palette_index = palette_index::measured});
 }
 
-/// Peak forces on the load cell: most readings are of them.
+/// The peak forces on the load cell, for which there are the most readings.
 output::Plot predicted_over_measured(const Study& study) {
   Panel panel{.x = {.label = "Measured peak force (lb)", .logarithmic = true},
               .y = {.label = "Predicted peak force (lb)", .logarithmic = true}};
@@ -118,7 +117,7 @@ output::Plot predicted_over_measured(const Study& study) {
     panel.x.low = panel.y.low = low;
     panel.x.high = panel.y.high = high;
   }
-  for (Series& series : points) panel.series.push_back(std::move(series));
+  for (Series& series : points) panel.add(std::move(series));
   return {.panels = {std::move(panel)}};
 }
 

@@ -1,4 +1,4 @@
-// Figures 4-1 to 4-5: what the programs predict, beside what was measured.
+// Figures 4-1 to 4-5: predictions of the programs beside the measurements.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// On the plate, which is linear, the support defect and the first slope change nothing.
+/// The plate is linear, so the support defect and the first slope change nothing.
 const std::vector<Program> programs_on_plate{Program::accurate, Program::printed_1984};
 
 Panel predicted_time_panel(const Study& study, const char* title, TestGroup group) {
@@ -23,8 +23,8 @@ Panel predicted_time_panel(const Study& study, const char* title, TestGroup grou
                                             std::pair{"expected_travel_in", palette_index::second}}) {
     const double travel = study.data.constant(name);
     const double travel_ms = 1e3 * travel / study.data.constant("inch_per_s_of_mph");
-    panel.series.push_back(speed_line(fmt::format("report: VT = {} in", brief(travel)), palette_index,
-                                      [&](double speed) { return travel_ms / speed; }));
+    panel.add(speed_line(fmt::format("report: VT = {} in", brief(travel)), palette_index,
+                         [&](double speed) { return travel_ms / speed; }));
   }
   return panel;
 }
@@ -34,18 +34,17 @@ Panel force_panel(const Study& study, const char* title, TestGroup group) {
   panel.y.high = 10'000;
   panel.add(predicted_lines(study, programs, group, Quantity::peak_force));
   panel.add(curve_a(study, group.projectile, palette_index::report));
-  panel.series.push_back(
-      measured_points(study, group, Quantity::peak_force, "measured", palette_index::measured));
+  panel.add(measured_points(study, group, Quantity::peak_force, "measured", palette_index::measured));
   return panel;
 }
 
-/// Upper bound of the rebound by the logic of Table 3-2, with the peak force of the trend.
+/// The upper bound of the rebound as in Table 3-2, with the peak force of the trend.
 Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_load_cell");
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
-      projectile == Projectile::steel ? 16 : greatest_speed;  // beyond, Eq. 36 says nothing
+      projectile == Projectile::steel ? 16 : greatest_speed;  // Eq. 36 does not hold beyond
   return function_line("expected at most (Table 3-2)", palette_index::second, min_speed, greatest,
                        [&](double speed) {
                          const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
@@ -56,7 +55,7 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
                        });
 }
 
-/// The same for the plate, with the peak force of curve B. It cannot be more than the initial speed.
+/// The same bound for the plate, with the peak force of curve B, and at most the initial speed.
 Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
@@ -87,27 +86,23 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
   const bool plate = group.support == TestSupport::plate;
   panel.add(predicted_lines(study, plate ? programs_on_plate : programs, group, Quantity::rebound_speed));
   const double ratio = study.data.constant(plate ? "rebound_ratio_plate" : "rebound_ratio_load_cell");
-  panel.series.push_back(speed_line(fmt::format("report: {} V", brief(ratio)), palette_index::report,
-                                    [&](double speed) { return ratio * speed; }));
-  panel.series.push_back(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
-  if (!plate) panel.series.push_back(printed_expectation(study, group.projectile));
-  panel.series.push_back(
-      measured_points(study, group, Quantity::rebound_speed, "measured", palette_index::measured));
+  panel.add(speed_line(fmt::format("report: {} V", brief(ratio)), palette_index::report,
+                       [&](double speed) { return ratio * speed; }));
+  panel.add(plate ? expected_on_plate(study) : expected_on_load_cell(study, group.projectile));
+  if (!plate) panel.add(printed_expectation(study, group.projectile));
+  panel.add(measured_points(study, group, Quantity::rebound_speed, "measured", palette_index::measured));
   return panel;
 }
 
 }  // namespace
 
 Drawing predicted_time(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return predicted_time_panel(study, title, group); }),
-          radius_note(study) + "Measured times: Figure 3-4."};
+  return {both_projectiles(study, predicted_time_panel), radius_note(study) + "Measured times: Figure 3-4."};
 }
 
 Drawing predicted_force_on_load_cell(const Study& study) {
-  return {
-      both_projectiles([&](const char* title, TestGroup group) { return force_panel(study, title, group); }),
-      lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) + curve_note};
+  return {both_projectiles(study, force_panel),
+          lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) + curve_note};
 }
 
 Drawing predicted_force_on_plate(const Study& study) {
@@ -120,8 +115,7 @@ Drawing predicted_force_on_plate(const Study& study) {
 }
 
 Drawing predicted_rebound_on_load_cell(const Study& study) {
-  return {both_projectiles(
-              [&](const char* title, TestGroup group) { return rebound_panel(study, title, group); }),
+  return {both_projectiles(study, rebound_panel),
           lost_readings(study, "rebound_mph", "rebound speed") + radius_note(study) +
               "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb."};
 }

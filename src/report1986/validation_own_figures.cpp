@@ -1,4 +1,4 @@
-// Two figures that the report does not have, and the list of all.
+// Two figures that the report does not have, and the list of all figures.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// Predicted over measured force of each test, at the report's radius.
+/// The ratio of predicted to measured force of each test, at the report's radius.
 Series ratios(const Study& study, Program program, Projectile projectile, std::size_t palette_index) {
   Series points{.label = to_string(program), .style = SeriesStyle::points, .palette_index = palette_index};
   for (const Verdict& verdict : study.at_the_reports_radius) {
@@ -29,16 +29,16 @@ Series ratios(const Study& study, Program program, Projectile projectile, std::s
   return points;
 }
 
-Panel ratio_panel(const Study& study, const char* title, Projectile projectile) {
+Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   const Rule& rule = rule_of(Quantity::peak_force);
   Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
-  // What it found: from the low end of its speeds to the high end.
+  // The report's result, from the low to the high end of its speeds.
   Series report{.label = "report: predictions over its trend",
                 .style = SeriesStyle::dashed_line,
                 .palette_index = palette_index::measured};
   for (const PrintedRatio& printed : printed_ratios)
-    if (printed.projectile == projectile)
+    if (printed.projectile == group.projectile)
       report.add(printed.speed_mph, study.data.constant(printed.constant));
   panel.series = {{.label = "bias that the rule admits",
                    .style = SeriesStyle::band,
@@ -52,11 +52,11 @@ Panel ratio_panel(const Study& study, const char* title, Projectile projectile) 
         std::pair{Program::mended_support_1984, palette_index::mended_1984},
         std::pair{Program::accurate_first_slope, palette_index::first_slope},
         std::pair{Program::accurate, palette_index::accurate}})
-    panel.series.push_back(ratios(study, program, projectile, palette_index));
+    panel.add(ratios(study, program, group.projectile, palette_index));
   return panel;
 }
 
-/// The program that a criterion is about: the second part of its remark.
+/// The program of a criterion: the second part of its remark.
 std::string program_of(const RadiusCriterion& criterion) {
   const std::size_t place = criterion.remark.find("; ");
   if (place == std::string::npos) return criterion.remark;
@@ -70,14 +70,14 @@ Drawing misfit_over_radius(const Study& study) {
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
-      if (misfit < least) least = misfit;  // never if it is NaN
+      if (misfit < least) least = misfit;  // false for NaN
     if (!std::isfinite(least) || least <= 0) continue;
     Series line{
         .label = fmt::format("{} ({}); {}", criterion.name, criterion.readings, program_of(criterion)),
         .x = study.radius.radii_in,
         .y = criterion.misfit};
     for (double& misfit : line.y) misfit /= least;
-    panel.series.push_back(line);
+    panel.add(line);
   }
   return {{panel},
           fmt::format("Root mean square of the residuals over its least value; in brackets the number "
@@ -86,9 +86,7 @@ Drawing misfit_over_radius(const Study& study) {
 }
 
 Drawing force_ratio(const Study& study) {
-  return {both_projectiles([&](const char* title, TestGroup group) {
-            return ratio_panel(study, title, group.projectile);
-          }),
+  return {both_projectiles(study, ratio_panel),
           lost_readings(study, "peak_force_lb", "peak force") +
               fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
                           "(curve A), we with each test.",
@@ -127,7 +125,7 @@ constexpr ListedFigure list[] = {
     {"Force ratio", "The anomaly of section 4: predicted over measured peak force, load cell",
      "Table 3-1 and section 4", force_ratio}};
 
-/// "Figure 3-3": "figure-3-3".
+/// "figure-3-3" for "Figure 3-3".
 std::string slug_of(std::string name) {
   name.front() += 'a' - 'A';
   std::ranges::replace(name, ' ', '-');

@@ -1,5 +1,3 @@
-// The validation as a page.
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -12,7 +10,6 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// The figures of these slugs.
 std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& figures,
                                           const std::vector<std::string>& slugs) {
   std::vector<output::CaptionedPlot> result;
@@ -22,7 +19,7 @@ std::vector<output::CaptionedPlot> chosen(const std::vector<ValidationFigure>& f
   return result;
 }
 
-/// A table below a line; of a wide one the columns for which a terminal has room.
+/// A table with a caption; if `columns` are given, only those, for a terminal.
 output::Table captioned(std::string caption, const Tables& tables, const char* name,
                         const std::vector<std::size_t>& columns = {}) {
   const output::Table& table = tables.at(name);
@@ -80,7 +77,7 @@ output::Section held_out_section(const Tables& tables) {
                      captioned("Test by test", tables, "held-out-errors")}};
 }
 
-/// What of the verdict a terminal has room for.
+/// The part of the verdict for which a terminal has room.
 output::Section brief_section(const Study& study, const Tables& tables) {
   return {
       .heading = "Verdict",

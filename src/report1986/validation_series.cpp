@@ -18,13 +18,12 @@ struct Look {
   std::size_t palette_index;
   SeriesStyle style;
 };
-/// In the order of Program. Points for the program of 1984: many of its runs end in an ABEND.
+/// Indexed by Program. The program of 1984 has points because many of its runs end in an ABEND.
 constexpr Look looks[] = {{palette_index::printed_1984, SeriesStyle::points},
                           {palette_index::mended_1984, SeriesStyle::points},
                           {palette_index::accurate, SeriesStyle::solid_line},
                           {palette_index::first_slope, SeriesStyle::line}};
 
-/// The lines of one program.
 std::vector<Series> lines_of(const Study& study, Program program, TestGroup group, Quantity quantity) {
   const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
   const auto [palette_index, style] = looks[static_cast<std::size_t>(program)];
@@ -61,7 +60,7 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
   return {band, line, line_of(at_the_favoured_radius, favoured, SeriesStyle::dashed_line)};
 }
 
-/// A force over speed: solid for energies at which the trend was fitted, dashed below.
+/// A force over speed: solid at energies to which the trend was fitted, dashed below.
 std::vector<Series> curve(const Study& study, const std::string& label, std::size_t palette_index,
                           Projectile projectile, const std::function<double(double)>& force_of_speed) {
   const double fitted_from = study.data.constant("energy_trend_from_in_lb");
@@ -84,10 +83,10 @@ Panel speed_panel(const std::string& title, Quantity quantity) {
   return speed_panel(title, axis_label(quantity));
 }
 
-std::vector<Panel> both_projectiles(
-    const std::function<Panel(const char* title, TestGroup group)>& panel_of) {
-  return {panel_of("Aluminium projectile, 4.13 lb", test_group::aluminium),
-          panel_of("Steel projectile, 7.7 lb", test_group::steel)};
+std::vector<Panel> both_projectiles(const Study& study,
+                                    Panel (*panel_of)(const Study&, const char* title, TestGroup group)) {
+  return {panel_of(study, "Aluminium projectile, 4.13 lb", test_group::aluminium),
+          panel_of(study, "Steel projectile, 7.7 lb", test_group::steel)};
 }
 
 Series measured_points(const Study& study, TestGroup group, Quantity quantity, const std::string& label,

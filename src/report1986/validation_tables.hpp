@@ -1,5 +1,5 @@
 #pragma once
-/// The tables of the validation, for the terminal, the page and the document, and the words in them.
+/// The tables of the validation, and their wording.
 
 #include <map>
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace dashpad::report1986 {
 
-/// By the names of their blocks in docs/validation.md.
+/// Tables by the names of their blocks in docs/validation.md.
 using Tables = std::map<std::string, output::Table>;
 Tables validation_tables(const Study& study);
 
-/// Those of verdicts, errors test by test, and the anomaly.
+/// Adds the tables of verdicts, errors by test, and the anomaly.
 void add_verdict_tables(const Study& study, Tables& tables);
 
-/// What stands beside the scores of the tests held out.
+/// The reservation about the scores of held-out tests.
 inline constexpr const char* seen_data =
     "Seen data, no blind test: each test is predicted by a foam that was fitted without it, but the form of "
     "the foam was chosen with all tests in sight.";
 
-/// "+12.3 %"; of strains the difference, "+0.012".
+/// "+12.3 %", or "+0.012" for strain.
 std::string bias_text(double value, Quantity quantity);
 std::string scatter_text(double value, Quantity quantity);
 /// "4, 1 without prediction".
@@ -30,7 +30,7 @@ const char* passed_or_not(bool passed);
 /// "explains it", "explains it in part", "does not explain it".
 const char* words(Explanation explanation);
 
-/// "4 of 7": a program's scores that pass.
+/// The number of scores that pass: "4 of 7".
 struct Tally {
   int passed = 0, all = 0;
   void count(bool has_passed) { ++all, passed += has_passed ? 1 : 0; }
@@ -38,7 +38,7 @@ struct Tally {
 };
 Tally tally(const Study& study, Program program);
 
-/// Whether Dashpad meets the tests, by the verdicts, and with which biases.
+/// The verdict and the biases behind it.
 output::Lead validation_lead(const Study& study, output::Pictures pictures);
 
 }  // namespace dashpad::report1986

@@ -1,5 +1,3 @@
-// Verdict, errors and anomaly as tables.
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +12,7 @@ namespace {
 
 bool is_logarithmic(Quantity quantity) { return rule_of(quantity).logarithmic; }
 
-/// NaN where predictions are missing.
+/// Values are NaN if predictions are missing.
 std::string decimals(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-"; }
 std::string with_sign(double value) { return std::isfinite(value) ? fmt::format("{:+.2f}", value) : "-"; }
 std::string with_signs(const Interval& interval) {
@@ -22,10 +20,9 @@ std::string with_signs(const Interval& interval) {
   return fmt::format("{:+.2f} to {:+.2f}", interval.low, interval.high);
 }
 
-/// Without readings there is nothing to judge.
 bool is_judged(const Verdict& verdict) { return !verdict.score.errors.empty() || verdict.score.missing > 0; }
 
-/// Predicted value and error of a program in a test; dashes where there is no prediction.
+/// The predicted value and the error of a program in a test, or dashes.
 std::vector<std::string> error_cells(const std::vector<Verdict>& verdicts, const MeasuredTest& test,
                                      Program program, Quantity quantity) {
   for (const auto& [score, bias, scatter, passed, radii] : verdicts) {
@@ -37,7 +34,6 @@ std::vector<std::string> error_cells(const std::vector<Verdict>& verdicts, const
   return {"-", "-"};
 }
 
-/// A column of the error tables: a program at a radius.
 struct ErrorColumn {
   Program program;
   double radius_in;
@@ -50,7 +46,6 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
           {Program::printed_1984, of_the_report, study.at_the_reports_radius}};
 }
 
-/// Each program on each support for each quantity that was measured.
 output::Table table_of(const std::vector<Verdict>& verdicts) {
   output::Table table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
                                   "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
@@ -74,7 +69,6 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
   return table;
 }
 
-/// Readings whose tests are lost, in all placings.
 output::Table placed_table(const Study& study) {
   output::Table table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
                                   "bias over placings", "placings that would pass"}};
@@ -93,7 +87,6 @@ output::Table placed_table(const Study& study) {
   return table;
 }
 
-/// The second rule of the rebound speed.
 output::Table rebound_table(const Study& study) {
   output::Table table{
       .columns = {"program", "tests", "admissible", "too low", "too high", "without prediction", "verdict"}};
@@ -105,7 +98,6 @@ output::Table rebound_table(const Study& study) {
   return table;
 }
 
-/// Test by test: measured, the accurate solver at both radii and the program of 1984 at the report's.
 output::Table error_table(const Study& study, Quantity quantity) {
   output::Table table{.columns = {"test", "projectile", "support", "speed (mph)", "measured"}};
   for (const ErrorColumn& column : error_columns(study)) {
@@ -126,7 +118,7 @@ output::Table error_table(const Study& study, Quantity quantity) {
   return table;
 }
 
-/// The accurate solver at each radius: biases, and whether they pass.
+/// Bias and verdict of the accurate solver at each radius.
 output::Table score_over_radius_table(const Study& study) {
   output::Table table{.columns = {"nose radius (in)"}};
   struct Column {
@@ -171,7 +163,6 @@ output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
   return table;
 }
 
-/// The three conditions and the conclusion.
 output::Table anomaly_rules_table(const AnomalyVerdict& anomaly) {
   const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
   return {.columns = {"condition", "outcome"},

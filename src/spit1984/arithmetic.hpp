@@ -1,12 +1,12 @@
 #pragma once
-/// What the 1984 program asks of a number besides + - * / and comparison: ABS, SQRT, EXP, ALOG, ** and INT.
-/// The same names for IEEE numbers and for Pdp10, so that the program is one template over its arithmetic.
+/// The functions that the 1984 program needs besides + - * / and comparison: ABS, SQRT, EXP, ALOG, ** and
+/// INT. IEEE numbers and Pdp10 have the same names, so that the program is one template over its arithmetic.
 ///
-/// The functions of IEEE numbers are computed in the next wider format and rounded: the mathematical
-/// library's own versions differ in the last bit between processors, with and without fused operations.
+/// The functions of IEEE numbers are computed in the next wider format and rounded, because the mathematical
+/// library differs in the last bit between processors.
 ///
-/// The run-time system of the original took the magnitude where SQRT or a base of ** was negative, with a
-/// message; so do these, and no NaN begins there.
+/// Like the original run-time system, SQRT and ** take the magnitude of a negative argument or base, so that
+/// no NaN arises there.
 
 #include <cmath>
 #include <concepts>
@@ -50,7 +50,7 @@ Real power(Real base, Real exponent) {
       std::pow(static_cast<Wider<Real>>(std::fabs(base)), static_cast<Wider<Real>>(exponent)));
 }
 
-/// INT; beyond the range of int, its ends, and 0 for what is not a number.
+/// INT, limited to about half the range of int; 0 for NaN.
 template <std::floating_point Real>
 int truncated(Real value) {
   if (std::isnan(value)) return 0;

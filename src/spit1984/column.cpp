@@ -35,7 +35,8 @@ void check(PadKey pad, const std::array<double, 21>& parameters, const std::vect
   if (!text.empty()) throw std::invalid_argument(text);
 }
 
-/// The station is the axis. A second one stands for the contact edge, whose stress laws 4 and 5 set to zero.
+/// The first station is the axis. The second stands for the contact edge, whose stress laws 4 and 5 set to
+/// zero.
 template <class Real>
 std::vector<double> stresses(PadKey pad, const std::array<double, 21>& parameters,
                              const std::vector<double>& strains, double step) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The contact of SPIT: where the stations are, their strains, and the force.
+/// The contact in SPIT: its stations, their strains, and the force.
 
 #include "dashpad/spit1984/run.hpp"
 #include "spit1984/pad.hpp"
@@ -20,7 +20,7 @@ class Contact {
         parameters_(converted<Real>(deck.pad_parameters)),
         field_(static_cast<std::size_t>(settings.max_stations)) {}
 
-  /// Every trial of a step goes back to here where the bookkeeping is mended.
+  /// With the bookkeeping mended, remembers the contact to which every trial of the step returns.
   void start_step() {
     if (defects_.stale_contact) return;
     stations_before_ = stations_;

@@ -15,8 +15,8 @@ namespace dashpad::spit1984 {
 
 namespace {
 
-/// The published values that PAD stores behind those that it uses: the ninth of law 4, the 17th to 21st of
-/// law 5 (Table A-1), as cards name them.
+/// Published values that PAD stores after those that it uses, by their names in cards: the ninth of law 4 and
+/// the 17th to 21st of law 5 (Table A-1).
 constexpr std::array stored_only{
     std::pair{std::string_view{"zero_time_modulus"}, 9},
     std::pair{std::string_view{"zero_time_stress_factor"}, 17},
@@ -26,7 +26,7 @@ constexpr std::array stored_only{
     std::pair{std::string_view{"zero_time_strain_factor_d"}, 21},
 };
 
-/// As a number is typed: nine significant digits.
+/// A number as typed, with nine significant digits.
 double typed(double value) { return rounded_to(value, 9); }
 
 double typed(double value, const char* si_unit, const char* unit) {
@@ -42,7 +42,6 @@ double stored_value(const std::string& text) {
   }
 }
 
-/// KEYP goes up to here.
 constexpr std::size_t laws_of_1984 = 5;
 
 template <class Law>
@@ -124,7 +123,7 @@ Deck deck_of(const ImpactCase& impact) {
   deck.speed_mph = typed(impact.impactor.speed, "m/s", "mph");
   deck.weight_lb = typed(impact.impactor.mass, "kg", "lb");
   deck.thickness_in = typed(impact.pad.thickness, "m", "in");
-  // The first laws of PadLaw stand in the order of KEYP.
+  // The first laws of PadLaw are in the order of KEYP.
   deck.pad = static_cast<PadKey>(impact.pad.material.law.index() + 1);
   std::visit([&](const auto& law) { store_parameters(law, deck.pad_parameters); }, impact.pad.material.law);
   store_published(impact.pad.material, deck.pad, deck.pad_parameters);

@@ -18,8 +18,8 @@ namespace dashpad::spit1984 {
 
 namespace {
 
-// The scan of the report shows capitals and small letters at random in these texts, as it does in the
-// statements around them. FORTRAN on the DECSystem-10 was written in capitals, and so are these.
+// The scan shows capitals and small letters at random in these texts, as in the statements around them.
+// FORTRAN on the DECSystem-10 was written in capitals.
 
 constexpr std::array<double, 9> nine_parameters{7.96,  0.675,   1.09,   8.81e-03, 5.45,
                                                 0.166, 9.76e-6, 0.0987, 22.127};  // PAR9, Ensolite AAC
@@ -30,8 +30,8 @@ constexpr std::array<double, 21> twenty_one_parameters{
 
 struct EndOfInput {};
 
-/// Unit 5. What it says in small letters is ours: the run-time system asked again too, in words of its own,
-/// after a line that it could not read; the program itself checked nothing.
+/// Unit 5. The texts in small letters are not ENSOL's: after an unreadable line the run-time system asked
+/// again, in words of its own; the program itself checked nothing.
 class Terminal {
  public:
   Terminal(std::istream& input, std::ostream& output) : input_(input), output_(output) {}
@@ -40,7 +40,7 @@ class Terminal {
     if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal takes no more questions");
   }
 
-  /// The fields that `fields` reads from the next line; from the line after it where they are not numbers.
+  /// Calls `fields` with each line until it returns its values; complains about the others.
   template <typename Fields>
   auto read(Fields fields, const std::string& complaint) {
     for (;;) {
@@ -84,7 +84,7 @@ class Terminal {
   std::ostream& output_;
 };
 
-// What its FORMATs print, the number of each beside it.
+// Texts of the FORMATs, with their numbers.
 
 constexpr std::string_view greeting = "SPHERE/PAD IMPACT TRACKER VERSION 2-DEC 1984\n";  // 500
 

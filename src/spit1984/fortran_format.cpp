@@ -1,30 +1,31 @@
 #include "spit1984/fortran_format.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "quantities/from_chars.hpp"
+
 namespace dashpad::spit1984 {
 
 namespace {
 
-/// A number as 0.DIGITS times ten to the exponent.
+/// The number 0.DIGITS times ten to the exponent.
 struct Decimal {
   std::string digits;
   int exponent = 0;
 };
 
-/// Every digit of a double that is not zero; none has more than 767.
+/// All significant digits of a double; there are at most 767.
 Decimal exact(double magnitude) {
   const std::string text = fmt::format("{:.766e}", magnitude);
   const std::size_t mark = text.find('e');
   return {text.substr(0, 1) + text.substr(2, mark - 2), std::atoi(text.c_str() + mark + 1) + 1};
 }
 
-/// Ties away from zero: the first digit that goes decides.
+/// Rounds ties away from zero: the first omitted digit decides.
 Decimal rounded(Decimal number, std::size_t decimals) {
   const bool up = number.digits.at(decimals) >= '5';
   number.digits.resize(decimals);
@@ -49,8 +50,7 @@ bool is_exponent_letter(char character) {
   return std::string_view{"EeDd"}.find(character) != std::string_view::npos;
 }
 
-/// A Fortran number without its leading plus and in C++'s spelling: "1.5D1" and "1.5+1" become "1.5e1",
-/// "1.5e+1".
+/// A Fortran number in C++ spelling, without a leading plus: "1.5D1" and "1.5+1" become "1.5e1" and "1.5e+1".
 std::string in_our_spelling(std::string_view field) {
   std::string text;
   for (const char character : field) {
@@ -73,10 +73,7 @@ std::optional<Number> number_in(std::string_view field) {
   if (first == std::string::npos ||
       std::string_view{"0123456789."}.find(text[first]) == std::string_view::npos)
     return std::nullopt;  // from_chars would take "inf" and "nan"
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+  return parsed<Number>(text);
 }
 
 }  // namespace
@@ -105,12 +102,6 @@ PrintedRecords& PrintedRecords::skip(int columns) {
   record_.append(static_cast<std::size_t>(columns), ' ');
   return *this;
 }
-
-PrintedRecords& PrintedRecords::e(double value, int width, int decimals) {
-  return text(edit_e(value, width, decimals));
-}
-
-PrintedRecords& PrintedRecords::i(int value, int width) { return text(edit_i(value, width)); }
 
 PrintedRecords& PrintedRecords::end_record() {
   end_record_on_the_line();

@@ -1,10 +1,12 @@
 #pragma once
-/// Subroutine PAD: the stresses at the end of a trial step, by a first forward difference of the pad's law.
+/// Subroutine PAD: the stresses at the end of a trial step, by a first forward difference of the pad's law
+/// (report, Eq. 16):
 ///
-///   S(k+1) = S(k) + f(e(k), de/dt, S(k)) dt                                                (report, Eq. 16)
+///   S(k+1) = S(k) + f(e(k), de/dt, S(k)) dt
 ///
-/// The empirical laws 4 and 5 work in magnitudes; the stress gets its sign back at the end. They take the
-/// strain at the start of the step for A and its slope, and the strain rate of the axis for every station.
+/// The empirical laws 4 and 5 work with magnitudes and restore the sign of the stress at the end. They take
+/// the strain at the start of the step for A and its slope, and the strain rate of the axis for every
+/// station.
 
 #include <array>
 #include <cstddef>
@@ -15,26 +17,26 @@
 
 namespace dashpad::spit1984 {
 
-/// The integration stations of the contact: EK, EKP1, EMAX, SK, SKP1 and R of the listing. Station 0 is the
-/// axis. Strain and stress are negative in compression, as in the listing; the largest strain is a magnitude.
+/// The integration stations of the contact, with their names in the listing. Station 0 is the axis. Strain
+/// and stress are negative in compression, as in the listing; the largest strain is a magnitude.
 template <class Real>
 struct ContactField {
   std::vector<Real> radius;          ///< R, in
   std::vector<Real> strain;          ///< EK, at the start of the step
-  std::vector<Real> new_strain;      ///< EKP1, at its end, of the trial at hand
+  std::vector<Real> new_strain;      ///< EKP1, at the end of the trial step
   std::vector<Real> largest_strain;  ///< EMAX
   std::vector<Real> stress;          ///< SK, psi
   std::vector<Real> new_stress;      ///< SKP1, psi
 
-  /// All zero, as the program's memory was. One more than the dimension: label 190 reads R(2) even of a
-  /// contact of one station.
+  /// All values start at zero, like the program's memory. There is one station more than the dimension,
+  /// because label 190 reads R(2) even for a contact of one station.
   explicit ContactField(std::size_t dimension) {
     for (std::vector<Real>* const column :
          {&radius, &strain, &new_strain, &largest_strain, &stress, &new_stress})
       column->resize(dimension + 1);
   }
 
-  /// 250: the strain and the stress of the trial become those of the step.
+  /// 250: makes the strain and stress of the trial those of the step.
   void accept(int station) {
     strain[station] = new_strain[station];
     const Real magnitude = abs(strain[station]);
@@ -53,7 +55,7 @@ PadParameters<Real> converted(const std::array<double, 21>& typed) {
   return parameters;
 }
 
-/// ISGN: the sign of a stress, negative for none; its sense is that of the strain.
+/// ISGN: the sign of a stress as that of a strain; negative for zero.
 template <class Real>
 Real sign_of_stress(Real stress) {
   const Real magnitude = abs(stress);
@@ -61,14 +63,14 @@ Real sign_of_stress(Real stress) {
   return Real(truncated(Real(1.1) * magnitude / stress));
 }
 
-/// EKM: the magnitude of the strain at the start of the step, or half of that at the end where it was zero.
+/// EKM: the magnitude of the strain at the start of the step; if that is zero, half of that at the end.
 template <class Real>
 Real strain_magnitude(const ContactField<Real>& field, int station) {
   const Real magnitude = abs(field.strain[station]);
   return magnitude == Real(0) ? (magnitude + abs(field.new_strain[station])) / Real(2) : magnitude;
 }
 
-/// SKP1 from its magnitude's increase; a stress that was tensile stays so.
+/// Sets SKP1 from the increase of its magnitude. A tensile stress stays tensile.
 template <class Real>
 void advance_stress(ContactField<Real>& field, int station, Real rate, Real step) {
   const Real sign = sign_of_stress(field.stress[station]);
@@ -132,7 +134,7 @@ Real rigid_foam(const PadParameters<Real>& parameters, ContactField<Real>& field
   return field.largest_strain[0];
 }
 
-/// KEYP = 4. `time` comes back where there is no station inside the edge.
+/// KEYP = 4. Returns `time` if there is no station inside the edge.
 template <class Real>
 Real nine_parameter(const PadParameters<Real>& parameters, ContactField<Real>& field, int stations, Real step,
                     Real time) {
@@ -159,7 +161,7 @@ Real nine_parameter(const PadParameters<Real>& parameters, ContactField<Real>& f
   return abs(field.largest_strain[0]) * residual_ratio;
 }
 
-/// KEYP = 5. `time` comes back likewise.
+/// KEYP = 5. Returns `time` if there is no station inside the edge.
 template <class Real>
 Real twenty_one_parameter(const PadParameters<Real>& parameters, ContactField<Real>& field, int stations,
                           Real step, Real time) {
@@ -196,7 +198,7 @@ Real twenty_one_parameter(const PadParameters<Real>& parameters, ContactField<Re
   return abs(field.largest_strain[0]) * residual_ratio;
 }
 
-/// Writes the new stresses of the first `stations` stations. `time` is that of the end of the step, s.
+/// Computes the new stresses of the first `stations` stations. `time` is that of the end of the step, s.
 /// Returns the residual strain on the axis, projected from the present rate (the argument TIME on return).
 template <class Real>
 Real update_stresses(PadKey key, const PadParameters<Real>& parameters, ContactField<Real>& field,

@@ -14,9 +14,9 @@ Pdp10 Pdp10::rounded_half(double x, long double exact) {
   return rounded(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - (falls_short ? 1 : 0)));
 }
 
-/// The functions of double are good to one or two units of the last of 53 bits, so they decide, unless they
-/// come within 16 units of a half. There the functions of 64 bits do: the same result, about ten times
-/// faster.
+/// The functions of double are accurate to one or two units of the last of 53 bits, so they decide unless
+/// they come within 16 units of a half. Only then the functions of 64 bits are used, which are some ten times
+/// slower.
 template <class Function, class... Numbers>
 Pdp10 Pdp10::rounded_function(Function f, Numbers... x) {
   constexpr std::uint64_t doubt = 16;
@@ -28,9 +28,9 @@ Pdp10 Pdp10::rounded_function(Function f, Numbers... x) {
   return is_half(nearest) ? rounded_half(nearest, better) : rounded(nearest);
 }
 
-/// Cutting the double off is right, because its rounding never lands on a number of 27 bits from below:
-/// unless it is one, A/B differs from each such number by at least 1/(2^26 B) if it is in [1, 2), and by
-/// 1/(2^27 B) if in [1/2, 1). With B < 2^27 that is more than half a unit of the last of 53 bits.
+/// Truncating the double is right, because its rounding never lands on a number of 27 bits from below: unless
+/// it is one, A/B differs from each such number by at least 1/(2^26 B) if it is in [1, 2), and by 1/(2^27 B)
+/// if in [1/2, 1). With B < 2^27 that is more than half a unit of the last of 53 bits.
 Pdp10 Pdp10::truncated_quotient(Pdp10 a, Pdp10 b) {
   return of_bits(std::bit_cast<std::uint64_t>(a.value_ / b.value_) & ~tail);
 }
@@ -44,9 +44,9 @@ Pdp10 square_root(Pdp10 x) {
     ++twos;
   }
   const auto f = Pdp10::of_exact(fraction);  // in [1/4, 1)
-  // Published runs admit 0.42050 to 0.42113 for the second intercept; 431/1024 is the one number there that
-  // fits an instruction's nine bits, like both slopes. Table of Appendix C: 74 of 132 numbers with
-  // 0.42041016.
+  // Published runs admit 0.42050 to 0.42113 for the second intercept; 431/1024 is the only number there that,
+  // like both slopes, fits an instruction's nine bits. With 0.42041016, 74 of 132 numbers of Appendix C's
+  // table come out.
   const Pdp10 slope = fraction < 0.5 ? 0.828125 : 0.5859375;
   const Pdp10 intercept = fraction < 0.5 ? 0.29730225 : 0.4208984375;
   Pdp10 root = slope * f + intercept;

@@ -11,11 +11,10 @@ namespace dashpad::spit1984 {
 
 namespace {
 
-/// Subroutine SPIT: the march through the impact and the iteration of each step.
+/// Subroutine SPIT: the time steps of the impact, and the iteration in each of them.
 ///
 /// Numbers in comments are the statement numbers of the listing (report, Appendix B) and of its flow chart
-/// (Figure A-2). Vector indices are the listing's: 1 is one step before contact, 2 is first contact, 0 is not
-/// used.
+/// (Figure A-2). Vector indices are the listing's: 1 is one step before contact, 2 is first contact.
 template <class Real>
 class Spit {
  public:
@@ -41,7 +40,7 @@ class Spit {
     }
   }
 
-  /// The whole impact; once.
+  /// Computes the whole impact. Call once.
   Run run(const Progress& progress) {
     for (;;) {
       if (progress) progress(step_);
@@ -54,7 +53,7 @@ class Spit {
   }
 
  private:
-  /// How a step, or its iteration, ends.
+  /// The result of a step or of its iteration.
   enum class Outcome { step_done, held, abend };
 
   /// 50 to 90: the estimators from the two steps before, and the direction of the march.
@@ -128,9 +127,9 @@ class Spit {
     return Outcome::step_done;
   }
 
-  /// 105: the penetration would be negative, contact ends within the step. Restarts it at half the time step
-  /// with part of the last change of penetration. False after seven halvings: the error of the speed is
-  /// estimated two steps back, where the data are better (Eq. 27), and the run ends.
+  /// 105: contact ends within the step, since the penetration would be negative. Restarts the step at half
+  /// its length with part of the last change of penetration. After seven halvings, estimates the error of the
+  /// speed two steps back, where the data are better (Eq. 27), ends the run and returns false.
   bool halve_time_step() {
     const int before = step_ - 2, last = step_ - 1;
     time_step_ = Real(0.5) * time_step_;
@@ -151,7 +150,7 @@ class Spit {
     return false;
   }
 
-  /// 110 to 222: the force of the trial y3 and how far it is from equilibrium (Eq. 20). False when the
+  /// 110 to 222: computes the force of the trial y3 and its distance from equilibrium (Eq. 20). False if the
   /// contact field is full.
   bool try_penetration() {
     ++result_.trials;
@@ -164,8 +163,8 @@ class Spit {
     return true;
   }
 
-  /// 242 to 251: motion by central differences (Eqs. 14, 15); the stresses and strains become the old ones.
-  /// False when the time history is full.
+  /// 242 to 251: advances the motion by central differences (Eqs. 14, 15) and accepts stresses and strains.
+  /// False if the time history is full.
   bool update_motion() {
     const int last = step_ - 1, next = step_ + 1;
     if (next > settings_.max_steps) {
@@ -193,7 +192,7 @@ class Spit {
     return Outcome::abend;
   }
 
-  /// 260 to 290: what is printed, in the printed units, still in the arithmetic of the program.
+  /// 260 to 290: the results in the printed units, computed in the arithmetic of the program.
   [[nodiscard]] Run collected() const {
     Run run = result_;
     const Real milliseconds = Real(1000);

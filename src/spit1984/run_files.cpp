@@ -16,18 +16,8 @@ namespace {
 
 // Each function below is one FORMAT statement of subroutine SPIT, or a few that always follow each other.
 
-void print_title(PrintedRecords& out) {  // 6000
-  out.text("1SPHERE/PAD IMPACT TRACKER").end_record().end_record();
-}
-
-void print_precision_stop(PrintedRecords& out, const PrecisionStop& stop) {  // 613
-  out.text("0STEP").i(stop.step, 5).text(" FORCE=").e(stop.force_lb, 10, 3);
-  out.text(" ERROR=").e(stop.error, 10, 3).end_record();
-}
-
-/// 608 to 612. The listing runs into its END after ABEND 904 and prints nothing more; the user's guide
-/// (report, Appendix A.4) says that the printing goes on whatever the ABEND, as after the other four. We
-/// follow the guide.
+/// 608 to 612. After ABEND 904 the listing runs into its END and prints nothing more; but according to the
+/// user's guide (report, Appendix A.4) printing continues after every ABEND. We follow the guide.
 void print_abend(PrintedRecords& out, const Run& run, Device device) {
   const bool terminal = device == Device::terminal;
   switch (run.abend) {
@@ -97,11 +87,10 @@ void print_step(PrintedRecords& out, const Step& step) {  // 607
   out.e(step.speed_in_per_s, 15, 3).e(step.motion_in, 15, 3).e(step.penetration_in, 15, 3).end_record();
 }
 
-/// Every NDEL-th step from first contact up to NDEL before the end, then every one of the last NDEL steps:
-/// the loops that end at the labels 270 and 290. Steps between the last of the first kind and the first of
-/// the second are not printed. The listing counts from vector index 2, first contact; in a run of fewer steps
-/// than NDEL its second loop begins before that, outside the history. There, and where NDEL is not positive,
-/// we print all of it.
+/// Prints every NDEL-th step from first contact up to NDEL before the end, then all of the last NDEL steps:
+/// the loops that end at the labels 270 and 290. Steps in between are not printed. In a run of fewer steps
+/// than NDEL the listing's second loop begins outside the history; in that case, and if NDEL is not positive,
+/// we print all steps.
 void print_history(PrintedRecords& out, const Deck& deck, const Run& run) {
   const long steps = static_cast<long>(run.history.size());
   const long interval = std::max(deck.print_interval, 1);
@@ -124,7 +113,7 @@ Json abend_json(const Run& run) {
   return {{"number", static_cast<int>(run.abend)},
           {"message", text.message},
           {"advice", text.advice},
-          {"speed_error", run.speed_error ? number(*run.speed_error) : Json(nullptr)}};
+          {"speed_error", number(run.speed_error)}};
 }
 
 Json precision_stops_json(const Run& run) {
@@ -147,9 +136,12 @@ Json deck_json(const Deck& deck) {
 
 std::string listing(const Deck& deck, const Run& run, Device device) {
   PrintedRecords out;
-  print_title(out);
+  out.text("1SPHERE/PAD IMPACT TRACKER").end_record().end_record();  // 6000
   if (device == Device::terminal)
-    for (const PrecisionStop& stop : run.precision_stops) print_precision_stop(out, stop);
+    for (const PrecisionStop& stop : run.precision_stops) {  // 613
+      out.text("0STEP").i(stop.step, 5).text(" FORCE=").e(stop.force_lb, 10, 3);
+      out.text(" ERROR=").e(stop.error, 10, 3).end_record();
+    }
   print_abend(out, run, device);
   print_sphere_and_pad(out, deck, run);
   print_pad_parameters(out, deck);

@@ -1,5 +1,5 @@
 #pragma once
-/// The support of the 1984 program: its secant stiffness at a deflection.
+/// The secant stiffness of the support in the 1984 program.
 
 #include <array>
 
@@ -11,7 +11,7 @@ namespace dashpad::spit1984 {
 template <class Real>
 class SupportSecant {
  public:
-  /// As the listing has it (`idle_segments`), or mended.
+  /// `idle_segments`: as in the listing; otherwise mended.
   SupportSecant(const Deck& deck, bool idle_segments)
       : segments_(static_cast<std::size_t>(deck.support)), idle_(idle_segments) {
     if (segments_ == 1) {
@@ -30,8 +30,8 @@ class SupportSecant {
 
   /// STIF at the start.
   [[nodiscard]] Real initial() const { return tangent_[0]; }
-  /// 221: K = K1 + sum of K(j) (1 - X(j)/XS) over the segments j with 1 - X(j)/XS > 1, which is none of them
-  /// as long as the support is compressed. Mended: F(XS) / XS.
+  /// 221: K = K1 + sum of K(j) (1 - X(j)/XS) over the segments j with 1 - X(j)/XS > 1; in compression there
+  /// are none. Mended: F(XS) / XS.
   [[nodiscard]] Real secant(Real deflection) const {
     if (segments_ == 1) return tangent_[0];
     if (!idle_) return curve_secant(deflection);

@@ -1,5 +1,5 @@
 #pragma once
-/// All injury figures of a pulse, and of a solved impact with their errors.
+/// The injury figures of a pulse, and those of a solved impact with their errors.
 
 #include <array>
 #include <optional>
@@ -20,7 +20,7 @@ struct InjuryFigures {
   double severity_index = 0;
   double velocity_change = 0;  ///< m/s, magnitude
 
-  /// Estimated relative errors of a solved impact; 0 for a pulse that is taken as it is.
+  /// Estimated relative errors for a solved impact; 0 for a given pulse.
   struct Errors {
     double peak = 0, hic15 = 0, hic36 = 0, hic_unlimited = 0, hic_d = 0, clip_3ms = 0, cumulative_3ms = 0,
            severity_index = 0, velocity_change = 0;
@@ -29,12 +29,12 @@ struct InjuryFigures {
 
 InjuryFigures injury_figures(const Pulse& pulse);
 
-/// The power of the acceleration in a figure: 2.5 of each HIC and of the severity index, 1 of the others.
+/// The exponent of the acceleration in a figure: 2.5 for HIC and the severity index, 1 for the others.
 constexpr double acceleration_power(std::string_view key) {
   return key.starts_with("hic") || key == "severity_index" ? hic_power : 1;
 }
 
-/// A figure of a pulse as it is written: SI, with its relative error, and where it has its value.
+/// An injury figure for output: SI, with its relative error and its time.
 struct InjuryValue {
   const ResultQuantity* quantity;
   double value = 0;
@@ -42,24 +42,23 @@ struct InjuryValue {
   std::optional<double> time = {};             ///< s, of a peak
   std::optional<double> begin = {}, end = {};  ///< s, of a window or stretch
 };
-/// All of them, for text, page and JSON alike.
+/// All figures, in one order for text, page and JSON.
 std::array<InjuryValue, 9> injury_values(const InjuryFigures& injury_figures);
-/// One of them; absent where the quantity is none of them.
+/// The figure of a quantity; absent if the quantity is no injury figure.
 std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, const ResultQuantity& quantity);
 
-/// The acceleration of the impactor. Until its end the history of an impact on a rigid support that bottomed
-/// out is finite; it is no whole pulse.
+/// The acceleration of the impactor. For an impact that bottomed out on a rigid support it may end early or
+/// contain values that are not finite.
 Pulse pulse_of(const History& history);
 
-/// The figures of pulse_of(solution.history). The errors add what the solver says of its forces and what is
-/// left by the steps of the history, from a comparison with the run of twice the step.
+/// The figures of pulse_of(solution.history). Their errors combine the solver's error of the force with the
+/// error of the time steps, by comparison with the run of twice the step.
 InjuryFigures injury_figures(const Solution& solution);
 
-/// Whether the history is that of a whole pulse, and finite: the impactor left the pad.
+/// Whether the impactor left the pad and the history is finite.
 bool has_whole_pulse(const Solution& solution);
 
-/// The same of a whole pulse; absent where it was cut off or is not finite: the impactor did not leave the
-/// pad.
+/// The figures with their errors; absent if has_whole_pulse() is false.
 std::optional<InjuryFigures> whole_pulse_figures(const Solution& solution);
 
 }  // namespace dashpad::injury

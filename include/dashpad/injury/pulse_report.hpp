@@ -1,5 +1,5 @@
 #pragma once
-/// A measured pulse, what is done to it before its figures, and what it says of itself.
+/// Evaluation of a measured pulse: its processing, figures and checks.
 
 #include <optional>
 #include <string>
@@ -22,142 +22,140 @@ struct PulseFilter {
   Ends ends = Ends::mirrored;
 };
 
-/// HIC with a window of one's own.
+/// HIC with a window of the user's choice.
 struct WindowedHic {
   double longest_window = 0;  ///< s
   Hic hic;
 };
 
-/// For how long the magnitude is above a level.
+/// The time during which the magnitude exceeds a level.
 struct DwellTime {
   double level = 0;       ///< m/s2
-  double cumulative = 0;  ///< s, all stretches
+  double cumulative = 0;  ///< s, all stretches together
   double longest = 0;     ///< s, the longest stretch
 };
 
-/// The sensor's offset and what it does to HIC.
+/// The sensor's offset and its effect on HIC.
 struct OffsetEffect {
   SensorOffset offset;
-  bool given = false;      ///< its interval; else the quiet part before the impact
-  bool taken_off = false;  ///< from the pulse of the figures
+  bool given = false;      ///< for an interval given by the user; else for the quiet part before the impact
+  bool taken_off = false;  ///< subtracted from the pulse of the figures
   double hic15_with = 0, hic15_without = 0;
 };
 
-/// What a known impact speed v tells of a pulse: without friction and with the impactor free, its velocity
-/// change lies between v (it stays) and 2 v (it rebounds as fast as it came).
+/// A known impact speed v. Without friction and with a free impactor, the velocity change lies between v (no
+/// rebound) and 2 v (rebound at the impact speed).
 struct MeasuredImpact {
   double speed = 0;                        ///< m/s, v, more than 0
-  std::optional<double> drop_height = {};  ///< m, where v came from it
-  /// m/s2, along the motion. It acts during contact too, and a sensor does not show it: the velocity changes
-  /// by that much less a second than the integral of what the sensor shows.
+  std::optional<double> drop_height = {};  ///< m, if v follows from it
+  /// m/s2, along the motion. It acts during contact without being measured by the sensor: per second, the
+  /// velocity changes by that much less than the integral of the measured acceleration.
   double gravity = 0;
 };
 
-/// v = sqrt(2 g h), of a free fall from `drop_height`, m, more than 0; g is standard gravity, also in
-/// contact.
+/// The impact after a free fall from `drop_height`, m, > 0: v = sqrt(2 g h), with standard gravity, also
+/// during contact.
 MeasuredImpact after_fall(double drop_height);
 
-/// A stretch of a pulse from `begin` to `end`, s, both included.
 struct Stretch {
   double begin = 0, end = 0;
 };
 
-/// The stretch in which the impactor touches what it strikes.
+/// The stretch during which the impactor is in contact.
 struct Contact {
   double begin = 0, end = 0;   ///< s
   double velocity_change = 0;  ///< m/s, over that stretch, magnitude
 };
 
-/// `along` is the acceleration along the axis of the impact, m/s2, of either sign: of a resultant that of its
-/// main axis, since a length never changes its sign. Contact is the stretch around the peak above the level
-/// of `quiet`, where nothing happens, or else the one that keeps the sign of the peak (docs/pulses.md).
-/// Throws std::invalid_argument for what check() refuses.
+/// The contact of a pulse. `along` is the acceleration along the axis of the impact, m/s2, of either sign;
+/// for a resultant along its main axis, since a magnitude never changes sign. Contact is the stretch around
+/// the peak above the level of `quiet`, or, without it, where the sign is that of the peak (docs/pulses.md).
+/// Throws std::invalid_argument for a pulse that check() refuses.
 Contact contact_of(const Pulse& along, const std::optional<Stretch>& quiet = {});
 
-/// What sampling, filter and calibration leave open of a figure of a measured pulse.
+/// The uncertainty of a figure of a measured pulse due to sampling, filter and calibration.
 ///
-/// Components and their sum are expanded uncertainties, k = 2 (some 95 %), relative to the figure. A bound b
-/// on what sampling or a filter does counts as even between -b and b: its standard uncertainty is b / sqrt(3)
-/// (GUM, JCGM 100:2008, 4.3.7).
+/// Components and total are expanded uncertainties, k = 2 (about 95 %), relative to the figure. A bound b on
+/// an effect is taken as a uniform distribution from -b to b, with the standard uncertainty b / sqrt(3) (GUM,
+/// JCGM 100:2008, 4.3.7).
 struct FigureUncertainty {
   const ResultQuantity* quantity;
   std::optional<double> sampling = {};     ///< absent for a peak at an end, and for fewer than four samples
-  std::optional<double> filter = {};       ///< absent where none was applied: what was before is not known
-  std::optional<double> calibration = {};  ///< absent where nobody said it
+  std::optional<double> filter = {};       ///< absent without a filter: earlier filtering is unknown
+  std::optional<double> calibration = {};  ///< absent unless stated
 
-  /// Root of the sum of the squares of those that are known.
+  /// Root of the sum of squares of the known components.
   [[nodiscard]] double combined() const;
 };
 
 struct MeasurementUncertainty {
-  std::optional<double> calibration = {};  ///< as stated: of an acceleration, expanded, relative
+  std::optional<double> calibration = {};  ///< as stated: expanded relative uncertainty of an acceleration
   std::string compared_with = {};          ///< "CFC1000" or "no filter", for the filter; empty without one
   std::vector<FigureUncertainty> figures;  ///< of peak, HIC, clips, velocity change, as far as known
 };
 
-/// A calibration is at most so much.
+/// Upper limit of a stated calibration.
 inline constexpr double max_calibration = 0.5;
 
-/// A standard's limits beside the figures of a pulse.
+/// The limits of a standard applied to the figures of a pulse.
 struct PulseLimits {
   std::string standard;  ///< its title
   std::vector<CriterionResult> results;
   std::vector<Flag> reservations;  ///< about the limits
 };
 
-/// A measured pulse, what was done to it, and what came of it.
+/// A measured pulse with its processing and its results.
 struct PulseReport {
   std::string file;
-  /// What whoever measured says of it: "Position", "Date", and the words.
+  /// Remarks of the user: "Position", "Date", and their texts.
   std::vector<std::pair<std::string, std::string>> about;
   MeasuredPulse measured;
   std::optional<double> resampled_to;  ///< s
   std::optional<PulseFilter> filter;
-  std::optional<OffsetEffect> offset;    ///< absent where there is no quiet part, and no interval was given
+  std::optional<OffsetEffect> offset;    ///< absent without a quiet part or a given interval
   Pulse pulse;                           ///< that of the figures
-  Contact contact;                       ///< in it; of a resultant along its main axis
+  Contact contact;                       ///< in `pulse`; for a resultant along its main axis
   InjuryFigures figures;                 ///< the velocity change is that over contact
-  std::optional<MeasuredImpact> impact;  ///< where the speed is known
+  std::optional<MeasuredImpact> impact;  ///< if the speed is known
   std::vector<WindowedHic> windows;
   std::vector<DwellTime> dwells;
   std::vector<Flag> flags;
   MeasurementUncertainty uncertainty;
-  std::optional<PulseLimits> limits;  ///< where it is laid beside a standard
+  std::optional<PulseLimits> limits;  ///< if a standard was chosen
 };
 
 struct ProcessedPulse {
   Pulse pulse;
-  /// Of a resultant, along its main axis, which is its direction at the peak: a length never changes its
-  /// sign.
+  /// For a resultant, the pulse along its main axis, which is its direction at the peak.
   std::optional<Pulse> along_axis = {};
 
   [[nodiscard]] const Pulse& along() const { return along_axis ? *along_axis : pulse; }
 };
 
-/// Resampled and filtered as asked for; the directions of a resultant each by itself, then combined. Throws
-/// std::invalid_argument as resampled() and cfc_filtered() do.
+/// Resamples and filters as requested. The directions of a resultant are processed separately and then
+/// combined. Throws as resampled() and cfc_filtered() do.
 ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
                                const std::optional<PulseFilter>& filter);
 
-/// m/s, of the velocity after and before: that over contact less what gravity gives meanwhile.
+/// The change of velocity of the body, m/s: that over contact minus the effect of gravity.
 double change_of_motion(const Contact& contact, const MeasuredImpact& impact);
 
-/// (change of motion - v) / v; absent where that is not between 0 and 1, to 0.1 % of the change: no body
-/// rebounds like that, and IMPOSSIBLE VELOCITY CHANGE says so.
+/// (change of motion - v) / v; absent unless that is between 0 and 1, to 0.1 % of the change. Otherwise the
+/// flag IMPOSSIBLE VELOCITY CHANGE is set.
 std::optional<double> restitution(const Contact& contact, const MeasuredImpact& impact);
 
-/// PULSE CUT, where `pulse`, the processed one without the sensor's offset, starts or ends above its noise;
-/// IMPOSSIBLE VELOCITY CHANGE, where that of the motion is not between v and 2 v; and height_in_doubt().
+/// PULSE CUT, if `pulse` (processed, without the sensor's offset) starts or ends above its noise; IMPOSSIBLE
+/// VELOCITY CHANGE, if the change of motion is not between v and 2 v; and height_in_doubt().
 std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse);
 
-/// Velocities that differ by less count as the same, relative.
+/// Velocities whose relative difference is smaller are equal.
 inline constexpr double rounding_of_velocity = 1e-3;
 
-/// What the velocity change and a known impact speed v say of each other.
+/// Comparison of the velocity change with a known impact speed v.
 struct SpeedCheck {
   double change = 0;     ///< m/s, of the motion: change_of_motion()
-  double shortfall = 0;  ///< m/s, by how much that is below v; above 2 v negative; 0 between them, to 0.1 %
-  /// By what the accelerations may be multiplied for a change between v and 2 v; absent without acceleration.
+  double shortfall = 0;  ///< m/s, how much it is below v, or negative above 2 v; 0 in between, to 0.1 %
+  /// The factors of the acceleration for a change of v and of 2 v; absent without acceleration.
   std::optional<double> min_scale = {}, greatest_scale = {};
   std::string text = {};  ///< a sentence
 
@@ -166,37 +164,37 @@ struct SpeedCheck {
 /// Absent without an impact speed.
 std::optional<SpeedCheck> speed_check(const PulseReport& report);
 
-/// DROP HEIGHT IN DOUBT: the fall in the record, after a rest, takes another time than from that height, by
-/// more than what 1 % of it and four samples at either end make.
+/// DROP HEIGHT IN DOUBT: in a record with a rest and a fall, the duration of the fall does not match the
+/// stated height, to within 1 % and four samples at either end.
 std::optional<Flag> height_in_doubt(const PulseReport& report);
 
-/// UNLIKE SPEEDS: the computed impact is at a speed more than 1 % off that of the measured one beside it.
+/// UNLIKE SPEEDS: the speeds of the computed and the measured impact differ by more than 1 %.
 std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const MeasuredImpact& computed);
 
-/// Remarks if the offset changes HIC15 by more than 0.1 % and was not taken off, and if the interval that was
-/// given for it is not quiet. `peak` is that of the pulse, m/s2.
+/// Remarks if the offset changes HIC15 by more than 0.1 % and was not subtracted, and if its given interval
+/// is not quiet. `peak` is that of the pulse, m/s2.
 std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak);
 
-/// The figures of the pulse by the limits of a standard, each with the uncertainty of the measurement, k = 2,
-/// as its error where that is known; lower bounds where the pulse is cut. Its dwells have the levels of the
-/// standard.
+/// Applies the limits of a standard to the figures. The error of a result is the uncertainty of the
+/// measurement, k = 2, if it is known; figures of a cut pulse are lower bounds. `report` must have dwell
+/// times at the levels of the standard.
 PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 
-/// A remark if the pulse was sampled at less than ten times the class of the filter, as it was measured or as
-/// it is resampled.
+/// A remark if the sampling frequency, as measured or as resampled, is less than ten times the class of the
+/// filter.
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter);
 
-/// Of the figures of `report`, as docs/pulses.md has it. `calibration`: of an acceleration, expanded, in
-/// (0, most_calibration), alike in all directions.
+/// The uncertainties of the figures of `report` (docs/pulses.md). `calibration`: expanded relative
+/// uncertainty of an acceleration, in (0, max_calibration), equal in all directions.
 MeasurementUncertainty measurement_uncertainty(const PulseReport& report, std::optional<double> calibration);
 
-// What is said of it in words and numbers.
+// Wording of the figures.
 
-/// "1.2, 0, -0.3 g", of accelerations in m/s2; 0 for what is 0 up to rounding, compared with the peak.
+/// "1.2, 0, -0.3 g", for accelerations in m/s2; 0 if negligible compared with the peak.
 std::string each_in_g(const std::vector<double>& accelerations, double peak);
 
-/// "12 %": two digits, and all digits before the point.
+/// "12 %": two digits, and all digits before the decimal point.
 std::string in_percent(double fraction);
 
 /// "HIC15 is 4.4 % higher with it than without".

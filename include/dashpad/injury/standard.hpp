@@ -1,5 +1,5 @@
 #pragma once
-/// Test standards as plain values, and what a solved impact says about their limits.
+/// Test standards, and the assessment of a solved impact by their limits.
 ///
 /// An assessment is a computation with one rigid nose on a flat pad. It is no certification, and no test.
 
@@ -15,16 +15,16 @@
 
 namespace dashpad::injury {
 
-/// What a source is beside the text of the law or standard that binds.
+/// The relation of a source to the text of the law or standard that is binding.
 enum class SourceKind {
   own_text,   ///< that text itself, wherever it is printed
   secondary,  ///< a text that repeats or describes it
   none,       ///< no text: general knowledge, or a choice
 };
-/// "own text", "secondary", "no source": as files name them.
+/// "own text", "secondary", "no source", as in files.
 std::string to_string(SourceKind kind);
 
-/// Where a value comes from, and whether it was read there.
+/// The source of a value, and whether the value was verified there.
 struct Origin {
   std::string source;
   SourceKind kind = SourceKind::none;
@@ -34,11 +34,11 @@ struct Origin {
 
 /// A mass, radius or impact speed of a standard.
 struct StandardValue {
-  std::optional<double> value;        ///< kg, m or m/s; absent where the standard leaves it to the case
-  std::optional<double> drop_height;  ///< m; of a speed that is given so
+  std::optional<double> value;        ///< kg, m or m/s; absent if the standard leaves it to the case
+  std::optional<double> drop_height;  ///< m, if a speed is given by it
   Origin origin;
   bool chosen_by_user = false;    ///< the value is the user's, not the standard's
-  std::optional<double> instead;  ///< the standard's own value, if another one of the user took its place
+  std::optional<double> instead;  ///< the standard's own value, if the user replaced it
 };
 
 enum class Metric {
@@ -55,10 +55,10 @@ enum class Metric {
 
 /// All of them, in the order of the enumeration.
 const std::vector<Metric>& metrics();
-/// What a metric limits: its key is that of files; the unit is "m/s2", "s" or "1".
+/// The quantity of a metric. Its key is that of files; its unit is "m/s2", "s" or "1".
 const ResultQuantity& quantity_of(Metric metric);
 
-/// A limit: the value of the metric must be at most this, or below it.
+/// The upper limit of a metric.
 struct Criterion {
   Metric metric = Metric::peak_acceleration;
   double level = 0;     ///< m/s2; of dwell_time only
@@ -67,12 +67,12 @@ struct Criterion {
   std::string description;
   Origin origin;
 };
-/// What a criterion limits, for people; of a dwell time with the level: "Dwell time above 150 g".
+/// "Peak acceleration", or "Dwell time above 150 g" with the level of a dwell time.
 std::string title_of(const Criterion& criterion);
 /// "limit of peak acceleration".
 std::string limit_of(const Criterion& criterion);
 
-/// Values that take the place of those of the standard: another anvil, another size of headform.
+/// Values that replace those of the standard, such as another anvil or size of headform.
 struct StandardVariant {
   std::string name;
   std::string title;
@@ -82,28 +82,28 @@ struct StandardVariant {
 struct Standard {
   std::string name;  ///< as on the command line
   std::string title;
-  std::string article;  ///< the text that binds; may be empty
-  std::string source;   ///< what was read
+  std::string article;  ///< the binding text; may be empty
+  std::string source;   ///< the text that was read
   SourceKind source_kind = SourceKind::none;
   std::string note;
   StandardValue mass, radius, speed;
   std::vector<Criterion> criteria;
-  std::vector<StandardVariant> variants;  ///< to choose from
-  std::vector<std::string> chosen;        ///< the variants that are in force
+  std::vector<StandardVariant> variants;  ///< available variants
+  std::vector<std::string> chosen;        ///< variants in force
 };
 
-/// The standard with these variants in force. Throws std::invalid_argument that says what is wrong: no such
-/// variant, or two that replace the same value.
+/// The standard with these variants in force. Throws std::invalid_argument for an unknown variant, or for two
+/// that replace the same value.
 Standard with_variants(const Standard& standard, const std::vector<std::string>& names);
 
-/// What the user puts in the place of the standard's values.
+/// Values of the user that replace those of the standard.
 struct UserValues {
   std::optional<double> mass;         ///< kg
   std::optional<double> radius;       ///< m
   std::optional<double> speed;        ///< m/s; give this or the drop height
   std::optional<double> drop_height;  ///< m
 };
-/// A value that is the standard's own replaces nothing.
+/// Applies the values of the user. A value equal to the standard's replaces nothing.
 Standard with_user_values(const Standard& standard, const UserValues& values);
 
 /// Whether two values differ by more than the rounding of their units.
@@ -112,7 +112,7 @@ bool differ(double one, double other);
 /// Speed after a free fall in vacuum, m/s.
 double speed_after_fall(double height);
 
-/// The case with the impactor of the standard; what the standard leaves open stays.
+/// The case with the impactor of the standard, where the standard specifies it.
 ImpactCase with_impactor_of(const Standard& standard, const ImpactCase& impact);
 
 enum class Verdict { pass, fail, undecided };
@@ -121,34 +121,34 @@ std::string to_string(Verdict verdict);
 
 struct CriterionResult {
   Criterion criterion;
-  std::optional<double> value;  ///< absent where there is no finite one
-  double error = 0;             ///< of the solver, estimated, absolute, in the unit of the value
-  /// By what is not known of foam and model; absent where it was not asked for.
+  std::optional<double> value;  ///< absent if there is no finite one
+  double error = 0;             ///< estimated absolute error of the solver, in the unit of the value
+  /// Interval by the uncertainty of foam and model; absent unless requested.
   std::optional<FigureInterval> interval;
   bool lower_bound = false;  ///< the pulse was cut: the value can only grow
-  /// limit - value, at most that for a lower bound. Absent without a value, and where a lower bound is not
-  /// above the limit: what is left of it then is no margin.
+  /// limit - value; for a lower bound an upper bound of it. Absent without a value, and for a lower bound
+  /// that is not above the limit.
   std::optional<double> margin;
   std::optional<double> relative_margin;  ///< margin / limit
   Verdict verdict = Verdict::undecided;
   std::string reason;  ///< of a verdict that the numbers do not explain
 };
 
-/// Decides a result by its value, error, interval and whether it is a lower bound: fail where the value less
-/// its error, or its interval, is above the limit as a whole; pass where it is within as a whole and no lower
-/// bound; else undecided. With the margins.
+/// Decides a result and sets its margins. Fail: the value, or the whole interval, is above the limit by more
+/// than the error. Pass: it is within the limit even with the error added, and is no lower bound. Otherwise
+/// undecided.
 void decide(CriterionResult& result);
 
-/// One failure decides; one undecided criterion leaves a pass undecided.
+/// Fail if one criterion fails; else undecided if one is undecided; else pass.
 Verdict verdict_of(const std::vector<CriterionResult>& results);
 
-/// A figure of the impact, SI. Absent where it does not exist.
+/// A figure of the impact, SI; absent if it does not exist.
 struct Figure {
   std::optional<double> value;
   bool lower_bound = false;  ///< the pulse was cut: the value can only grow
 };
 
-/// What is said beside every verdict, whatever the standard asks for.
+/// The figures shown beside every verdict.
 struct KeyFigures {
   Figure peak_acceleration;
   Figure hic15, hic36;
@@ -162,9 +162,8 @@ struct Assessment {
   std::vector<CriterionResult> results;
   KeyFigures figures;
   Verdict verdict = Verdict::undecided;
-  /// Why the verdict is not to be taken as it stands: a flag of the impact, a material of which nobody knows
-  /// whether it was extrapolated, a limit or value that was not read in the standard itself, a value of the
-  /// standard that was replaced.
+  /// Reservations about the verdict: flags of the impact, a material without a known range, limits or values
+  /// that were not verified in the standard itself, values of the standard that were replaced.
   std::vector<Flag> reservations;
 
   [[nodiscard]] bool unqualified() const { return reservations.empty(); }
@@ -173,43 +172,41 @@ struct Assessment {
 /// "pass", "pass, with reservations", "fail", ...
 std::string to_string(const Assessment& assessment);
 
-/// What of the limits was not read in the standard itself, UNVERIFIED and SECONDARY SOURCE: a line each.
+/// UNVERIFIED and SECONDARY SOURCE: the limits that were not verified in the standard itself.
 std::vector<Flag> reservations_about_limits(const Standard& standard);
 
-/// The levels of the dwell times that a standard limits, m/s2: uncertainty::add_intervals() is to know them.
+/// The levels of the dwell times that a standard limits, m/s2, for uncertainty::add_intervals().
 std::vector<double> dwell_levels(const Standard& standard);
 
-/// Judges the solution of `impact`, the case with the impactor of the standard: decide() of each criterion,
-/// by its interval where there is one. A pad that bottomed out on a rigid support fails whatever is asked
-/// for. A pulse that was cut before contact was lost gives lower bounds; the peak alone is final once the
-/// impactor came to rest.
+/// Assesses the solution of `impact`, the case with the impactor of the standard, by decide() for each
+/// criterion. A pad that bottomed out on a rigid support always fails. A pulse that was cut before contact
+/// was lost gives lower bounds; only the peak is final once the impactor has come to rest.
 ///
-/// Throws std::invalid_argument for a standard without criteria and a solution without a history.
+/// Throws std::invalid_argument for a standard without criteria or a solution without a history.
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);
 
-// Where a standard and a case have different noses or speeds, one of the two is assessed. What the other
-// would have said.
+// If the noses or speeds of a standard and a case differ, one of the two is assessed; the following shows
+// what the other would give.
 
-/// What of the case stays although the standard has a value for it.
+/// Properties of the case that are kept although the standard specifies them.
 struct Kept {
   bool nose = false;
   bool speed = false;
 };
 
-/// The standard with the nose and the speed left to the case, where they are to be kept and differ from its
-/// own.
+/// The standard without the nose or the speed that are to be kept, if they differ from those of the case.
 Standard with_kept(const Standard& standard, const Impactor& of_case, Kept kept);
 
-/// A verdict that another choice of nose, speed or both would have given.
+/// The verdict for another choice of nose, speed or both.
 struct OtherChoice {
-  Kept other;  ///< what is chosen the other way
-  Kept kept;   ///< what of the case is kept then
+  Kept other;  ///< the changed choices
+  Kept kept;   ///< what is kept of the case then
   Assessment assessment;
 };
 
-/// The choices that turn a verdict into a pass or a fail; both together only where neither does alone. What
-/// the user has given by a number is no choice. `standard` is not yet with_kept(). `judged` solves the case
-/// with that impactor and assesses it.
+/// The choices that turn a verdict into a pass or a fail; both together only if neither does so alone. Values
+/// that the user gave are no choices. `standard` is the one before with_kept(). `judged` solves and assesses
+/// the case.
 std::vector<OtherChoice> turning_choices(
     const Standard& standard, const ImpactCase& given, Kept kept, Verdict verdict,
     const std::function<Assessment(const Standard&, const ImpactCase&)>& judged);

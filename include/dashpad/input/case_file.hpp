@@ -1,5 +1,5 @@
 #pragma once
-/// Case files and material cards: TOML in, checked values out.
+/// Reads and checks case files and material cards (TOML).
 
 #include <filesystem>
 #include <string>
@@ -15,19 +15,18 @@ namespace dashpad::input {
 struct CaseFile {
   ImpactCase impact;
   Options options;
-  bool states_neighbours = false;  ///< not left to what is nominal for the material of the pad
-  std::vector<InputFile> files;    ///< the case file, then those that it names: a profile, a card
+  bool states_neighbours = false;  ///< else nominal for the material of the pad
+  std::vector<InputFile> files;    ///< the case file and the files that it names
 };
 
-/// Reads and checks a case. `materials` is the folder in which material names are looked up. `settings` are
-/// "KEY=VALUE" each, with keys of the file ("pad.thickness=30 mm", "pad.layers[2].material=vn600") or of what
-/// studies vary ("pad.curve.modulus=2 MPa"), and go before what the file has.
-/// Faults are all that were found in the case and in the cards that it names; those of settings have "--set"
-/// for a file.
+/// Reads and checks a case. Names of materials refer to cards in the folder `materials`. `settings` are
+/// "KEY=VALUE" each and override the file; keys are those of the file ("pad.thickness=30 mm",
+/// "pad.layers[2].material=vn600") or of studies ("pad.curve.modulus=2 MPa"). Reports all faults of the case
+/// and of its cards; those of settings have "--set" for a file.
 Reading<CaseFile> read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
                             const std::vector<std::string>& settings = {});
 
-/// The same of a text that stands for a case file at `file`: what it names is looked for beside it.
+/// Reads a text as the case file `file`, in whose folder other files are found.
 Reading<CaseFile> read_case_text(std::string text, const std::filesystem::path& file,
                                  const std::filesystem::path& materials,
                                  const std::vector<std::string>& settings = {});

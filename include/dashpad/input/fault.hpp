@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with something that a user gave us, said so that the user can mend it.
+/// Faults in input, worded so that users can correct them.
 
 #include <cstddef>
 #include <filesystem>
@@ -9,35 +9,35 @@
 
 namespace dashpad::input {
 
-/// A line of a file, and what is meant in it.
+/// A line of a file with a marked part.
 struct Excerpt {
-  std::string line;        ///< as it stands there; "" where there is none to show
-  std::size_t begin = 0;   ///< of what is meant, in bytes
-  std::size_t length = 0;  ///< 0: the whole line
+  std::string line;        ///< empty if there is none to show
+  std::size_t begin = 0;   ///< of the marked part, in bytes
+  std::size_t length = 0;  ///< 0 for the whole line
 };
 
-/// One fault: where it stands, what stands there, and the rule that it breaks.
+/// A fault: its place, the value found there, and the rule that it breaks.
 struct Fault {
   std::string file;
-  int line = 0;  ///< 0 where no line can be named
+  int line = 0;  ///< 0 if unknown
   std::string key;
   std::string value;  ///< as written
-  std::string rule;   ///< what would be right, in the user's words
+  std::string rule;   ///< what would be right, in terms of the user
   Excerpt excerpt = {};
 };
 
-/// "case.toml:12: impactor.speed = \"20\": rule" - one line.
+/// "case.toml:12: impactor.speed = \"20\": rule", in one line.
 std::string to_string(const Fault& fault);
 
-/// The same, and below it the line of the file with what is meant marked, where there is one.
+/// The same text, followed by the line of the file with the marked part, if there is one.
 std::string with_excerpt(const Fault& fault);
 
-/// What is shown of many faults. Of more than five lines of one kind the first five, then "and 195 more of
-/// this kind". Of one kind are lines that differ only in their numbers, in the value between " = " and the
-/// last ": ", and in what stands below them.
+/// Shortens a list of faults: of more than five lines of one kind, the first five and "and 195 more of this
+/// kind". Lines of one kind differ only in numbers, in the value between " = " and the last ": ", and in what
+/// follows the first line.
 std::vector<std::string> abridged(const std::vector<std::string>& lines);
 
-/// Bad input. Carries every fault found, not only the first; what() has one fault a line, abridged.
+/// Thrown for bad input, with all faults; what() has one line per fault, abridged.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -47,9 +47,9 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// One fault: of the whole file, unless a line is named.
+/// A single fault of a file, with or without a line.
 std::vector<Fault> fault_of_file(const std::filesystem::path& file, const std::string& rule, int line = 0);
-/// Throws it as an InputError.
+/// Throws an InputError with a single fault.
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const std::string& rule, int line = 0);
 
 }  // namespace dashpad::input

@@ -1,6 +1,5 @@
 #pragma once
-/// What reading gives: a value, or every fault that stands in its way. Nothing is thrown for what a user
-/// wrote.
+/// The result of reading: a value, or all faults that prevent it. User errors are not thrown.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace dashpad::input {
 
-/// A file that a result was computed from, so that it is not overwritten by that.
+/// An input file of a result, which must not be overwritten.
 struct InputFile {
   std::string kind;  ///< with its article: "the case file", "the material card"
   std::filesystem::path file;
@@ -22,24 +21,24 @@ template <class T>
 class [[nodiscard]] Reading {
  public:
   Reading(T value) : content_(std::in_place_index<0>, std::move(value)) {}
-  /// One fault at least.
+  /// Takes at least one fault.
   Reading(std::vector<Fault> faults) : content_(std::in_place_index<1>, std::move(faults)) {}
 
   explicit operator bool() const { return content_.index() == 0; }
-  /// None where there is a value.
+  /// Empty if there is a value.
   [[nodiscard]] std::vector<Fault> faults() const {
     const auto* const faults = std::get_if<1>(&content_);
     return faults ? *faults : std::vector<Fault>{};
   }
 
-  /// Of a reading with a value.
+  /// Access to the value, which must exist.
   T& operator*() & { return *std::get_if<0>(&content_); }
   const T& operator*() const& { return *std::get_if<0>(&content_); }
   T&& operator*() && { return std::move(*std::get_if<0>(&content_)); }
   T* operator->() { return std::get_if<0>(&content_); }
   const T* operator->() const { return std::get_if<0>(&content_); }
 
-  /// The value, for those who pass faults on as an exception: throws InputError.
+  /// The value; throws InputError if there is none.
   T value() && {
     if (!*this) throw InputError(faults());
     return *std::move(*this);
@@ -49,7 +48,7 @@ class [[nodiscard]] Reading {
   std::variant<T, std::vector<Fault>> content_;
 };
 
-/// For readers whose parts refuse by an exception: what `read` returns, or the faults of its InputError.
+/// The result of `read`, or the faults of the InputError that it throws.
 template <class Read>
 auto reading_of(Read&& read) -> Reading<decltype(read())> {
   try {

@@ -1,4 +1,4 @@
-// The files of an ISO-MME test in a zip or tar. They are unpacked into memory, never onto the disk.
+// ISO-MME tests in a zip or tar, unpacked into memory and never onto the disk.
 
 #include <algorithm>
 #include <array>
@@ -25,10 +25,9 @@ namespace {
 
 constexpr std::size_t max_entries = 10'000;
 constexpr std::size_t longest_name = 1000;
-/// What a tar claims to hold in all. To pass over a file of a tar is to unpack it; of a zip it costs nothing.
+/// Largest total size of a tar, all of which must be unpacked to skip files, unlike a zip.
 constexpr std::int64_t largest_tar = std::int64_t{1} << 34;
 
-/// An archive, opened for reading from its first entry on.
 class Archive {
  public:
   explicit Archive(const std::filesystem::path& file) : name_(file.string()) {
@@ -50,7 +49,7 @@ class Archive {
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
 
-  /// The name of the next regular file. False at the end.
+  /// Goes to the next regular file; false at the end.
   bool next(std::string& name) {
     while (true) {
       const int result = ::archive_read_next_header(archive_.get(), &entry_);
@@ -64,7 +63,7 @@ class Archive {
     }
   }
 
-  /// The content of the entry that next() came to. `room` is what may still be unpacked.
+  /// Reads the current entry. `room` is how much may still be unpacked.
   std::string read(const std::string& name, std::size_t most, bool cut, std::size_t& room) {
     std::string content;
     std::array<char, 65536> block{};
@@ -103,8 +102,8 @@ class Archive {
     claimed_ += size;
   }
 
-  /// With / between folders and without "./". A name that leads out of the archive is a reason to trust
-  /// nothing in it.
+  /// The name with / between folders and without "./". A name that leads out of the archive makes all of it
+  /// untrustworthy.
   std::string safe_name() {
     const char* text = ::archive_entry_pathname_utf8(entry_);
     if (text == nullptr) text = ::archive_entry_pathname(entry_);

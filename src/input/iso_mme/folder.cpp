@@ -1,5 +1,5 @@
-// What is an archive, and the files of an ISO-MME test in a folder. Every step into it is by one name in one
-// open folder, so that no link is followed and no name leads elsewhere.
+// Recognizes archives, and reads ISO-MME tests in a folder. Each step is by one name in one open folder, so
+// that no link is followed and no name leads elsewhere.
 
 #include <array>
 #include <cerrno>
@@ -28,7 +28,7 @@ struct Closer {
 };
 using OpenFolder = std::unique_ptr<DIR, Closer>;
 
-/// Null where there is no such folder.
+/// Null if there is no such folder.
 OpenFolder open_folder(int parent, const std::string& name, int more_flags) {
   const int descriptor = ::openat(parent, name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | more_flags);
   if (descriptor < 0) return nullptr;
@@ -48,7 +48,7 @@ bool is_a(int folder, const char* name, mode_t type) {
   return ::fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 && (status.st_mode & S_IFMT) == type;
 }
 
-/// Adds the files; returns the folders called Channel, in small or capital letters.
+/// Adds the files; returns the folders called Channel, ignoring case.
 std::vector<std::string> list(DIR* folder, const std::string& prefix, std::vector<std::string>& names) {
   std::vector<std::string> channel_folders;
   while (const dirent* entry = ::readdir(folder)) {

@@ -1,7 +1,6 @@
 #include "dashpad/input/iso_mme/iso_mme.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/pulse_samples.hpp"
 #include "input/spelling.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -22,20 +22,18 @@ using Channels = std::vector<IsoMmeChannel>;
 constexpr std::size_t code_length = 16;
 constexpr std::size_t place_of_dimension = 12, place_of_direction = 14;
 
-/// "3" and "003" are 3; a code is no number, even one of digits only.
+/// "3" and "003" are 3. A code is no number, even if it has digits only.
 std::optional<int> channel_number(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_all = error == std::errc{} && end == text.data() + text.size() && text.size() < code_length;
-  return is_all ? std::optional{number} : std::nullopt;
+  return text.size() < code_length ? parsed<int>(text) : std::nullopt;
 }
 
 struct EvenTimes {
   double first = 0, interval = 0;
-  std::string counts_from = {};  ///< the first time as in the file, where `first` is 0 in its place
+  std::string counts_from = {};  ///< the first time as in the file, if `first` is 0 instead
 
   [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
-  /// Not where rounding makes one of two neighbours.
+  friend bool operator==(const EvenTimes&, const EvenTimes&) = default;
+  /// False if rounding makes two neighbours equal.
   [[nodiscard]] bool increase(std::size_t count) const {
     for (std::size_t i = 1; i < count; ++i)
       if (!(at(i) > at(i - 1))) return false;
@@ -75,69 +73,60 @@ EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults
   return times;
 }
 
-/// Adds one channel to the result: its values, or a direction of a resultant.
-class Combiner {
- public:
-  Combiner(const MmeTestFiles& test, const IsoMmeOptions& options, injury::MeasuredPulse& result)
-      : test_(test), options_(options), result_(result) {}
-
-  void add(const IsoMmeChannel& channel, const std::string& text) {
-    MeasurementFaults faults(test_.shown(test_.channels.at(channel.number)));
-    const MmeChannelText read = read_mme_channel(text, faults);
-    const EvenTimes times = times_of(read.labels, read.values.size(), faults);
-    if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
-    injury::MeasuredColumn column{
-        .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
-    const std::string unit_of_file = column.unit;
-    const std::string rule =
-        settle_unit(column, ColumnKind::acceleration, options_.acceleration_unit, "--acceleration-unit",
-                    sensitivity_at(options_.sensitivity, result_.acceleration.size()));
-    const MmeLabel* label = read.labels.find("Unit");
-    if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
-    if (!result_.acceleration.empty() &&
-        (times.first != times_.first || times.counts_from != times_.counts_from ||
-         times.interval != times_.interval || read.values.size() != result_.pulse.time.size()))
-      faults.add(0, "", "", "has other times than " + result_.acceleration.front().name);
-    faults.throw_if_any();
-    if (const auto remark = overruled_unit(column, unit_of_file)) result_.remarks.push_back(*remark);
-    if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
-      result_.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
-    append(read.values, times, column, faults);
+/// Adds the samples of a channel to the result; `times` if it is the first.
+void add_samples(const std::vector<double>& values, const EvenTimes& times,
+                 const injury::MeasuredColumn& column, injury::MeasuredPulse& result,
+                 MeasurementFaults& faults) {
+  Pulse& pulse = result.pulse;
+  if (result.acceleration.empty()) {
+    result.counts_from = times.counts_from;
+    if (!times.counts_from.empty()) result.remarks.push_back(remark_on_clock(times.counts_from));
+    for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
   }
-
- private:
-  void append(const std::vector<double>& values, const EvenTimes& times, const injury::MeasuredColumn& column,
-              MeasurementFaults& faults) {
-    Pulse& pulse = result_.pulse;
-    const bool is_first = result_.acceleration.empty();
-    if (is_first) {
-      times_ = times;
-      result_.counts_from = times.counts_from;
-      if (!times.counts_from.empty()) result_.remarks.push_back(remark_on_clock(times.counts_from));
-      for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
-    }
-    std::vector<double> scaled(values.size());
-    std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
-    if (result_.resultant) {
-      result_.components.push_back(std::move(scaled));
-      pulse.acceleration = injury::resultant_of(result_.components);
-    } else {
-      pulse.acceleration = std::move(scaled);
-    }
-    if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
-      faults.refuse(0, "", "", "holds a value that is too large to compute with");
-    judge_pulse(pulse, 0, faults);
-    faults.throw_if_any();
-    result_.acceleration.push_back(column);
+  std::vector<double> scaled(values.size());
+  std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
+  if (result.resultant) {
+    result.components.push_back(std::move(scaled));
+    pulse.acceleration = injury::resultant_of(result.components);
+  } else {
+    pulse.acceleration = std::move(scaled);
   }
+  if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
+    faults.refuse(0, "", "", "holds a value that is too large to compute with");
+  judge_pulse(pulse, 0, faults);
+  faults.throw_if_any();
+  result.acceleration.push_back(column);
+}
 
-  const MmeTestFiles& test_;
-  const IsoMmeOptions& options_;
-  injury::MeasuredPulse& result_;
-  EvenTimes times_;
-};
+/// Adds a channel to the result: its values, or a direction of a resultant. The first one sets `first_times`.
+void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const IsoMmeOptions& options,
+                 EvenTimes& first_times, injury::MeasuredPulse& result) {
+  const std::string& file = test.channels.at(channel.number);
+  MeasurementFaults faults(test.shown(file));
+  const std::string text = test.texts({file}, false).at(file);
+  const MmeChannelText read = read_mme_channel(text, faults);
+  const EvenTimes times = times_of(read.labels, read.values.size(), faults);
+  if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
+  injury::MeasuredColumn column{
+      .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
+  const std::string unit_of_file = column.unit;
+  const std::string rule =
+      settle_unit(column, ColumnKind::acceleration, options.acceleration_unit, "--acceleration-unit",
+                  sensitivity_at(options.sensitivity, result.acceleration.size()));
+  const MmeLabel* label = read.labels.find("Unit");
+  if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
+  if (result.acceleration.empty())
+    first_times = times;
+  else if (times != first_times || read.values.size() != result.pulse.time.size())
+    faults.add(0, "", "", "has other times than " + result.acceleration.front().name);
+  faults.throw_if_any();
+  if (const auto remark = overruled_unit(column, unit_of_file)) result.remarks.push_back(*remark);
+  if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
+    result.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
+  add_samples(read.values, times, column, result, faults);
+}
 
-/// The code and the name in words of "11HEAD0000H3ACXA / Head x", by the number of the channel.
+/// By channel number, the code and name in "11HEAD0000H3ACXA / Head x".
 std::map<int, std::pair<std::string, std::string>> listed_names(const MmeLabels& labels) {
   std::map<int, std::pair<std::string, std::string>> names;
   constexpr std::string_view beginning = "name of channel";
@@ -157,7 +146,7 @@ Channels list(const MmeTestFiles& test) {
   std::vector<std::string> names;
   for (const auto& [number, name] : test.channels) names.push_back(name);
   if (!test.channel_list.empty()) names.push_back(test.channel_list);
-  const MmeMembers texts = test.beginnings(names);
+  const MmeMembers texts = test.texts(names, true);
   auto listed = test.channel_list.empty() ? std::map<int, std::pair<std::string, std::string>>{}
                                           : listed_names(read_mme_labels(texts.at(test.channel_list)));
   Channels channels;
@@ -196,7 +185,7 @@ bool matches(const std::string& code, const std::string& pattern) {
   return std::ranges::equal(code, pattern, [](char c, char wanted) { return wanted == '?' || c == wanted; });
 }
 
-/// Those that the user's words may mean: all accelerations without any words.
+/// The channels that match the user's words, or all accelerations.
 Channels candidates(const std::filesystem::path& file, const Channels& all, const std::string& wanted) {
   Channels found;
   const auto number = channel_number(wanted);
@@ -220,7 +209,7 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
   return found;
 }
 
-/// X, Y and Z of one place, or two of them.
+/// The directions X, Y, Z of one place, or two of them.
 Channels directions(const std::filesystem::path& file, Channels found) {
   std::erase_if(found, [](const IsoMmeChannel& channel) {
     return channel.code.size() != code_length ||
@@ -245,8 +234,8 @@ Channels directions(const std::filesystem::path& file, Channels found) {
   return found;
 }
 
-/// One of `all`, or the two or three of a resultant in the order X, Y, Z. Throws InputError that names those
-/// that could be meant. `file` is for messages.
+/// The chosen channel, or the directions of a resultant. Throws an InputError that lists the candidates.
+/// `file` is for messages.
 Channels chosen_channels(const std::filesystem::path& file, const Channels& all,
                          const IsoMmeOptions& options) {
   Channels found = candidates(file, all, options.channel);
@@ -276,15 +265,14 @@ Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeO
     injury::MeasuredPulse result{.format = "ISO-MME",
                                  .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
                                  .resultant = options.resultant};
-    Combiner combiner(test, options, result);
     const Channels chosen = chosen_channels(file, list(test), options);
     if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
       refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
+    EvenTimes first_times;
     for (const IsoMmeChannel& channel : chosen) {
       if (!channel.problem.empty())
         throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
-      const std::string& name = test.channels.at(channel.number);
-      combiner.add(channel, test.whole({name}).at(name));
+      add_channel(channel, test, options, first_times, result);
     }
     return {std::move(result), test.files()};
   });

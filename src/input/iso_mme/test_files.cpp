@@ -1,12 +1,12 @@
 #include "input/iso_mme/test_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "input/disk.hpp"
+#include "quantities/from_chars.hpp"
 
 namespace dashpad::input {
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t beginning = 65536;  // bytes; enough for all labels
 constexpr std::size_t max_digits = 5;
 
-/// A name in its parts; folder and ending without their / and point.
+/// The parts of a name, without / and point.
 struct Name {
   std::string folder, stem, ending;
 };
@@ -31,21 +31,18 @@ Name parts(const std::string& whole) {
 
 bool are_alike(const std::string& a, const std::string& b) { return lower_case(a) == lower_case(b); }
 
-/// What some systems put beside every file of an archive.
+/// Files that some systems add to archives.
 bool is_litter(const std::string& name) {
   return name.starts_with("__MACOSX/") || parts(name).stem.starts_with("._") ||
          (parts(name).stem.empty() && name.find("._") != std::string::npos);
 }
 
 std::optional<int> number_of_ending(const std::string& ending) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(ending.data(), ending.data() + ending.size(), number);
-  const bool is_all = error == std::errc{} && end == ending.data() + ending.size();
-  return is_all && ending.size() >= 3 && ending.size() <= max_digits && number > 0 ? std::optional{number}
-                                                                                   : std::nullopt;
+  const auto number = parsed<int>(ending);
+  const bool fits = ending.size() >= 3 && ending.size() <= max_digits && number && *number > 0;
+  return fits ? number : std::nullopt;
 }
 
-/// The name of the .mme file in the folder or archive.
 std::string main_file(const fs::path& file, const std::vector<std::string>& names,
                       const std::string& wanted) {
   std::vector<std::string> found;
@@ -64,7 +61,7 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
 constexpr std::string_view no_value = "NOVALUE";
 constexpr std::size_t max_labels = 10'000;
 
-/// Takes the labels off; false once `line` is none.
+/// Takes a label off; false if `line` is none.
 bool take_label(std::string_view line, std::size_t number, MmeLabels& labels) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos || labels.all().size() == max_labels) return false;
@@ -92,14 +89,9 @@ std::vector<InputFile> MmeTestFiles::files() const {
   return all;
 }
 
-MmeMembers MmeTestFiles::beginnings(const std::vector<std::string>& names) const {
-  return in_archive ? read_from_archive(source, names, beginning, true)
-                    : read_from_folder(source, names, beginning, true);
-}
-
-MmeMembers MmeTestFiles::whole(const std::vector<std::string>& names) const {
-  return in_archive ? read_from_archive(source, names, largest_measurement, false)
-                    : read_from_folder(source, names, largest_measurement, false);
+MmeMembers MmeTestFiles::texts(const std::vector<std::string>& names, bool only_labels) const {
+  const std::size_t most = only_labels ? beginning : largest_measurement;
+  return (in_archive ? read_from_archive : read_from_folder)(source, names, most, only_labels);
 }
 
 MmeTestFiles find_mme_test(const fs::path& file) {
@@ -151,11 +143,6 @@ const MmeLabel* MmeLabels::find(std::string_view name) const {
   const auto found =
       std::ranges::find_if(labels_, [&](const MmeLabel& label) { return lower_case(label.name) == wanted; });
   return found == labels_.end() ? nullptr : &*found;
-}
-
-std::string MmeLabels::value(std::string_view name) const {
-  const MmeLabel* label = find(name);
-  return label == nullptr ? "" : label->value;
 }
 
 MmeLabels read_mme_labels(std::string_view text) {

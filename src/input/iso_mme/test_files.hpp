@@ -1,6 +1,6 @@
 #pragma once
-/// The files of an ISO-MME test in a folder or archive, of which nothing outside can be reached by any name:
-/// which of them make up the test, their text, and which channels the user means.
+/// The files of an ISO-MME test in a folder or archive, and their texts. No name can reach a file outside of
+/// it.
 
 #include <cstddef>
 #include <filesystem>
@@ -23,16 +23,16 @@ bool is_archive(const std::filesystem::path& file);
 
 /// The regular files in `folder` and in its folder Channel. Throws InputError.
 std::vector<std::string> names_in_folder(const std::filesystem::path& folder);
-/// Those of `names`, at most `most` bytes of each. A file that has more is a fault unless `cut`. Links are
-/// not followed. Throws InputError.
+/// Reads files, at most `most` bytes of each; a larger file is a fault unless `cut`. Links are not followed.
+/// Throws InputError.
 MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
                             std::size_t most, bool cut);
 
-/// The regular files in an archive. Throws InputError, also for an archive with a name that leads out of it,
-/// with the same name twice, or with more than 10,000 names.
+/// The regular files in an archive. Throws InputError, also if a name leads out of the archive or occurs
+/// twice, or for more than 10,000 names.
 std::vector<std::string> names_in_archive(const std::filesystem::path& archive);
-/// As read_from_folder(). The sizes that the archive claims are not relied on: at most largest_measurement is
-/// unpacked in all.
+/// Like read_from_folder(). At most largest_measurement is unpacked in all, whatever sizes the archive
+/// claims.
 MmeMembers read_from_archive(const std::filesystem::path& archive, const std::vector<std::string>& names,
                              std::size_t most, bool cut);
 
@@ -43,14 +43,11 @@ struct MmeTestFiles {
   std::string channel_list;             ///< name of the .chn file; empty if there is none
   std::map<int, std::string> channels;  ///< name of the file, by its number
 
-  /// For messages: "test.zip/Channel/test.001".
+  /// The name for messages: "test.zip/Channel/test.001".
   [[nodiscard]] std::string shown(const std::string& name) const { return (source / name).string(); }
-  /// All files of the test, or the archive.
   [[nodiscard]] std::vector<InputFile> files() const;
-  /// The beginning of some of the files.
-  [[nodiscard]] MmeMembers beginnings(const std::vector<std::string>& names) const;
-  /// Whole files.
-  [[nodiscard]] MmeMembers whole(const std::vector<std::string>& names) const;
+  /// The texts of some files, whole or up to the end of their labels.
+  [[nodiscard]] MmeMembers texts(const std::vector<std::string>& names, bool only_labels) const;
 };
 
 /// `file` is a folder, a .mme file, or an archive with one test in it. Throws InputError.
@@ -65,17 +62,20 @@ struct MmeLabel {
 class MmeLabels {
  public:
   void add(MmeLabel label) { labels_.push_back(std::move(label)); }
-  /// The first of that name, in small or capital letters; null if there is none.
+  /// The first label of that name, ignoring case; null if there is none.
   [[nodiscard]] const MmeLabel* find(std::string_view name) const;
-  /// Its value; "" if there is none.
-  [[nodiscard]] std::string value(std::string_view name) const;
+  /// The value of that label; "" if there is none.
+  [[nodiscard]] std::string value(std::string_view name) const {
+    const MmeLabel* label = find(name);
+    return label == nullptr ? "" : label->value;
+  }
   [[nodiscard]] const std::vector<MmeLabel>& all() const { return labels_; }
 
  private:
   std::vector<MmeLabel> labels_;
 };
 
-/// The labels up to the first line that is none. In .mme and .chn files that is the end.
+/// The labels up to the first other line, which is the end of .mme and .chn files.
 MmeLabels read_mme_labels(std::string_view text);
 
 struct MmeChannelText {
@@ -83,7 +83,7 @@ struct MmeChannelText {
   std::vector<double> values;
 };
 
-/// A whole channel file. Its number of samples must be the one that it claims.
+/// Reads a whole channel file, which must have as many samples as it claims.
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults);
 
 }  // namespace dashpad::input

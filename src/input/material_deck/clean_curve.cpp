@@ -10,14 +10,14 @@ namespace dashpad::input {
 
 namespace {
 
-/// Strains and stresses that are NaN had their fault when they were read.
+/// NaN had its fault when it was read.
 bool is_sound_point(const DeckCurve& curve, std::size_t i) {
   return curve.strain[i] == curve.strain[i] && curve.stress[i] == curve.stress[i];
 }
 
 std::string written_number(double value) { return fmt::format("{:.6g}", value); }
 
-/// Judges one point against the one before, which may be at or below strain 0.
+/// Compares a point with the previous one, which may be at or below strain 0.
 bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& faults) {
   const double e = curve.strain[i];
   for (const auto& [what, value, unit] :
@@ -125,7 +125,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& d
   const double s0 = first == 0 ? at_zero : stress[first - 1];
   const double slope = (stress[first] - s0) / (strain[first] - e0);
   const double yield = (s0 - slope * e0) / (modulus - slope);
-  // Points along the line keep the curve through them as straight as it is.
+  // Three points along the line keep the interpolated curve straight.
   TableCurve limited{{yield / 3, 2 * yield / 3, yield},
                      {modulus * yield / 3, modulus * (2 * yield / 3), modulus * yield}};
   std::vector<std::size_t> lines(3, deck_curve.line);

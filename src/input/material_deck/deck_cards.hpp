@@ -1,5 +1,5 @@
 #pragma once
-/// The foams of LS-DYNA and Radioss by the fields of their cards, which are read and written from here.
+/// The cards of the foams of LS-DYNA and Radioss, field by field, for reading and writing.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,15 +13,16 @@
 
 namespace dashpad::input {
 
-/// What stands in a field: a pure number, a number with a unit, a whole number.
+/// The content of a field: a pure number, a number with a unit, or a whole number.
 enum class Content : std::uint8_t { number, stress, density, rate, time, whole };
 
 struct DeckField {
   const char* name;
   Content content = Content::number;
-  /// Of a field that has no counterpart here, what it means: said where it is set. "": not said.
+  /// For a field without a counterpart here, its meaning, which is reported if the field is set; "" if it is
+  /// not reported.
   const char* lost = nullptr;
-  std::size_t width = 10;  ///< columns; of LS-DYNA 20 in long format
+  std::size_t width = 10;  ///< columns; 20 in the long format of LS-DYNA
 
   [[nodiscard]] bool is_read() const { return lost == nullptr; }
   [[nodiscard]] bool matters() const { return is_read() || *lost != '\0'; }
@@ -111,7 +112,7 @@ inline constexpr DeckCard modified_crushable[]{modified_crushable_1, modified_cr
 
 // --- Radioss ---
 inline constexpr DeckField density_line[]{{"RHO_I", density, nullptr, 20}};
-/// A function with its rate and scale; the name of the first field differs by law.
+/// A function with its rate and scale. The first field has other names in some laws.
 inline constexpr DeckField function_row[]{
     {"fct_ID", whole}, {"Eps_dot", rate, nullptr, 20}, {"Fscale", number, nullptr, 20}};
 inline constexpr DeckField law_33_elastic[]{{"E", stress, nullptr, 20},
@@ -153,7 +154,7 @@ inline constexpr DeckField law_90_flags[]{{"NL", whole},
 
 }  // namespace deck
 
-/// A foam of LS-DYNA: its keyword in words and as a number, its cards, and how many of them it has at least.
+/// A foam of LS-DYNA: its keyword in words and as a number, its cards, and their least number.
 struct LsDynaFoam {
   std::string_view words, number;
   bool crushable;
@@ -166,10 +167,8 @@ inline constexpr LsDynaFoam ls_dyna_foams[]{
     {"FU_CHANG_FOAM", "083", false, deck::fu_chang, 4},
     {"MODIFIED_CRUSHABLE_FOAM", "163", true, deck::modified_crushable, 2}};
 
-// Numbers of decks in SI and back.
-//
-// Where one unit is a power of ten of the other, only the exponent of the written number changes: a number
-// that is written and read again is the same to the last bit.
+// Numbers of decks. If one unit is a power of ten of the other, only the exponent is changed, so that a
+// number is the same to the last bit after writing and reading.
 
 struct DeckUnit {
   double factor = 1;                    ///< one unit in SI
@@ -190,11 +189,11 @@ struct DeckUnits {
   DeckUnit time;     ///< s
 };
 
-/// The number in SI. As Fortran reads it: 1.5E-3, 1.5D-3 and 1.5-3 are one number.
+/// The number in SI. Like in Fortran, 1.5E-3, 1.5D-3 and 1.5-3 are the same number.
 ReadNumber read_deck_number(std::string_view text, const DeckUnit& unit);
 
-/// The value in the unit of the deck, with as many digits as are needed to read it as the same number, or as
-/// `width` columns hold.
+/// The value in the unit of the deck, with as many digits as are needed to read the same number back, or as
+/// fit into `width` columns.
 std::string deck_number(double value, const DeckUnit& unit, std::size_t width);
 
 }  // namespace dashpad::input

@@ -44,12 +44,6 @@ DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, Me
   }
 }
 
-std::string_view DeckFields::text(std::size_t field) const {
-  return field < fields_.size() ? fields_[field] : std::string_view{};
-}
-
-bool DeckFields::is_blank(std::size_t field) const { return text(field).empty(); }
-
 std::string DeckFields::place_of(std::size_t field) const {
   if (widths_.empty()) return fmt::format("field {} between commas", field + 1);
   std::size_t first = 1;
@@ -86,7 +80,6 @@ void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
                fmt::format("stands twice; first in line {}", found->second.head.number));
     return;
   }
-  places_.emplace(block.place, id);
   blocks_.emplace(id, std::move(block));
 }
 
@@ -96,12 +89,13 @@ const DeckBlock* NumberedBlocks::find(long id) const {
 }
 
 const DeckBlock* NumberedBlocks::at_place(std::size_t place) const {
-  const auto found = places_.find(place);
-  return found == places_.end() ? nullptr : find(found->second);
+  const auto found =
+      std::ranges::find_if(blocks_, [&](const auto& block) { return block.second.place == place; });
+  return found == blocks_.end() ? nullptr : &found->second;
 }
 
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
-  constexpr double no_cut_off = 1e19;  // a tension cut-off of that size is none
+  constexpr double no_cut_off = 1e19;  // a larger tension cut-off is none
   if (value == value && value != 0 && std::abs(value) < no_cut_off)
     foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
 }
@@ -117,6 +111,16 @@ void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
     foam.differences.push_back(fmt::format(
         "{} = {:g}: the unloading here has the exponent 1, so the foam loses another part of its work.", name,
         exponent));
+}
+
+std::vector<std::string> split_at(std::string_view text, char separator) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
 }
 
 std::string others_listed(const std::vector<std::string>& other_materials) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Decks as keywords with their lines, the fields in them, and the foams that they describe.
+/// Decks as blocks of lines with fields, and the foams that they describe.
 
 #include <cstddef>
 #include <map>
@@ -21,32 +21,33 @@ struct DeckLine {
   std::string_view text;
 };
 
-/// The columns of the fields of a line.
+/// The widths of the fields of a line, in columns.
 using Widths = std::vector<std::size_t>;
-/// `count` fields of 10 columns each, of 20 in long format.
+/// `count` fields of 10 columns, or of 20 in long format.
 Widths equal_widths(std::size_t count, bool long_format);
 
-/// A keyword with the lines that belong to it, without comments.
+/// A keyword with its lines, without comments.
 struct DeckBlock {
   std::string keyword;  ///< in capitals
   DeckLine head;
   std::size_t place = 0;     ///< among the keywords of the file
-  bool long_format = false;  ///< fields of 20 columns where they are of 10
+  bool long_format = false;  ///< fields of 20 columns instead of 10
   std::vector<DeckLine> lines;
 };
 
-/// The fields of one line: of fixed widths or, where `free` and the line holds a comma, between commas.
+/// The fields of one line: of fixed widths or, if `free` and the line holds a comma, between commas.
 class DeckFields {
  public:
   DeckFields(const DeckLine& line, const Widths& widths, bool free, MeasurementFaults& faults);
 
-  [[nodiscard]] bool is_blank(std::size_t field) const;
   /// A blank field is 0; NaN after a fault.
   double number(std::size_t field, const std::string& key, const DeckUnit& unit = {});
-  /// A whole number, positive or negative; a blank field is 0; absent after a fault.
+  /// A whole number; a blank field is 0; absent after a fault.
   std::optional<long> whole(std::size_t field, const std::string& key);
-  /// The field as it stands, for faults.
-  [[nodiscard]] std::string_view text(std::size_t field) const;
+  /// The trimmed text of a field.
+  [[nodiscard]] std::string_view text(std::size_t field) const {
+    return field < fields_.size() ? fields_[field] : std::string_view{};
+  }
   [[nodiscard]] std::size_t line() const { return line_.number; }
 
  private:
@@ -62,7 +63,7 @@ class DeckFields {
 inline constexpr std::size_t max_foams_of_deck = 500;
 inline constexpr std::size_t max_lines_of_curve = 10'000;
 
-/// The blocks with a number, by it. A number that stands twice is a fault.
+/// Blocks by number. A repeated number is a fault.
 class NumberedBlocks {
  public:
   explicit NumberedBlocks(std::string kind) : kind_(std::move(kind)) {}
@@ -74,10 +75,9 @@ class NumberedBlocks {
  private:
   std::string kind_;  ///< "curve", "function"
   std::map<long, DeckBlock> blocks_;
-  std::map<std::size_t, long> places_;
 };
 
-/// The points as they stand, with the line of each.
+/// The points of a curve as in the deck, with their lines.
 struct DeckCurve {
   std::string name;      ///< "curve 12", "function 3", for messages
   std::size_t line = 0;  ///< where it begins
@@ -91,7 +91,7 @@ struct DeckRateCurve {
   DeckCurve curve;
 };
 
-/// Air in closed cells that a crushed foam carries beside its skeleton: P0 e / (1 - e - phi).
+/// Air in the closed cells of a crushed foam, which adds P0 e / (1 - e - phi) to its skeleton.
 struct DeckAir {
   double pressure = 0;
   double relative_density = 0;
@@ -117,7 +117,7 @@ struct DeckFoam {
   std::vector<std::string> assumptions, differences;
 };
 
-/// The foams of a text; what is wrong is told to `faults`.
+/// The foams of a text. Faults are added to `faults`.
 std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units, MeasurementFaults& faults);
 std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& system, const DeckUnits& units,
                                    MeasurementFaults& faults);
@@ -125,44 +125,46 @@ std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& syst
 /// The material; absent after a fault.
 std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults& faults);
 
-/// A name for a file: letters, digits and hyphens of the title, else the number.
+/// A name for a file: letters, digits and hyphens of the title, or the number.
 std::string name_for_card(const std::string& title, long id);
 
-/// Says what a field that is set, and has no counterpart here, means.
+/// Reports the meaning of a field that is set but has no counterpart here.
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam);
 
-/// What a blank or 0 leaves to the solver, which takes it for 1: that is an assumption.
+/// The given value, or 1 for a blank or 0, as the solver does; then adds an assumption.
 double or_one(double given, const std::string& solver_takes, DeckFoam& foam);
 
-/// An exponent of the unloading that is not 1.
+/// Reports an exponent of the unloading that is not 1.
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
 
-/// "; there are *MAT_001, *MAT_002": materials that are not read.
+/// The parts of "MAT/LAW90/12/3" between its slashes.
+std::vector<std::string> split_at(std::string_view text, char separator);
+
+/// "; there are *MAT_001, *MAT_002", for materials that are not read.
 std::string others_listed(const std::vector<std::string>& other_materials);
 
-/// What is said of a curve with too many lines.
+/// The rule for a curve with too many points.
 std::string too_many_points(std::size_t count);
 
-/// What a curve is for: the base curve must rise, a way back may carry nothing at first.
+/// The use of a curve: the base curve must rise; a way back may begin without stress.
 enum class CurveRole { base, rate, unloading };
 
 struct CleanCurve {
   TableCurve table;
   std::vector<std::size_t> lines;        ///< of each point
-  std::optional<double> stress_at_zero;  ///< where the deck has a point there that is not 0
+  std::optional<double> stress_at_zero;  ///< if the deck has a point there that is not 0
 };
 
-/// Without what lies at strain 0 and below it; adds to `differences` what was left out. Faults: strains that
-/// do not increase or reach 1, stresses that are not positive or do not rise. Absent after one.
+/// The curve without points at or below strain 0; adds omissions to `differences`. Faults: strains that do
+/// not increase or reach 1, stresses that are not positive or do not rise. Absent after a fault.
 std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, MeasurementFaults& faults,
                                       std::vector<std::string>& differences);
 
-/// The stress of a crushed foam that cannot rise faster than along its modulus: points above that line give
-/// way to it. Tells `differences`. False after a fault.
+/// Limits the stress of a crushed foam to the line of its modulus, and adds this to `differences`. False
+/// after a fault.
 bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& deck_curve,
                            MeasurementFaults& faults, std::vector<std::string>& differences);
 
-/// Adds the air to each point. False after a fault.
 bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& deck_curve, MeasurementFaults& faults);
 
 }  // namespace dashpad::input

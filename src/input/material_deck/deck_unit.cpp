@@ -1,8 +1,6 @@
 #include "input/material_deck/deck_cards.hpp"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_number = 100;
 
-/// A number as it is written: digits with a point among them, and the exponent behind.
+/// A number as written: digits with a point, and an exponent.
 struct WrittenNumber {
   std::string mantissa;
   int exponent = 0;
@@ -25,13 +23,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::optional<int> read_exponent(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || std::abs(value) > 9999) return std::nullopt;
-  return value;
+  const auto value = parsed<int>(text);
+  return value && *value >= -9999 && *value <= 9999 ? value : std::nullopt;
 }
 
-/// Absent where the text is no number.
+/// Absent if the text is no number.
 std::optional<WrittenNumber> taken_apart(std::string_view text) {
   WrittenNumber number;
   std::size_t i = 0;
@@ -54,7 +50,7 @@ std::optional<WrittenNumber> taken_apart(std::string_view text) {
   return number;
 }
 
-/// Significant digits, of which the first has the weight 10^exponent.
+/// Significant digits; the first has the weight 10^exponent.
 struct Digits {
   bool negative = false;
   std::string digits;
@@ -95,7 +91,7 @@ std::string in_scientific_notation(const Digits& number) {
                      number.digits.size() > 1 ? number.digits.substr(1) : "0", number.exponent);
 }
 
-/// Empty where no notation is short enough. One column is left blank where that is possible.
+/// Empty if no notation is short enough. Leaves one column blank if possible.
 std::string fitting(const Digits& number, std::size_t width) {
   const bool is_handy = number.exponent > -6 && number.exponent < 16;
   for (const std::size_t room : {width - 1, width})
@@ -108,7 +104,7 @@ std::string fitting(const Digits& number, std::size_t width) {
   return "";
 }
 
-/// The number whose product with `factor` is `value`, if rounding has one.
+/// The number whose product with `factor` is exactly `value`, if there is one.
 double divided(double value, double factor) {
   const double quotient = value / factor;
   double below = quotient, above = quotient;

@@ -1,4 +1,4 @@
-// What a deck says of a foam, as a material of ours.
+// Conversion of the foam of a deck to a material.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double slowest_rate_assumed = 0.01;  // 1/s, of an ordinary quasi-static test
 
-/// The sources of the numbers of a law, to which its broken rules are traced back.
+/// The lines of the numbers of a law, for faults.
 struct CurveLines {
   std::size_t material = 0;
   std::vector<std::vector<std::size_t>> loading;  ///< of the points of each curve
@@ -24,7 +24,7 @@ struct CurveLines {
   std::size_t unloading = 0;
 };
 
-/// The steepest slope of a base curve, as the rule for the unloading modulus sees it.
+/// The steepest slope of a base curve, computed as for the rule of the unloading modulus.
 double steepest_slope(const CrushableFoam& foam) {
   constexpr int places = 400;
   const FoamCurve base(foam.curves.base, foam.continuation_exponent);
@@ -38,7 +38,7 @@ double steepest_slope(const CrushableFoam& foam) {
   return steepest;
 }
 
-/// The number in "rate.curves[2].stress[7]" behind `name`, from 0; absent where there is none.
+/// The index from 0 in "rate.curves[2].stress[7]" after `name`; absent if there is none.
 std::optional<std::size_t> index_in(const std::string& key, const std::string& name) {
   const auto at = key.find(name + "[");
   if (at == std::string::npos) return std::nullopt;
@@ -62,7 +62,7 @@ std::size_t line_of(const std::string& key, const CurveLines& lines) {
   return lines.loading[place].empty() ? lines.material : lines.loading[place].front();
 }
 
-/// The rates, of which the first may be missing: then it is assumed.
+/// Checks the rates and assumes the first one if it is missing.
 bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
   bool sound = true;
   for (std::size_t i = 0; i < foam.loading.size(); ++i) {
@@ -109,7 +109,6 @@ std::optional<CleanCurve> prepared(const DeckFoam& foam, std::size_t place, Meas
   return clean;
 }
 
-/// Base curve and rate curves; absent after a fault.
 std::optional<FoamCurves> curves_of(const DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults,
                                     std::vector<std::string>& differences) {
   FoamCurves curves;
@@ -182,7 +181,7 @@ PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::s
   return law;
 }
 
-/// The law of a foam that the deck describes by curves; absent after a fault.
+/// The law of a foam with curves; absent after a fault.
 std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults) {
   if (foam.crushable && !(foam.modulus > 0)) {
     faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
@@ -196,7 +195,7 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
   return foam_law(foam, *std::move(curves), lines, faults, foam.differences);
 }
 
-/// What holds for every deck, and what its cards cannot tell.
+/// Adds the differences that hold for every deck.
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
   differences.emplace_back("Between its points a curve is a monotone cubic here, not straight lines.");
@@ -235,7 +234,7 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
   if (foam.density > 0) material.density = foam.density;
   const std::vector<Violation> broken = violations(material);
   for (const Violation& violation : broken)
-    if (!std::isnan(violation.value))  // had its fault when it was read
+    if (!std::isnan(violation.value))  // reported when it was read
       faults.add(line_of(violation.key, lines), foam.card + ": " + violation.key,
                  fmt::format("{:.6g}", violation.value), violation.rule);
   if (!broken.empty()) return std::nullopt;

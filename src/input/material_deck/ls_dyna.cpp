@@ -1,9 +1,8 @@
-// Foams of LS-DYNA: what becomes of the fields of their cards.
+// Conversion of the fields of LS-DYNA's cards.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,13 +13,6 @@ namespace dashpad::input {
 
 namespace {
 
-struct Source {
-  const LsDynaBlocks& deck;
-  const DeckUnits& units;
-  MeasurementFaults& faults;
-};
-
-/// A field of a card that is read.
 struct FieldOfCard {
   DeckFields& line;
   std::size_t place;
@@ -31,7 +23,7 @@ struct FieldOfCard {
   [[nodiscard]] std::optional<long> whole() const { return line.whole(place, key); }
 };
 
-/// Lines of a material's block, a card each; nothing, and a fault, where there are too few or too many.
+/// The lines of a material's block, one per card; absent, with a fault, if there are too few or too many.
 std::optional<std::vector<DeckLine>> cards_of(const DeckBlock& block, const LsDynaFoam& kind,
                                               const std::string& name, MeasurementFaults& faults) {
   std::vector<DeckLine> lines = lines_behind_title(block);
@@ -46,14 +38,14 @@ std::optional<std::vector<DeckLine>> cards_of(const DeckBlock& block, const LsDy
   return std::nullopt;
 }
 
-void take_curve(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+void take_curve(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const auto id = field.whole();
   if (!id) return;
-  auto curve = ls_dyna_curve(from.deck, *id, field.key, field.line.line(), from.units, from.faults);
+  auto curve = ls_dyna_curve(from, *id, field.key, field.line.line());
   if (curve) foam.loading.push_back({0, curve->line, *std::move(curve)});
 }
 
-void take_table(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const auto id = field.whole();
   if (!id) return;
   if (*id == 0) {
@@ -63,12 +55,12 @@ void take_table(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
   }
   if (*id < 0)
     foam.differences.push_back(fmt::format("{} is negative: the option that this switches on.", field.name));
-  auto rows = ls_dyna_table(from.deck, std::labs(*id), field.key, field.line.line(), from.units, from.faults);
+  auto rows = ls_dyna_table(from, std::labs(*id), field.key, field.line.line());
   if (rows) foam.loading = *std::move(rows);
 }
 
-/// False where it makes the foam one that is not read.
-bool take(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
+/// Takes a field. False if the foam cannot be read with it.
+bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   const std::string_view name = field.name;
   if (name == "MID") foam.id = field.whole().value_or(0);
   if (name == "RO") foam.density = field.number(from.units.density);
@@ -97,7 +89,7 @@ bool take(const FieldOfCard& field, const Source& from, DeckFoam& foam) {
   return false;
 }
 
-bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const Source& from, DeckFoam& foam) {
+bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaSource& from, DeckFoam& foam) {
   const auto lines = cards_of(block, kind, foam.card, from.faults);
   if (!lines) return false;
   for (std::size_t i = 0; i < lines->size(); ++i) {
@@ -114,7 +106,7 @@ bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const Source& fr
   return true;
 }
 
-/// *MAT_063 has one curve, after which newer versions of the solver unload.
+/// *MAT_063 has a single curve, along whose last slope newer versions of the solver unload.
 void tell_of_last_slope(DeckFoam& foam) {
   if (foam.loading.empty()) return;
   const DeckCurve& curve = foam.loading.front().curve;
@@ -129,7 +121,7 @@ void tell_of_last_slope(DeckFoam& foam) {
                     slope));
 }
 
-/// What an option behind the name forbids; "" where nothing does.
+/// The rule that the options in a keyword break; "" if none.
 std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) {
   const std::string_view name =
       keyword.starts_with(fmt::format("MAT_{}", kind.words)) ? kind.words : kind.number;

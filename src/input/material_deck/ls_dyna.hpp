@@ -15,22 +15,27 @@ struct LsDynaBlocks {
 };
 LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults);
 
-/// The foam of a keyword without its title, such as MAT_083; null for one that is not read.
+/// The foam of a keyword such as MAT_083; null if it is not read.
 const LsDynaFoam* ls_dyna_foam(std::string_view keyword);
 
-/// The lines of a block behind its title, if it has one.
+/// The lines of a block without its title.
 std::vector<DeckLine> lines_behind_title(const DeckBlock& block);
-/// The title, UTF-8; empty where the keyword has none.
+/// The title, UTF-8; may be empty.
 std::string title_of(const DeckBlock& block);
-/// The keyword without _TITLE.
 std::string keyword_of(const DeckBlock& block);
 
-/// The curve of that number, scaled and shifted as it says; absent after a fault, which names `key` and
-/// `asked`, the line that asks for it.
-std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const std::string& key,
-                                       std::size_t asked, const DeckUnits& units, MeasurementFaults& faults);
-std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck, long id,
-                                                        const std::string& key, std::size_t asked,
-                                                        const DeckUnits& units, MeasurementFaults& faults);
+/// A deck with the units of its numbers, and where faults go.
+struct LsDynaSource {
+  const LsDynaBlocks& deck;
+  const DeckUnits& units;
+  MeasurementFaults& faults;
+};
+/// The curve with that number, scaled and shifted as its keyword says. If there is none, or it has a fault,
+/// nothing, and a fault that names `key` and `asked`, the line that asks for it.
+std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const std::string& key,
+                                       std::size_t asked);
+/// The table with that number, likewise.
+std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from, long id,
+                                                        const std::string& key, std::size_t asked);
 
 }  // namespace dashpad::input

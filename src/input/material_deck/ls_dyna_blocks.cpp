@@ -1,5 +1,4 @@
-// Blocks of *KEYWORD input: "*" in the first column begins a keyword, "$" a comment. Curves and tables among
-// them.
+// Blocks of *KEYWORD input: "*" in the first column begins a keyword, "$" a comment. Curves and tables.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ bool says_long(const std::string& head) {
   return at != std::string::npos && text.substr(at + 5, 1) != "S";
 }
 
-/// The number in the first field; absent where there is none. Curves that no foam asks for may be anything.
+/// The number in the first field; absent if there is none, since unused curves may be anything.
 std::optional<long> number_of_block(const DeckBlock& block) {
   const std::vector<DeckLine> lines = lines_behind_title(block);
   if (lines.empty()) return std::nullopt;
@@ -58,7 +57,7 @@ struct Shift {
   double scale = 1;
   double offset = 0;
 
-  /// What was read stays as it is where nothing is to be done.
+  /// Leaves numbers exactly as read if there is nothing to do.
   [[nodiscard]] double of(double value) const {
     return scale == 1 && offset == 0 ? value : scale * (value + offset);
   }
@@ -143,8 +142,9 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
   return deck;
 }
 
-std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const std::string& key,
-                                       std::size_t asked, const DeckUnits& units, MeasurementFaults& faults) {
+std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const std::string& key,
+                                       std::size_t asked) {
+  const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.curves.find(id);
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id), missing(deck, "*DEFINE_CURVE", id));
@@ -176,9 +176,9 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaBlocks& deck, long id, const 
   return curve;
 }
 
-std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck, long id,
-                                                        const std::string& key, std::size_t asked,
-                                                        const DeckUnits& units, MeasurementFaults& faults) {
+std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from, long id,
+                                                        const std::string& key, std::size_t asked) {
+  const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.tables.find(id);
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id),
@@ -202,19 +202,19 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaBlocks& deck
     DeckFields row(lines[i], pair_of_twenty, true, faults);
     DeckRateCurve at{of_rate.of(row.number(0, name + ": rate", units.rate)), lines[i].number, {}};
     std::optional<DeckCurve> curve;
-    if (!row.is_blank(1)) {
+    if (!row.text(1).empty()) {
       if (const auto named = row.whole(1, name + ": LCID"))
-        curve = ls_dyna_curve(deck, *named, name + ": LCID", lines[i].number, units, faults);
+        curve = ls_dyna_curve(from, *named, name + ": LCID", lines[i].number);
     } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {
       faults.add(lines[i].number, name, "", "needs the number of a curve behind the rate (columns 21 to 40)");
     } else {
-      // The classic kind: as many *DEFINE_CURVE follow at once, in the order of the rates.
+      // The classic kind of table is directly followed by its *DEFINE_CURVE, in the order of the rates.
       long following = 0;
       if (const DeckBlock* const next = deck.curves.at_place(block->place + i)) {
         const std::vector<DeckLine> lines_of_next = lines_behind_title(*next);
         DeckFields first(lines_of_next.front(), equal_widths(1, next->long_format), true, faults);
         following = first.whole(0, "LCID").value_or(0);
-        curve = ls_dyna_curve(deck, following, name, lines[i].number, units, faults);
+        curve = ls_dyna_curve(from, following, name, lines[i].number);
       } else {
         faults.add(lines[i].number, name, "",
                    fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it at once; number {} does not",

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -15,7 +14,7 @@ constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
 
 enum class Solver { ls_dyna, radioss, unknown };
 
-/// By the first line that begins a keyword.
+/// Decides by the first line that begins a keyword.
 Solver solver_of(std::string_view text) {
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
@@ -25,19 +24,14 @@ Solver solver_of(std::string_view text) {
   return Solver::unknown;
 }
 
-/// The names of units that a system is called after, in alphabetical order.
+/// The units that a system is named after, in alphabetical order.
 std::vector<std::string> sorted_units(std::string_view name) {
-  std::vector<std::string> units{""};
-  for (const char c : name)
-    if (c == '-')
-      units.emplace_back();
-    else
-      units.back() += c;
+  std::vector<std::string> units = split_at(name, '-');
   std::ranges::sort(units);
   return units;
 }
 
-/// Cards of one folder need different names.
+/// Makes the names of cards unique.
 void make_names_differ(std::vector<DeckMaterial>& materials) {
   std::map<std::string, int> count;
   for (const DeckMaterial& each : materials) ++count[each.material.name];

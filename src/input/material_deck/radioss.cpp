@@ -1,5 +1,5 @@
-// A starter deck of Radioss: "/" in the first column begins a block, "#" a comment. Which of its materials
-// are foams, in which units, and their lines.
+// Starter decks of Radioss: "/" in the first column begins a block, "#" a comment. Finds the foams, their
+// units and their lines.
 
 #include <algorithm>
 #include <array>
@@ -30,25 +30,14 @@ inline constexpr RadiossLaw radioss_laws[]{{"LAW33", "FOAM_PLAS", true, read_law
                                            {"LAW70", "FOAM_TAB", false, read_law_70},
                                            {"LAW90", "LAW90", false, read_law_90}};
 
-/// Null for a law that is not read.
+/// Null if the law is not read.
 const RadiossLaw* radioss_law(std::string_view name) {
   const auto* const found = std::ranges::find_if(
       radioss_laws, [&](const RadiossLaw& each) { return name == each.number || name == each.words; });
   return found == std::end(radioss_laws) ? nullptr : found;
 }
 
-/// The parts of "MAT/LAW90/12/3" between its slashes.
-std::vector<std::string> parts_of(const std::string& keyword) {
-  std::vector<std::string> parts{""};
-  for (const char c : keyword)
-    if (c == '/')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
-/// A part of a keyword as a number; 0 where it is none.
+/// A part of a keyword as a number, or 0.
 long number_in(const std::vector<std::string>& parts, std::size_t place) {
   if (place >= parts.size()) return 0;
   const ReadNumber read = read_deck_number(parts[place], {});
@@ -56,7 +45,7 @@ long number_in(const std::vector<std::string>& parts, std::size_t place) {
   return is_number ? static_cast<long>(read.value) : 0;
 }
 
-/// Whether the units that a line of the deck states, as codes or as numbers, are those of the system.
+/// Checks that the units in a line, given as codes or as numbers, are those of the system.
 void compare_units(const DeckLine& line, const UnitSystem& system, MeasurementFaults& faults) {
   const std::array<std::array<std::string, 2>, 3> wanted{
       {{system.mass, "kg"}, {system.length, "m"}, {system.time, "s"}}};
@@ -67,14 +56,13 @@ void compare_units(const DeckLine& line, const UnitSystem& system, MeasurementFa
     const ReadNumber number = read_deck_number(stated, {});
     SiValue in_si{number.value, ""};
     if (number.kind != NumberKind::number) in_si = read_si("1 " + stated, wanted[i][1]);
-    if (!in_si.rule.empty()) return;  // no units after all
+    if (!in_si.rule.empty()) return;  // not a line of units
     if (std::abs(in_si.value / to_si("1 " + wanted[i][0], wanted[i][1]) - 1) < 1e-6) continue;
     faults.add(line.number, "units", to_utf8(stated),
                fmt::format("is not {}, as the unit system {} has it", wanted[i][0], system.name));
   }
 }
 
-/// A line with function, rate and scale.
 std::optional<DeckRateCurve> row_of(LawLines& lines) {
   const auto row = lines.next(deck::function_row);
   if (!row || std::isnan((*row)("fct_ID")) || std::isnan((*row)("Fscale"))) return std::nullopt;
@@ -85,13 +73,8 @@ std::optional<DeckRateCurve> row_of(LawLines& lines) {
 
 constexpr std::size_t max_laws_listed = 10;
 
-std::string keyword_in_capitals(std::string_view line) {
-  return upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
-}
-
-/// Sorts a block in.
 void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
-  const std::vector<std::string> parts = parts_of(block.keyword);
+  const std::vector<std::string> parts = split_at(block.keyword, '/');
   while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
   const bool material = parts.size() > 2 && parts[0] == "MAT";
   if (material && radioss_law(parts[1]) != nullptr) {
@@ -115,7 +98,7 @@ RadiossBlocks radioss_blocks(std::string_view text, MeasurementFaults& faults) {
   LineReader lines(text);
   std::string_view line;
   DeckBlock block;
-  bool wanted = false;  // only what is needed is kept
+  bool wanted = false;  // whether the block is kept
   const auto finish = [&] {
     if (wanted) take(std::exchange(block, {}), deck, faults);
     wanted = false;
@@ -128,7 +111,7 @@ RadiossBlocks radioss_blocks(std::string_view text, MeasurementFaults& faults) {
       continue;
     }
     finish();
-    block.keyword = keyword_in_capitals(line);
+    block.keyword = upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
     block.head = {lines.number(), line};
     if (block.keyword == "END") break;
     wanted = block.keyword.starts_with("MAT/") || block.keyword.starts_with("FUNCT/") ||
@@ -240,7 +223,7 @@ std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& syst
                    others_listed(blocks.other_materials));
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : blocks.foams) {
-    const std::vector<std::string> parts = parts_of(block.keyword);
+    const std::vector<std::string> parts = split_at(block.keyword, '/');
     const RadiossLaw& law = *radioss_law(parts[1]);
     DeckFoam foam;
     foam.card = fmt::format("/MAT/{}", law.number);

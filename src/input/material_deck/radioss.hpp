@@ -1,5 +1,5 @@
 #pragma once
-/// A starter deck of Radioss: its blocks, the lines of a material, the functions that it names, and its laws.
+/// Starter decks of Radioss: blocks, lines of a material, functions and laws.
 
 #include "input/material_deck/deck_foam.hpp"
 
@@ -20,38 +20,38 @@ struct RadiossSource {
   MeasurementFaults& faults;
 };
 
-/// The numbers of a line by the names of its fields, SI; NaN after a fault.
+/// The numbers of a line by field name, SI; NaN after a fault.
 struct CardNumbers {
   DeckCard card;
   std::vector<double> values;
   std::size_t line = 0;
 
-  /// Throws std::logic_error for a field that the card has not.
+  /// Throws std::logic_error for a field that is not on the card.
   [[nodiscard]] double operator()(std::string_view field) const;
-  /// Of a whole number that is sound.
+  /// The value of a valid whole number.
   [[nodiscard]] long whole(std::string_view field) const { return static_cast<long>((*this)(field)); }
   [[nodiscard]] bool are_sound() const;
 };
 
-/// The lines of one material behind its title, taken one after the other.
+/// The lines of one material after its title, taken in order.
 class LawLines {
  public:
   LawLines(const DeckBlock& block, std::string name, const RadiossSource& from, DeckFoam& foam)
       : block_(block), name_(std::move(name)), from_(from), foam_(foam) {}
 
-  /// Absent at the end, which is a fault.
+  /// The next line. Its absence is a fault.
   std::optional<DeckFields> next(const Widths& widths);
-  /// The numbers of the next line; says what those that have no counterpart here mean. Absent at the end.
+  /// The numbers of the next line. Reports fields that are set but have no counterpart here.
   std::optional<CardNumbers> next(DeckCard card);
   [[nodiscard]] bool at_end() const { return taken_ + 1 >= block_.lines.size(); }
   [[nodiscard]] std::string key(const std::string& field) const { return name_ + ": " + field; }
 
-  /// The number of rows or terms in a field; absent where it is none that can be.
+  /// The number of rows or terms in a field; absent if it is invalid.
   std::optional<long> count(const CardNumbers& card_numbers, const char* field, long fewest,
                             std::size_t most = max_rates);
-  /// So many lines with function, rate and scale; false where one is missing or at fault.
+  /// Reads `count` lines with function, rate and scale. False if one is missing or at fault.
   bool rows(long count, std::vector<DeckRateCurve>& rows);
-  /// The points of a function, stresses times `scale`, which is 1 where it is blank.
+  /// The points of a function, with stresses times `scale`, which is 1 if blank.
   std::optional<DeckCurve> function(long id, double scale, const char* field, std::size_t asked);
 
  private:
@@ -63,9 +63,9 @@ class LawLines {
   bool told_ = false;
 };
 
-/// The foams of Radioss behind the line of their density: crushable foam with closed cells (FOAM_PLAS), Ogden
-/// with branches (VISC_HYP), tabulated foam (FOAM_TAB) and tabulated foam with a loss of energy. False where
-/// a line is missing or at fault.
+/// Readers of the laws, after the line of the density: crushable foam with closed cells (FOAM_PLAS), Ogden
+/// with branches (VISC_HYP), tabulated foam (FOAM_TAB) and tabulated foam with hysteresis. False if a line is
+/// missing or at fault.
 bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam);

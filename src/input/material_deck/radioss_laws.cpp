@@ -1,4 +1,4 @@
-// Radioss LAW33 (FOAM_PLAS), LAW62 (VISC_HYP), LAW70 (FOAM_TAB) and LAW90: what becomes of their numbers.
+// Conversion of the numbers of Radioss LAW33 (FOAM_PLAS), LAW62 (VISC_HYP), LAW70 (FOAM_TAB) and LAW90.
 
 #include <algorithm>
 #include <array>
@@ -14,11 +14,11 @@ namespace dashpad::input {
 
 namespace {
 
-/// Terms of the curve, and branches, that a card has.
+/// Largest number of terms, and of branches, on a card.
 constexpr std::size_t max_terms = 2;
 using Terms = std::array<double, max_terms>;
 
-/// A line of one number for each term; its number in the deck, absent after a fault.
+/// Reads a line of one number per term. Returns the line's number; absent after a fault.
 std::optional<std::size_t> read_terms(long count, const char* name, const DeckUnit& unit, LawLines& lines,
                                       Terms& terms) {
   auto line = lines.next(Widths(max_terms, 20));
@@ -31,7 +31,7 @@ std::optional<std::size_t> read_terms(long count, const char* name, const DeckUn
   return sound ? std::optional(line->line()) : std::nullopt;
 }
 
-/// The share of a sudden stress that lasts; absent where the solver takes no such ratios.
+/// The lasting share of a sudden stress; absent for invalid ratios.
 std::optional<double> lasting_share(const Terms& ratios, std::size_t line, const LawLines& law_lines,
                                     MeasurementFaults& faults) {
   const auto [lowest, highest] = std::ranges::minmax(ratios);
@@ -56,7 +56,7 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
       "sudden strain and after long times, not for a strain that changes in between.");
 }
 
-/// |A + B (1 + C gamma)| at gamma = -strain, as points up to nearly no volume of air.
+/// Points of |A + B (1 + C gamma)| at gamma = -strain, until almost no air is left.
 DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t line) {
   constexpr int count = 40;
   DeckCurve curve{"the yield stress A + B (1 + C gamma)", line, {}, {}, {}};
@@ -69,7 +69,7 @@ DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t li
   return curve;
 }
 
-/// From gamma = V/V0 - 1, negative in compression, to a strain.
+/// Converts gamma = V/V0 - 1, negative in compression, to strain.
 void mirror(DeckCurve& curve) {
   for (double& strain : curve.strain) strain = strain == 0 ? 0 : -strain;
   std::ranges::reverse(curve.strain);
@@ -77,7 +77,7 @@ void mirror(DeckCurve& curve) {
   std::ranges::reverse(curve.lines);
 }
 
-/// What Iflag makes of the unloading.
+/// Sets the unloading by Iflag.
 void settle_unloading_70(long flag, double shape, double factor, std::vector<DeckRateCurve> ways_back,
                          DeckFoam& foam) {
   if (flag >= 3) {
@@ -102,11 +102,11 @@ void settle_unloading_70(long flag, double shape, double factor, std::vector<Dec
 }  // namespace
 
 bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
-  // Shares and lasting moduli are quotients of the deck's numbers, which are rounded. To so many digits those
-  // of an exported card come back as they were, whatever its shares.
+  // Shares and lasting moduli are quotients of rounded numbers. With so many digits, those of an exported
+  // card are restored exactly.
   constexpr int digits_of_quotients = 12;
   constexpr long given_as_lasting = 2;   // Flag_Rigi
-  constexpr double longest_time = 1e15;  // s, that a card may have
+  constexpr double longest_time = 1e15;  // s
   const auto flags = lines.next(deck::law_62_flags);
   if (!flags) return false;
   const auto terms = lines.count(*flags, "N", 1, max_terms),
@@ -132,7 +132,7 @@ bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
       time = longest_time;
       foam.assumptions.emplace_back("A tau_i is blank or 0: this branch does not relax, as in the solver.");
     }
-  if (!lines.at_end()) {  // absent before the format of 2022
+  if (!lines.at_end()) {  // missing before the format of 2022
     constexpr DeckField ratios[]{{"nu_1", Content::number, deck::zero_is_taken, 20},
                                  {"nu_2", Content::number, deck::zero_is_taken, 20}};
     lines.next(DeckCard(ratios).first(static_cast<std::size_t>(*terms)));

@@ -1,4 +1,4 @@
-// Compression tests as columns of stress over one column of strain.
+// Compression tests: columns of stress over a column of strain.
 
 #include "dashpad/input/material_deck.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t max_rows_of_stresses = 10'000;
 
-/// A header in parts: "stress_kPa @ 10 1/s" is "stress", "kPa" and "10 1/s".
+/// The parts of a header: "stress", "kPa" and "10 1/s" of "stress_kPa @ 10 1/s".
 struct StressHeader {
   std::string name, unit, rate;
 };
@@ -51,7 +51,7 @@ struct StressColumns {
   std::vector<StressColumn> stresses;
 };
 
-/// "10 1/s", "10/s" and "10" are rates per second.
+/// A rate per second: "10 1/s", "10/s" or "10".
 std::optional<double> rate_in(std::string text) {
   const auto end = text.find_first_not_of("0123456789.+-eE ");
   if (end == std::string::npos) text += " 1/s";
@@ -81,7 +81,7 @@ void add_stress(const injury::MeasuredColumn& column, StressHeader header, std::
   columns.stresses.push_back(std::move(stress));
 }
 
-/// Faults where the header does not tell which is which, or in which unit.
+/// Finds the columns. Faults if the header is ambiguous or lacks units.
 StressColumns choose_stresses(const CsvHeader& header, MeasurementFaults& faults) {
   const CsvColumns named = named_columns(header, " and their units: strain,stress_kPa", faults);
   StressColumns columns;
@@ -111,7 +111,7 @@ StressColumns choose_stresses(const CsvHeader& header, MeasurementFaults& faults
   return columns;
 }
 
-/// The rates, where the header leaves one to be told.
+/// Completes the rates that the header does not state.
 void settle_rates_of(StressColumns& columns, std::optional<double> rate, MeasurementFaults& faults) {
   if (columns.stresses.size() == 1) {
     StressColumn& only = columns.stresses.front();
@@ -132,7 +132,7 @@ void settle_rates_of(StressColumns& columns, std::optional<double> rate, Measure
   std::ranges::sort(columns.stresses, {}, &StressColumn::rate);
 }
 
-/// Takes a row into each curve that has a stress there.
+/// Adds a row to each curve that has a stress in it.
 void take_row(const CsvRow& row, const StressColumns& columns, char separator, std::vector<DeckCurve>& curves,
               MeasurementFaults& faults) {
   const ReadNumber strain = read_csv_number(field_in(row, columns.strain), separator);

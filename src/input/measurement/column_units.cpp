@@ -8,6 +8,7 @@
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "quantities/text.hpp"
 #include "quantities/unit.hpp"
 
 namespace dashpad::input {
@@ -25,16 +26,13 @@ bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-/// In the words of the units database: "msec" is "ms", "m/s**2" is "m/s^2", "m_per_s2" is "m/s2".
+/// The unit in the notation of the units database: "ms" for "msec", "m/s^2" for "m/s**2", "m/s2" for
+/// "m_per_s2".
 std::string standard_unit(std::string_view unit) {
-  std::string text = replaced(std::string(without_blanks(unit)), "**", "^");
-  text = replaced(replaced(text, "_per_", "/"), "/s/s", "/s2");
+  std::string text(without_blanks(unit));
+  replace_all(text, "**", "^");
+  replace_all(text, "_per_", "/");
+  replace_all(text, "/s/s", "/s2");
   if (text == "m_s2" || text == "mps2") return "m/s2";
   if (text == "sec" || text == "secs") return "s";
   if (text == "msec") return "ms";
@@ -48,7 +46,7 @@ constexpr const char* words_for(ColumnKind kind) {
   return kind == ColumnKind::time ? "time" : "acceleration";
 }
 
-/// The place of the bracket that the one at the end of `text` closes.
+/// The place of the bracket that matches the one at the end of `text`.
 std::size_t opening_bracket(std::string_view text) {
   if (!text.ends_with(')') && !text.ends_with(']')) return std::string_view::npos;
   const char close = text.back();
@@ -61,18 +59,18 @@ std::size_t opening_bracket(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// Whether what stands before a slash is part of a unit: the m of "v m/s" and "v_m/s", but not "Time /".
+/// Whether the text before a slash belongs to a unit: "v m" in "v m/s" does, "Time " in "Time / s" does not.
 bool ends_in_unit(std::string_view before) {
   const auto last = before.substr(before.find_last_of(" _") + 1);
   return !last.empty() && last.size() <= 2;
 }
 
-/// As to_si() sees it, but without a message: a table may have thousands of columns.
+/// Like to_si(), but without a message, since a table may have thousands of columns.
 bool is_unit_of(const std::string& text, const char* si_unit) {
   return unit_factor(tidy_unit(text), si_unit).match == UnitMatch::same_dimension;
 }
 
-/// A unit, but neither of time nor of acceleration: the column of degrees called T.
+/// Whether this is a unit of another quantity, as in a column of degrees called T.
 bool is_other_unit(const std::string& text) {
   return unit_factor(tidy_unit(standard_unit(text)), "s").match == UnitMatch::other_dimension;
 }
@@ -85,7 +83,7 @@ bool begins_with_word(const std::string& name, std::initializer_list<std::string
   });
 }
 
-/// The end of a header that looks like a unit but is none that is known: "mm_per_fortnight2". Else "".
+/// The end of a header that resembles a unit but is unknown, such as "mm_per_fortnight2"; else "".
 std::string unknown_unit(const std::string& header) {
   const auto at = header.find_first_of("_ ,");
   if (at == std::string::npos) return "";
@@ -104,7 +102,7 @@ double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
     return to_si("1 " + text, si_unit_of(kind));
   } catch (const UnitError& error) {
     std::string rule = error.what();
-    if (kind == ColumnKind::acceleration) rule = replaced(rule, "gravity", "g");
+    if (kind == ColumnKind::acceleration) replace_all(rule, "gravity", "g");
     throw UnitError(rule);
   }
 }

@@ -1,11 +1,11 @@
 #include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "input/spelling.hpp"
+#include "quantities/from_chars.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -18,12 +18,7 @@ constexpr std::size_t longest_name = 100;  // of a column, in messages and resul
 
 using Columns = std::vector<injury::MeasuredColumn>;
 
-bool is_number_like(std::string_view field, char separator) {
-  const NumberKind kind = read_csv_number(field, separator).kind;
-  return kind != NumberKind::text && kind != NumberKind::empty;
-}
-
-/// The unit in a field that is nothing else: "ms", "[ms]", "(g)".
+/// The unit in a field without a name: "ms", "[ms]", "(g)".
 std::optional<std::string> lone_unit(const std::string& field) {
   const auto [name, unit] = split_header(field);
   if (name.empty() && !unit.empty()) return unit;
@@ -41,7 +36,7 @@ bool is_row_of_units(const CsvHeader::Row& row) {
   return any && (lone_unit(row.fields.front()).has_value() || row.fields.front().empty());
 }
 
-/// How many columns a row tells something about that we look for.
+/// The number of columns in a row that look like a time or an acceleration.
 int score(const CsvHeader::Row& row) {
   int known = 0;
   for (const std::string& field : row.fields) {
@@ -72,25 +67,17 @@ std::string listing(const Columns& columns) {
   return short_listing(all);
 }
 
-std::optional<std::size_t> column_number(const std::string& text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-/// The column that the user named. By its whole header, else by its name without unit; then the same without
-/// regard to capitals.
+/// The column that the user named, by its whole header or else by its name without unit; then ignoring case.
 std::optional<injury::MeasuredColumn> named(const Columns& all, const std::string& wanted,
                                             const std::string& option, std::size_t line,
                                             MeasurementFaults& faults) {
-  if (const auto number = column_number(wanted)) {
+  if (const auto number = parsed<std::size_t>(wanted)) {
     if (*number >= 1 && *number <= all.size()) return all[*number - 1];
     faults.add(line, "", "", fmt::format("{} {}: the columns are 1 to {}", option, wanted, all.size()));
     return std::nullopt;
   }
   const auto bare = [](const injury::MeasuredColumn& column) { return split_header(column.name).name; };
-  const std::string whole = quoted_part(wanted, longest_name);  // as columns are named
+  const std::string whole = quoted_part(wanted, longest_name);  // columns are named likewise
   for (int attempt = 0; attempt < 4; ++attempt) {
     Columns found;
     for (const injury::MeasuredColumn& column : all) {
@@ -109,7 +96,7 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
   return std::nullopt;
 }
 
-/// Those in volts where there is a sensitivity, if there are any.
+/// With a sensitivity, the columns in volts if there are any.
 Columns those_that_look_like(ColumnKind kind, const Columns& all,
                              const std::vector<Sensitivity>& sensitivity = {}) {
   Columns found;
@@ -122,7 +109,7 @@ Columns those_that_look_like(ColumnKind kind, const Columns& all,
   return found;
 }
 
-/// What is said about columns that are called as wanted but have a unit that is not of this kind.
+/// A hint at columns with the expected name but an unsuitable unit.
 std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   std::string text;
   std::size_t count = 0;
@@ -141,7 +128,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   return text;
 }
 
-/// The columns of one kind: as named, else as the header tells.
+/// The columns of one kind, as named by the user or by the header.
 Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std::string>& names,
                std::size_t most, const std::vector<Sensitivity>& sensitivity, MeasurementFaults& faults) {
   const std::string word = kind == ColumnKind::time ? "time" : "acceleration";
@@ -188,7 +175,10 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   std::optional<CsvHeader> fallback;
   std::string_view comment;
   while (header.rows.size() < max_header_rows && rows.next(row)) {
-    const auto is_number = [&](std::string_view field) { return is_number_like(field, separator); };
+    const auto is_number = [&](std::string_view field) {
+      const NumberKind kind = read_csv_number(field, separator).kind;
+      return kind != NumberKind::text && kind != NumberKind::empty;
+    };
     const auto numbers = std::ranges::count_if(row.fields, is_number);
     const auto begin_numbers = [&](CsvHeader& csv_header) {
       csv_header.first_line = row.line;
@@ -234,17 +224,16 @@ CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool 
   return table;
 }
 
-std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column) {
-  const auto place = static_cast<std::size_t>(column.number - 1);
-  return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
+void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
+               MeasurementFaults& faults) {
+  faults.add(row.line, column.name, field_in(row, column), std::move(rule));
 }
 
 std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
                                 MeasurementFaults& faults) {
-  const std::string_view field = field_in(row, column);
-  const ReadNumber read = read_csv_number(field, separator);
+  const ReadNumber read = read_csv_number(field_in(row, column), separator);
   if (read.kind == NumberKind::number) return read.value * column.factor;
-  faults.add(row.line, column.name, field, rule_for(read.kind));
+  add_fault(row, column, rule_for(read.kind), faults);
   return std::nullopt;
 }
 
@@ -253,19 +242,15 @@ void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
                         MeasurementFaults& faults, std::size_t first) {
   for (const CsvHeader::Row& row : header.rows) {
     if (names != nullptr && row.line <= names->line) continue;
-    const auto field_of = [&](const injury::MeasuredColumn& column) {
-      const auto at = static_cast<std::size_t>(column.number - 1);
-      return at < row.fields.size() ? std::string_view(row.fields[at]) : std::string_view();
-    };
     const auto kind_of = [&](const injury::MeasuredColumn& column) {
-      return read_csv_number(field_of(column), separator).kind;
+      return read_csv_number(field_in(row, column), separator).kind;
     };
     const auto holds_number = [&](const auto& column) { return kind_of(column) == NumberKind::number; };
     if (std::none_of(chosen.begin() + static_cast<std::ptrdiff_t>(first), chosen.end(), holds_number))
       continue;
     for (const injury::MeasuredColumn& column : chosen)
       if (!holds_number(column))
-        faults.add(row.line, column.name, field_of(column), rule_for(kind_of(column)));
+        faults.add(row.line, column.name, field_in(row, column), rule_for(kind_of(column)));
   }
 }
 

@@ -7,12 +7,11 @@ namespace dashpad::input {
 
 namespace {
 
-/// Bytes: a header of thousands of columns, and rows of numbers below it.
+/// Bytes: enough for a header of thousands of columns and rows of numbers.
 constexpr std::size_t sample_size = 1 << 20;
 constexpr std::size_t sample_rows = 400;
-constexpr std::size_t longest_quoted_field = 10'000;  // more is a quote that is never closed
+constexpr std::size_t longest_quoted_field = 10'000;  // a longer one is not closed
 
-/// Whole lines.
 std::string_view beginning_of(std::string_view text) {
   const std::string_view sample = text.substr(0, sample_size);
   return sample.size() < text.size() ? sample.substr(0, sample.find_last_of("\r\n")) : text;
@@ -48,15 +47,15 @@ bool CsvRows::next(CsvRow& row) {
       ++pending_blank_lines_;
       continue;
     }
-    blank_lines_ += pending_blank_lines_;  // those at the end of the file are nothing to speak of
+    blank_lines_ += pending_blank_lines_;  // those at the end of the file do not count
     pending_blank_lines_ = 0;
     return true;
   }
   return false;
 }
 
-/// The text of the field whose quote opens at `begin`. It may go on in further lines, which `line` then takes
-/// in. `after` is the place behind the closing quote.
+/// The text of a quoted field that begins at `begin` and may extend over further lines, which are added to
+/// `line`. `after` is the place after the closing quote.
 std::string_view CsvRows::quoted(std::string_view& line, std::size_t begin, CsvRow& row, std::size_t& after) {
   std::string text;
   std::size_t i = begin + 1;
@@ -153,11 +152,11 @@ char find_separator(std::string_view text) {
       const auto numbers = static_cast<std::size_t>(std::ranges::count_if(row.fields, is_number));
       if (numbers < 2) continue;
       const bool all = numbers == row.filled();
-      if (all && of_numbers == 0) of_some = 0;  // what numbers stand in the header says nothing
+      if (all && of_numbers == 0) of_some = 0;  // numbers in the header do not count
       ++(all ? of_numbers : of_some);
     }
     const std::size_t score = 10 * of_numbers + of_some;
-    // Blanks part tabs, too, and the words of a header: one row more says nothing.
+    // Blanks also separate at tabs and between the words of a header, so one more row is not enough.
     if (score <= best_score + (separator == ' ' && best_score > 0 ? 1 : 0)) continue;
     best_score = score;
     best = separator;

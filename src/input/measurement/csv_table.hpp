@@ -1,6 +1,5 @@
 #pragma once
-/// Tables in a text: rows with separators, quotes and comments, the rows above the numbers, and which columns
-/// these name.
+/// Tables in a text: rows, headers, and the columns that the headers name.
 
 #include <cstddef>
 #include <deque>
@@ -19,8 +18,8 @@ namespace dashpad::input {
 struct CsvRow {
   std::size_t line = 0;  ///< of its beginning
   std::vector<std::string_view> fields;
-  std::string_view fault;  ///< what is wrong with its quotes; empty if nothing is
-  /// Fields up to the last one that is not empty.
+  std::string_view fault;  ///< a fault in the quotes; empty if there is none
+  /// The number of fields up to the last one that is not empty.
   [[nodiscard]] std::size_t filled() const;
 };
 
@@ -28,16 +27,16 @@ class CsvRows {
  public:
   CsvRows(std::string_view text, char separator) : lines_(text), separator_(separator) {}
 
-  /// The next row with content. False at the end. Passes over comments (#), and over blank lines and lines of
-  /// nothing but separators, which it counts.
+  /// Reads the next row with content; false at the end. Skips comments (#), and counts blank lines and lines
+  /// of separators only.
   bool next(CsvRow& row);
 
   [[nodiscard]] const LineReader& lines() const { return lines_; }
   [[nodiscard]] std::size_t blank_lines() const { return blank_lines_; }
-  /// The latest comment so far, without #; and its line.
+  /// The latest comment without #, and its line.
   [[nodiscard]] std::string_view comment() const { return comment_; }
   [[nodiscard]] std::size_t comment_line() const { return comment_line_; }
-  /// Comments from now on are those among the numbers.
+  /// Later comments are counted as among the numbers.
   void begin_numbers() { numbers_ = true; }
   [[nodiscard]] std::size_t comments_among_numbers() const { return comments_among_numbers_; }
   [[nodiscard]] std::size_t first_comment_among_numbers() const { return first_comment_among_numbers_; }
@@ -56,15 +55,15 @@ class CsvRows {
   std::deque<std::string> unquoted_;
 };
 
-/// ',' ';' tab, or ' ' for any number of blanks: what makes numbers of most rows at the beginning of `text`.
+/// The separator ',' ';' tab or ' ' (any number of blanks) that makes numbers of most rows at the beginning.
 char find_separator(std::string_view text);
 
-/// Whether the table has one column, of numbers with a decimal point or comma. Two numbers with a comma
-/// between them are two columns where a row above them has two fields, or where the first one increases in at
-/// least four rows of five, as a time does.
+/// Whether the table has one column, of numbers with decimal points or commas. Two numbers with a comma
+/// between them are two columns if a row above has two fields, or if the first increases in at least four of
+/// five rows, like a time.
 bool is_one_column(std::string_view text);
 
-/// A number with a decimal point or, where no comma separates, with a decimal comma.
+/// A number with a decimal point or, unless commas separate, a decimal comma.
 ReadNumber read_csv_number(std::string_view field, char separator);
 
 struct CsvHeader {
@@ -74,46 +73,52 @@ struct CsvHeader {
   };
   std::vector<Row> rows;       ///< those before the first row of numbers
   bool from_comment = false;   ///< the only row is a comment
-  bool is_latin1 = false;      ///< some text was not UTF-8
-  std::size_t first_line = 0;  ///< of the numbers; 0 if there are none
-  std::size_t width = 0;       ///< columns of the first row of numbers that are not empty
+  bool is_latin1 = false;      ///< some text is Latin-1
+  std::size_t first_line = 0;  ///< of the numbers; 0 without any
+  std::size_t width = 0;       ///< number of columns of the first row of numbers
 };
 
-/// The rows up to the first one that begins with a number and holds `fewest` numbers; failing that, the first
-/// one with so many.
+/// The rows before the first one that begins with a number and holds at least `fewest` numbers; failing that,
+/// before the first one with so many.
 CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2);
 
-/// A table of numbers as it begins.
 struct CsvTable {
   std::string_view text;        ///< without byte order mark
-  bool has_one_column = false;  ///< which may be only where the caller says so
+  bool has_one_column = false;  ///< only if the caller allows it
   char separator = ',';
   CsvHeader header;
 };
 
-/// Refuses what is no text, is empty, or has no row of two numbers, or of one. `content` must outlive table
-/// and faults.
+/// Refuses text that is binary, empty, or without a row of two numbers (or of one). `content` must outlive
+/// table and faults.
 CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool may_have_one_column = false);
 
 struct CsvColumns {
   std::vector<injury::MeasuredColumn> all;           ///< units as in the header
   const CsvHeader::Row* names = nullptr;             ///< the row that names them
-  injury::MeasuredColumn time;                       ///< units settled; number 0 where the interval is given
-  std::vector<injury::MeasuredColumn> acceleration;  ///< units settled
+  injury::MeasuredColumn time;                       ///< with its unit; number 0 if the interval is given
+  std::vector<injury::MeasuredColumn> acceleration;  ///< with their units
 };
 
-/// All columns, with names and units of the row that says most about them, and of a row of units below it.
+/// All columns, named by the most telling row, with units from it or from a row of units below.
 CsvColumns name_columns(const CsvHeader& header);
-/// The same; refuses a table in which no row names the columns, as `what` says: " and their units:
+/// The same columns. Refuses a table without a row of names; `what` continues the message: " and their units:
 /// time_s,strain".
 CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults);
 
-/// The field of a column in a row, without blanks around it; empty where the row ends before.
-std::string_view field_in(const CsvRow& row, const injury::MeasuredColumn& column);
-/// Its number in SI; nothing, and a fault, where it holds none.
+/// The trimmed field of a column in a row; empty beyond the end of the row.
+template <class Row>
+std::string_view field_in(const Row& row, const injury::MeasuredColumn& column) {
+  const auto place = static_cast<std::size_t>(column.number - 1);
+  return place < row.fields.size() ? without_blanks(row.fields[place]) : std::string_view();
+}
+/// Adds a fault of a field.
+void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
+               MeasurementFaults& faults);
+/// The number of a field in SI; absent after a fault.
 std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
                                 MeasurementFaults& faults);
-/// Gives the rows of numbers to `take`, those with a fault in their quotes apart.
+/// Calls `take` with each row of numbers. Rows with a fault in their quotes are reported.
 template <class Take>
 void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take) {
   CsvRows rows(table.text, table.separator);
@@ -126,53 +131,53 @@ void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take) {
   }
 }
 
-/// Faults for a number in one of these columns, from `first` on, in a row below the names, but above the
-/// numbers: a row that would be lost.
+/// Reports rows between names and numbers that hold a number in one of these columns, from `first` on, and
+/// would be lost.
 void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
                         const std::vector<injury::MeasuredColumn>& chosen, char separator,
                         MeasurementFaults& faults, std::size_t first = 0);
 
-/// Chooses time and acceleration, settles their units, and adds to `remarks` what was not plain.
+/// Chooses the columns of time and acceleration with their units; adds remarks on choices that were not
+/// obvious.
 void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
                     MeasurementFaults& faults, std::vector<std::string>& remarks);
 
-// The units of measured columns, and the ways in which headers name them.
+// Units of measured columns, and their notation in headers.
 
 enum class ColumnKind { time, acceleration };
 
-/// One `unit` in SI. Of accelerations, g is standard gravity; the gram is no acceleration. Throws UnitError.
+/// One `unit` in SI. As an acceleration, g is standard gravity. Throws UnitError.
 double pulse_unit_factor(ColumnKind kind, const std::string& unit);
 bool is_pulse_unit(ColumnKind kind, const std::string& unit);
 bool is_voltage(const std::string& unit);
-/// Whether a header means a unit by this where it does not put it in brackets: "ms", "g", "m_per_s2".
+/// Whether a header may have this unit without brackets: "ms", "g", "m_per_s2".
 bool is_customary_unit(std::string_view text);
 
-/// A header in two: "Time [ms]", "Acc (g)", "t_ms", "Time / s", "Acc, g", "Acc g", "a_m_per_s2". The unit is
-/// empty where there is none.
+/// Splits headers such as "Time [ms]", "Acc (g)", "t_ms", "Time / s", "Acc, g", "Acc g", "a_m_per_s2". The
+/// unit may be empty.
 struct HeaderText {
   std::string name;
   std::string unit;
 };
 HeaderText split_header(std::string_view header);
 
-/// How many of that unit a strain of 1 is: 1 without a unit, 100 in %. Nothing for a unit that is none of a
-/// strain.
+/// How many of a unit make a strain of 1: 1 without a unit, 100 for %. Absent for other units.
 std::optional<double> units_in_strain_one(const std::string& unit);
 
-/// Whether a column is of this kind: by its unit where it has one of time or acceleration, else by its name.
+/// Whether a column is of this kind, by its unit or, unless that is one of time or acceleration, by its name.
 bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column);
 
-/// Fills in unit, origin and factor of a column whose `unit` is that of the header, or empty. Returns the
-/// rule that is broken, or "". `option` is how to give the unit: "--time-unit". A column in volts is an
-/// acceleration with a `sensitivity`, and only such a column has one.
+/// Sets unit, origin and factor of a column whose `unit` is that of the header, or empty. Returns a broken
+/// rule, or "". `option` is how to give the unit: "--time-unit". A column in volts needs a `sensitivity`, and
+/// only such a column has one.
 std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const std::string& given,
                         const std::string& option, const std::optional<Sensitivity>& sensitivity = {});
 
 std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations);
-/// Of the acceleration at `place`, from 0: the only sensitivity is that of all.
+/// The sensitivity of the acceleration number `place`, from 0; a single one applies to all.
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place);
 
-/// A sentence for the user where a given unit overrules that of the file.
+/// A remark if a given unit overrules that of the file.
 std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
                                           const std::string& unit_of_file);
 

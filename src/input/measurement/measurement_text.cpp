@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t longest_number = 100;
 
-/// Closes a file at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -33,7 +32,7 @@ class Descriptor {
   int number_;
 };
 
-/// The line, in which the value, or the column that the fault is about, is marked where it is found.
+/// The line, with the value or else the key of the fault marked.
 Excerpt excerpt_in(std::string_view line, const Fault& fault) {
   const std::string& meant = fault.value.empty() ? fault.key : fault.value;
   const auto begin = meant.empty() ? std::string_view::npos : line.find(meant);
@@ -41,7 +40,7 @@ Excerpt excerpt_in(std::string_view line, const Fault& fault) {
   return {std::string(line), begin, meant.size()};
 }
 
-/// Its size as the file system tells it.
+/// Returns the size that the file system reports.
 std::size_t require_regular(int descriptor, const std::string& name) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
@@ -61,10 +60,6 @@ void MeasurementFaults::add(std::size_t line, std::string key, std::string_view 
   }
 }
 
-void MeasurementFaults::throw_if_any() const {
-  if (!faults_.empty()) throw_all();
-}
-
 void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_view value, std::string rule) {
   add(line, std::move(key), value, std::move(rule));
   throw_all();
@@ -82,24 +77,30 @@ void MeasurementFaults::throw_all() const {
   throw InputError(std::move(faults));
 }
 
-std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
-  const Descriptor closing(descriptor);
-  const std::size_t told = require_regular(descriptor, name);
-  if (told > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
-  // Not relied on beyond that: some files grow while they are read, or tell nothing.
+std::string read_bytes(int descriptor, const std::string& name, std::size_t most, std::size_t expected) {
   constexpr std::size_t step = 65536;
-  std::string content(std::min(told, most) + step, '\0');
+  std::string content(std::min(expected, most) + step, '\0');
   std::size_t size = 0;
-  while (true) {
+  while (size < most) {
     if (content.size() == size) content.resize(2 * size);
     const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) break;
     size += static_cast<std::size_t>(count);
-    if (size > most && !cut) refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
-    if (count == 0 || size > most) break;
   }
   content.resize(std::min(size, most));
+  return content;
+}
+
+std::string read_descriptor(int descriptor, const std::string& name, std::size_t most, bool cut) {
+  const Descriptor closing(descriptor);
+  const std::size_t told = require_regular(descriptor, name);
+  const bool is_refused = told > most && !cut;
+  std::string content = is_refused ? "" : read_bytes(descriptor, name, most + 1, told);
+  if (is_refused || (content.size() > most && !cut))
+    refuse_file(name, fmt::format("is larger than {} MiB", most >> 20));
+  content.resize(std::min(content.size(), most));
   return content;
 }
 
@@ -134,7 +135,7 @@ bool LineReader::next(std::string_view& line) {
   ++number_;
   const char* const begin = rest_.data();
   const char* const text_end = begin + rest_.size();
-  if (line_feed_ == nullptr || line_feed_ < begin) {  // looked up once a line feed, not once a line
+  if (line_feed_ == nullptr || line_feed_ < begin) {  // searched once per line feed, not per line
     const auto* const found = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
     line_feed_ = found == nullptr ? text_end : found;
   }

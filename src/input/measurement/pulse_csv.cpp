@@ -19,21 +19,20 @@ namespace {
 
 constexpr std::size_t max_gap_remarks = 20;
 
-/// What was met on the way through the numbers.
+/// Observations while reading the numbers.
 struct Findings {
   std::size_t repeated_samples = 0, first_repeated = 0;
-  std::size_t empty_columns = 0;                     ///< rows with nothing behind their last separator
+  std::size_t empty_columns = 0;                     ///< rows with an empty last field
   std::size_t decimal_comma = 0, decimal_point = 0;  ///< the first line of each
 };
 
-/// The columns whose numbers are read, the time first.
+/// The columns to be read, the time first.
 std::vector<injury::MeasuredColumn> read_columns_of(const CsvColumns& columns) {
   std::vector<injury::MeasuredColumn> all = columns.acceleration;
   if (columns.time.number > 0) all.insert(all.begin(), columns.time);
   return all;
 }
 
-/// Reads the rows of numbers of a table.
 class NumberReader {
  public:
   NumberReader(const CsvColumns& columns, std::optional<double> interval, char separator,
@@ -47,22 +46,19 @@ class NumberReader {
   }
 
   void add(const CsvRow& row) {
-    if (!row.fault.empty()) {
-      faults_.add(row.line, "", "", std::string(row.fault));
-      return;
-    }
+    if (!row.fault.empty()) return faults_.add(row.line, "", "", std::string(row.fault));
     if (!fits(row)) return;
     std::array<double, 4> sample{};
     bool complete = true;
     if (interval_) sample[0] = *interval_ * static_cast<double>(pulse.time.size());
-    const std::size_t values = interval_ ? 1 : 0;  // those of the columns begin there
+    const std::size_t values = interval_ ? 1 : 0;  // index of the first of the columns
     for (std::size_t i = 0; i < columns_.size(); ++i)
       complete = read(row, columns_[i], sample[values + i]) && complete;
     if (complete) append(sample, row);
   }
 
-  /// After the last row. Lets the times count from the first sample where the clock began long ago; says then
-  /// what the file has there.
+  /// Call after the last row. If the clock began long ago, makes times count from the first sample and
+  /// returns the first time as in the file.
   std::string count_from_first() {
     if (since_first_.empty()) return "";
     const bool is_far = counts_from_first(pulse.time.front(), since_first_.back());
@@ -93,55 +89,48 @@ class NumberReader {
   }
 
   bool read(const CsvRow& row, const injury::MeasuredColumn& column, double& value) {
-    const std::string_view field = row.fields[static_cast<std::size_t>(column.number - 1)];
-    const ReadNumber number = read_csv_number(field, separator_);
-    if (number.kind != NumberKind::number) {
-      faults_.add(row.line, column.name, without_blanks(field), rule_for(number.kind));
-      return false;
-    }
-    if (!has_usual_decimal_sign(row.line, column, field)) return false;
-    value = number.value * column.factor;
+    const std::optional<double> number = number_in(row, column, separator_, faults_);
+    if (!number || !has_usual_decimal_sign(row, column)) return false;
+    value = *number;
     const bool is_time = !interval_ && &column == &columns_.front();
-    if (std::abs(value) <= (is_time ? latest_time_ : largest_acceleration_)) return true;
-    faults_.add(row.line, column.name, without_blanks(field),
-                std::isfinite(value)
-                    ? fmt::format("must be within {:g} {}: no sensor gives more",
-                                  is_time ? latest_time_ : largest_acceleration_, is_time ? "s" : "m/s2")
-                    : rule_for(NumberKind::out_of_range));
+    const double most = is_time ? latest_time_ : largest_acceleration_;
+    if (std::abs(value) <= most) return true;
+    add_fault(row, column,
+              std::isfinite(value)
+                  ? fmt::format("must be within {:g} {}: no sensor gives more", most, is_time ? "s" : "m/s2")
+                  : rule_for(NumberKind::out_of_range),
+              faults_);
     return false;
   }
 
-  /// A comma may be a decimal sign or part thousands; together with points nobody knows.
-  bool has_usual_decimal_sign(std::size_t line, const injury::MeasuredColumn& column,
-                              std::string_view field) {
+  /// Whether the decimal sign is the usual one. A comma may also separate thousands, so commas and points
+  /// together are ambiguous.
+  bool has_usual_decimal_sign(const CsvRow& row, const injury::MeasuredColumn& column) {
+    const std::string_view field = field_in(row, column);
     const bool comma = separator_ != ',' && field.find(',') != std::string_view::npos;
     if (!comma && (findings.decimal_point != 0 && findings.decimal_comma == 0)) return true;
     if (!comma && field.find('.') == std::string_view::npos) return true;
     std::size_t& first = comma ? findings.decimal_comma : findings.decimal_point;
     const std::size_t other = comma ? findings.decimal_point : findings.decimal_comma;
-    if (first == 0) first = line;
+    if (first == 0) first = row.line;
     if (other == 0) return true;
-    faults_.add(line, column.name, without_blanks(field),
-                fmt::format("has a decimal {}, but line {} has a {}", comma ? "comma" : "point", other,
-                            comma ? "point" : "comma"));
+    add_fault(row, column,
+              fmt::format("has a decimal {}, but line {} has a {}", comma ? "comma" : "point", other,
+                          comma ? "point" : "comma"),
+              faults_);
     return false;
   }
 
-  [[nodiscard]] std::string_view time_field(const CsvRow& row) const {
-    return without_blanks(row.fields[static_cast<std::size_t>(columns_.front().number - 1)]);
-  }
-
-  /// Seconds by which the time of a row is later than that of the first sample, rounded once they are
-  /// subtracted.
+  /// The time of a row after the first sample, s, rounded after the subtraction.
   [[nodiscard]] double since_first(double time, const CsvRow& row) const {
-    const std::optional<ExactTime> exact = exact_time(time_field(row));
+    const std::optional<ExactTime> exact = exact_time(field_in(row, columns_.front()));
     return exact && first_ ? columns_.front().factor * exact->since(*first_) : time - pulse.time.front();
   }
 
-  /// By how much the time of this row is later than the one before, s.
+  /// The time of this row after the previous one, s.
   double step_to(double time, const CsvRow& row) {
     if (pulse.time.size() == 1 && counts_from_first(pulse.time.front(), time - pulse.time.front()))
-      since_first_ = {0};  // it may be far: what the doubles still tell of the times is too little then
+      since_first_ = {0};  // then the doubles are too coarse
     if (since_first_.empty()) return time - pulse.time.back();
     return since_first(time, row) - since_first_.back();
   }
@@ -149,7 +138,7 @@ class NumberReader {
   void append(const std::array<double, 4>& sample, const CsvRow& row) {
     const double time = sample[0];
     if (!interval_ && pulse.time.empty()) {
-      first_time_ = time_field(row);
+      first_time_ = field_in(row, columns_.front());
       first_ = exact_time(first_time_);
     } else if (!interval_) {
       const double step = step_to(time, row);
@@ -158,19 +147,17 @@ class NumberReader {
         return;
       }
       if (!(step > 0)) {
-        faults_.add(row.line, columns_.front().name, time_field(row),
-                    step == 0 ? "repeats the time before, with another value; times must increase"
-                              : "is earlier than the time before; times must increase");
-        return;
+        return add_fault(row, columns_.front(),
+                         step == 0 ? "repeats the time before, with another value; times must increase"
+                                   : "is earlier than the time before; times must increase",
+                         faults_);
       }
     }
     if (pulse.time.size() == max_samples)
       faults_.refuse(row.line, "", "", fmt::format("more than {} samples", max_samples));
     const double value = components.empty() ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
-    if (!std::isfinite(value)) {
-      faults_.add(row.line, "", "", "the resultant is too large to compute with");
-      return;
-    }
+    if (!std::isfinite(value))
+      return faults_.add(row.line, "", "", "the resultant is too large to compute with");
     latest_ = sample;
     if (!since_first_.empty()) since_first_.push_back(since_first(time, row));
     pulse.time.push_back(time);
@@ -180,7 +167,7 @@ class NumberReader {
   }
 
   char separator_;
-  std::optional<double> interval_;  ///< s, where no column has the times
+  std::optional<double> interval_;  ///< s, without a column of times
   std::size_t width_;
   double latest_time_ = measured_magnitudes("s").most;              ///< s
   double largest_acceleration_ = measured_magnitudes("m/s2").most;  ///< m/s2
@@ -189,7 +176,7 @@ class NumberReader {
   std::array<double, 4> latest_{};
   std::string first_time_;  ///< as in the file
   std::optional<ExactTime> first_;
-  std::vector<double> since_first_;  ///< s, of all samples, where the second is near to the first; else empty
+  std::vector<double> since_first_;  ///< s, of all samples, if the times may count from the first; else empty
 };
 
 std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& rows, bool has_mark) {
@@ -200,24 +187,20 @@ std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& row
     remarks.push_back(fmt::format("{} left out", plural(rows.blank_lines(), "line") + " without content"));
   if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");
   if (findings.empty_columns > 0) remarks.emplace_back("empty columns at the end were left out");
-  if (findings.repeated_samples > 0)
-    remarks.push_back(
-        findings.repeated_samples == 1
-            ? fmt::format("1 sample that repeats the one before was left out, in line {}",
-                          findings.first_repeated)
-            : fmt::format("{} samples that repeat the one before were left out, the first in line {}",
-                          findings.repeated_samples, findings.first_repeated));
-  if (const std::size_t count = rows.comments_among_numbers(); count > 0)
-    remarks.push_back(count == 1 ? fmt::format("1 line that begins with # among the numbers was left out, in "
-                                               "line {}",
-                                               rows.first_comment_among_numbers())
-                                 : fmt::format("{} lines that begin with # among the numbers were left out, "
-                                               "the first in line {}",
-                                               count, rows.first_comment_among_numbers()));
+  const auto left_out = [&](std::size_t count, std::string_view one, std::string_view several,
+                            std::size_t first) {
+    if (count > 0)
+      remarks.push_back(fmt::format("{} {} left out, {}in line {}", count, count == 1 ? one : several,
+                                    count == 1 ? "" : "the first ", first));
+  };
+  left_out(findings.repeated_samples, "sample that repeats the one before was",
+           "samples that repeat the one before were", findings.first_repeated);
+  left_out(rows.comments_among_numbers(), "line that begins with # among the numbers was",
+           "lines that begin with # among the numbers were", rows.first_comment_among_numbers());
   return remarks;
 }
 
-/// Faults for the gaps between the times or, if they are to be bridged, remarks.
+/// Reports the gaps between the times, as faults or, if they are to be bridged, as remarks.
 void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time, bool bridge,
                 MeasurementFaults& faults, std::vector<std::string>& remarks) {
   const PulseGaps gaps = find_gaps(numbers.pulse.time);

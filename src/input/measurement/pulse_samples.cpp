@@ -1,7 +1,6 @@
 #include "input/measurement/pulse_samples.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -98,15 +97,16 @@ std::optional<ExactTime> exact_time(std::string_view number) {
   if (mantissa_end < number.size()) {
     std::string_view text = number.substr(mantissa_end + 1);
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    const auto whole = parsed<int>(text);
+    if (!whole) return std::nullopt;
+    exponent = *whole;
   }
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find_first_of(".,"), mantissa.size());
   std::string all(mantissa.substr(0, point));
   if (point < mantissa.size()) all += mantissa.substr(point + 1);
   if (all.empty() || all.find_first_not_of(digits) != std::string::npos) return std::nullopt;
-  // The point among all digits; beyond either end there are zeros.
+  // The place of the decimal point among the digits; beyond their ends there are zeros.
   const std::int64_t place = static_cast<std::int64_t>(point) + exponent;
   if (place > static_cast<std::int64_t>(max_digits)) return std::nullopt;
   const auto whole_digits = static_cast<std::size_t>(std::max<std::int64_t>(place, 0));

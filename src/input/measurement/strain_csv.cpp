@@ -13,9 +13,9 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t max_rows = 10'000;
-constexpr double min_strain = 1e-12;  // the largest of a history; below it, rounding is not small
+constexpr double min_strain = 1e-12;  // the largest of a history; rounding matters below
 
-/// A column called strain, with its unit also where no bracket sets it apart: "strain %", "strain_percent".
+/// A column called strain, whose unit needs no brackets: "strain %", "strain_percent".
 std::optional<injury::MeasuredColumn> as_strain(injury::MeasuredColumn column) {
   std::string name = lower_case(split_header(column.name).name);
   for (const std::string_view unit : {" %", "_%", "_percent", " percent"})
@@ -31,7 +31,7 @@ struct StrainColumns {
   injury::MeasuredColumn time, strain;
 };
 
-/// Faults where the header does not tell which is which, or in which unit.
+/// Finds the columns. Faults if the header is ambiguous or lacks a unit.
 StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   const CsvColumns named = named_columns(header, " and their units: time_s,strain", faults);
   const std::size_t line = named.names->line;
@@ -69,68 +69,56 @@ StrainColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   return chosen;
 }
 
-/// Reads the rows and judges each as it comes.
-class StrainReader {
- public:
-  StrainReader(StrainColumns columns, char separator, MeasurementFaults& faults)
-      : columns_(std::move(columns)), separator_(separator), faults_(faults) {}
-
-  void add(const CsvRow& row) {
-    const auto time = number_in(row, columns_.time, separator_, faults_);
-    const auto strain = number_in(row, columns_.strain, separator_, faults_);
+StrainTable read_rows(const CsvTable& csv, const StrainColumns& columns, MeasurementFaults& faults) {
+  StrainTable table;
+  std::optional<double> last_time;
+  std::size_t rows = 0, repeated = 0;
+  each_row(csv, faults, [&](const CsvRow& row) {
+    const auto time = number_in(row, columns.time, csv.separator, faults);
+    const auto strain = number_in(row, columns.strain, csv.separator, faults);
     if (!time || !strain) return;
-    if (rows_++ == max_rows) faults_.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows));
+    if (rows++ == max_rows) faults.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows));
     if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
-      ++repeated_;
+      ++repeated;
       return;
     }
-    // The first time is taken off all others: what counts is what rounding leaves of them.
+    // The first time will be subtracted from all others, so times are compared after that rounding.
     const double begin = table.time.empty() ? *time : table.time.front();
     if (!std::isfinite(*time - begin))
-      faults_.add(row.line, columns_.time.name, field_in(row, columns_.time),
-                  rule_for(NumberKind::out_of_range));
-    else if (last_time_ && !(*time - begin > *last_time_ - begin))
-      faults_.add(row.line, columns_.time.name, field_in(row, columns_.time),
-                  *time > *last_time_ ? "is too near the time before, so long after the first"
-                                      : "must be later than the time before");
-    last_time_ = time;
+      add_fault(row, columns.time, rule_for(NumberKind::out_of_range), faults);
+    else if (last_time && !(*time - begin > *last_time - begin))
+      add_fault(row, columns.time,
+                *time > *last_time ? "is too near the time before, so long after the first"
+                                   : "must be later than the time before",
+                faults);
+    last_time = time;
     if (!(*strain >= 0 && *strain < 1))
-      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
-                  "a strain is at least 0 and below 1 (100 %), positive in compression");
-    else if (rows_ == 1 && *strain != 0)
-      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
-                  "the history begins at first contact, with strain 0");
+      add_fault(row, columns.strain, "a strain is at least 0 and below 1 (100 %), positive in compression",
+                faults);
+    else if (rows == 1 && *strain != 0)
+      add_fault(row, columns.strain, "the history begins at first contact, with strain 0", faults);
     table.time.push_back(*time);
     table.strain.push_back(*strain);
-  }
+  });
+  faults.throw_if_any();
+  if (repeated > 0)
+    table.remarks.push_back(
+        fmt::format("{} {} before {} left out", repeated,
+                    repeated == 1 ? "row that repeats the one" : "rows that repeat the one",
+                    repeated == 1 ? "was" : "were"));
+  return table;
+}
 
-  void finish() {
-    if (!faults_.none()) return;
-    if (repeated_ > 0)
-      table.remarks.push_back(
-          fmt::format("{} {} before {} left out", repeated_,
-                      repeated_ == 1 ? "row that repeats the one" : "rows that repeat the one",
-                      repeated_ == 1 ? "was" : "were"));
-    if (table.time.size() < 2)
-      faults_.add(0, "", "", "has one row only; a history needs two");
-    else if (const double span = table.time.back() - table.time.front(), most = measured_magnitudes("s").most;
-             !(span <= most))
-      faults_.add(0, columns_.time.name, "",
+/// Refuses a history that is too short or too long, or without strain.
+void judge_history(const StrainTable& table, const StrainColumns& columns, MeasurementFaults& faults) {
+  if (table.time.size() < 2) faults.refuse(0, "", "", "has one row only; a history needs two");
+  const double span = table.time.back() - table.time.front(), most = measured_magnitudes("s").most;
+  if (!(span <= most))
+    faults.refuse(0, columns.time.name, "",
                   fmt::format("goes on for {:.3g} s; must be within {:g} s", span, most));
-    else if (const double largest = std::ranges::max(table.strain); !(largest > min_strain))
-      faults_.add(0, columns_.strain.name, "",
-                  largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
-  }
-
-  StrainTable table;
-
- private:
-  StrainColumns columns_;
-  char separator_;
-  MeasurementFaults& faults_;
-  std::optional<double> last_time_;
-  std::size_t rows_ = 0, repeated_ = 0;
-};
+  if (const double largest = std::ranges::max(table.strain); !(largest > min_strain))
+    faults.refuse(0, columns.strain.name, "", largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
+}
 
 }  // namespace
 
@@ -142,16 +130,14 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file) {
     const StrainColumns columns = choose(csv.header, faults);
     require_no_numbers(csv.header, name_columns(csv.header).names, {columns.time, columns.strain},
                        csv.separator, faults, 1);
-    StrainReader reader(columns, csv.separator, faults);
-    each_row(csv, faults, [&](const CsvRow& row) { reader.add(row); });
-    reader.finish();
-    faults.throw_if_any();
-    if (const double begin = reader.table.time.front(); begin != 0) {
-      for (double& time : reader.table.time) time -= begin;
-      reader.table.remarks.push_back(
+    StrainTable table = read_rows(csv, columns, faults);
+    judge_history(table, columns, faults);
+    if (const double begin = table.time.front(); begin != 0) {
+      for (double& time : table.time) time -= begin;
+      table.remarks.push_back(
           fmt::format("the first time, {:g} s, is first contact; it was taken off all times", begin));
     }
-    return std::move(reader.table);
+    return table;
   });
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_rows_of_a_test = 10'000;
 constexpr double min_strain_of_a_test = 1e-9;
 
-/// "stress_kPa", "stress [kPa]" and "stress (kPa)" are "stress" in "kPa".
+/// "stress" and "kPa" for "stress_kPa", "stress [kPa]" and "stress (kPa)".
 HeaderText without_unit(const injury::MeasuredColumn& column) {
   const std::string& text = column.name;
   for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')})
@@ -34,7 +34,7 @@ struct TestColumns {
   std::optional<injury::MeasuredColumn> time;
 };
 
-/// By its whole header, else by its name without the unit. Its unit is that of the header.
+/// Finds a column by its header, with or without unit.
 std::optional<injury::MeasuredColumn> find_column(const std::vector<injury::MeasuredColumn>& all,
                                                   const std::string& wanted, const char* kind,
                                                   std::size_t line, MeasurementFaults& faults) {
@@ -100,77 +100,60 @@ TestColumns columns_of_test(const CsvHeader& header, const StressStrainColumns& 
   return columns;
 }
 
-class TestReader {
- public:
-  TestReader(const TestColumns& columns, char separator, MeasurementFaults& faults)
-      : columns_(columns), separator_(separator), faults_(faults) {}
-
-  void add(const CsvRow& row) {
+StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns, MeasurementFaults& faults) {
+  StressStrainTable table;
+  std::optional<double> last_time;
+  each_row(csv, faults, [&](const CsvRow& row) {
     if (table.strain.size() == max_rows_of_a_test)
-      faults_.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", max_rows_of_a_test));
-    const auto strain = value(row, columns_.strain, "1");
-    const auto stress = value(row, columns_.stress, "Pa");
-    double time = 0;
-    if (columns_.time) {
-      const auto read = value(row, *columns_.time, "s");
-      if (!read) return;
-      time = *read;
-      if (rows_with_time_++ > 0 && !(time > last_time_)) {
-        faults_.add(row.line, columns_.time->name, field_in(row, *columns_.time),
-                    "must be later than the time before");
-        return;
-      }
-      last_time_ = time;
+      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", max_rows_of_a_test));
+    const auto value = [&](const injury::MeasuredColumn& column, const char* si_unit) {
+      auto number = number_in(row, column, csv.separator, faults);
+      const double most = measured_magnitudes(si_unit).most;
+      if (!number || std::abs(*number) <= most) return number;
+      add_fault(row, column,
+                fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit), faults);
+      return std::optional<double>();
+    };
+    const auto strain = value(columns.strain, "1"), stress = value(columns.stress, "Pa");
+    if (columns.time) {
+      const auto time = value(*columns.time, "s");
+      if (!time) return;
+      if (last_time && !(*time > *last_time))
+        return add_fault(row, *columns.time, "must be later than the time before", faults);
+      last_time = time;
     }
     if (!strain || !stress) return;
-    if (*strain >= 1) {
-      faults_.add(row.line, columns_.strain.name, field_in(row, columns_.strain),
-                  columns_.strain.factor == 1
-                      ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
-                      : "a strain is below 100 %");
-      return;
-    }
-    if (columns_.time) table.time.push_back(time);
+    if (*strain >= 1)
+      return add_fault(row, columns.strain,
+                       columns.strain.factor == 1
+                           ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
+                           : "a strain is below 100 %",
+                       faults);
+    if (columns.time) table.time.push_back(*last_time);
     table.strain.push_back(*strain);
     table.stress.push_back(*stress);
-  }
+  });
+  faults.throw_if_any();
+  return table;
+}
 
-  void finish() {
-    faults_.throw_if_any();
-    if (table.strain.size() < 2) faults_.refuse(0, "", "", "has fewer than two rows");
-    const auto [least, largest] = std::ranges::minmax(table.strain);
-    if (!(largest > 0) || -least > largest)
-      faults_.refuse(0, columns_.strain.name, "",
-                     "is negative: compression counts positive here, strain and stress alike");
-    if (!(largest > min_strain_of_a_test))
-      faults_.refuse(0, columns_.strain.name, "",
-                     fmt::format("is nowhere above {:g}: nothing was compressed", min_strain_of_a_test));
-    const double min_stress = measured_magnitudes("Pa").least, max_stress = std::ranges::max(table.stress);
-    if (max_stress > 0 && max_stress < min_stress)
-      faults_.refuse(0, columns_.stress.name, "",
-                     fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
-    if (!(max_stress > 0))
-      faults_.refuse(0, columns_.stress.name, "", "is nowhere above 0: compression counts positive here");
-  }
-
-  StressStrainTable table;
-
- private:
-  std::optional<double> value(const CsvRow& row, const injury::MeasuredColumn& column, const char* si_unit) {
-    const auto value = number_in(row, column, separator_, faults_);
-    const double most = measured_magnitudes(si_unit).most;
-    if (!value || std::abs(*value) <= most) return value;
-    faults_.add(row.line, column.name, field_in(row, column),
-                fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit));
-    return std::nullopt;
-  }
-
-  const TestColumns& columns_;
-  char separator_;
-  MeasurementFaults& faults_;
-  std::size_t rows_with_time_ = 0;
-  double last_time_ = 0;
-};
+/// Refuses a test without compression or stress.
+void judge_test(const StressStrainTable& table, const TestColumns& columns, MeasurementFaults& faults) {
+  if (table.strain.size() < 2) faults.refuse(0, "", "", "has fewer than two rows");
+  const auto [least, largest] = std::ranges::minmax(table.strain);
+  if (!(largest > 0) || -least > largest)
+    faults.refuse(0, columns.strain.name, "",
+                  "is negative: compression counts positive here, strain and stress alike");
+  if (!(largest > min_strain_of_a_test))
+    faults.refuse(0, columns.strain.name, "",
+                  fmt::format("is nowhere above {:g}: nothing was compressed", min_strain_of_a_test));
+  const double min_stress = measured_magnitudes("Pa").least, max_stress = std::ranges::max(table.stress);
+  if (max_stress > 0 && max_stress < min_stress)
+    faults.refuse(0, columns.stress.name, "",
+                  fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
+  if (!(max_stress > 0))
+    faults.refuse(0, columns.stress.name, "", "is nowhere above 0: compression counts positive here");
+}
 
 }  // namespace
 
@@ -181,10 +164,9 @@ Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& f
     const std::string content = read_measurement(file);
     const CsvTable csv = csv_table_in(content, faults);
     const TestColumns columns = columns_of_test(csv.header, wanted, faults);
-    TestReader reader(columns, csv.separator, faults);
-    each_row(csv, faults, [&](const CsvRow& row) { reader.add(row); });
-    reader.finish();
-    return std::move(reader.table);
+    StressStrainTable table = read_test_rows(csv, columns, faults);
+    judge_test(table, columns, faults);
+    return table;
   });
 }
 

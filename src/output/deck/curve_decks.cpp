@@ -1,4 +1,4 @@
-// Curves for LS-DYNA, for Radioss, and as two columns for everything else.
+// Curves as text for LS-DYNA, for Radioss, and as CSV.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace dashpad::output {
 
 namespace {
 
-/// "time" in "mm/ms2": "time_mm_per_ms2".
+/// "time_mm_per_ms2" for "time" in "mm/ms2".
 std::string column_name(const CurveAxis& axis) {
   std::string name = axis.meaning + "_";
   for (const char character : axis.si_unit) name += character == '/' ? "_per_" : std::string(1, character);
@@ -28,8 +28,7 @@ std::string function_block(const Curve& curve, int id) {
                      curve.name, caption(curve), number_rows(curve));
 }
 
-/// Mass, length and time as on the line of /BEGIN: by its codes, or, where one has none, as numbers of SI
-/// units.
+/// Mass, length and time as in the line of /BEGIN: by its codes or, if one has none, as numbers of SI units.
 std::string unit_triple(const UnitSystem& units) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> codes{
       {{"kg", "kg"}, {"t", "Mg"}, {"mm", "mm"}, {"m", "m"}, {"ms", "ms"}, {"s", "s"}}};

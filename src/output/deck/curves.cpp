@@ -26,7 +26,7 @@ constexpr TimeCurve time_curves[] = {
 constexpr const char* loading = "loading";
 constexpr const char* unloading = "unloading";
 
-/// Takes points in the order of x and passes over those that do not lie ahead of the last one.
+/// Builds a curve from points in the order of x, skipping those that do not lie ahead of the last one.
 class Builder {
  public:
   Builder(Curve empty, double largest_x) : curve_(std::move(empty)), gap_(smallest_gap * largest_x) {}
@@ -38,7 +38,7 @@ class Builder {
     curve_.y.push_back(y);
   }
 
-  /// The end of the curve, which takes the place of a point that is too near.
+  /// Adds the last point, replacing points that are too near.
   void add_last(double x, double y) {
     while (curve_.x.size() > 1 && x - curve_.x.back() < gap_) {
       curve_.x.pop_back();
@@ -74,7 +74,7 @@ Curve over_time(const TimeCurve& kind, const History& history) {
 
 Curve empty_branch(const char* name) { return {name, {"penetration", "m"}, {"force", "N"}, {}, {}}; }
 
-/// When the largest penetration was first reached.
+/// The index at which the largest penetration is first reached.
 std::size_t deepest(const History& history) {
   if (history.force_of_pad().size() != history.size() || history.penetration.size() != history.size())
     throw std::invalid_argument("history: penetration or force has gaps");
@@ -82,7 +82,7 @@ std::size_t deepest(const History& history) {
   return static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
 }
 
-/// The points between two that are kept, and the one that is furthest off the line between these.
+/// A stretch between two kept points, with the point furthest from the line between them.
 struct Stretch {
   std::size_t first, last, furthest;
   double error;
@@ -137,7 +137,7 @@ Curve unloading_branch(const Solution& solution) {
   const double largest = history.penetration[first];
   Builder builder(empty_branch(unloading), largest);
   builder.add(0, 0);
-  // A rigid foam on a rigid support is released at the largest force: it does not follow the impactor.
+  // On a rigid support a rigid foam is released at the largest force, since it does not follow the impactor.
   builder.add(history.penetration.back(), 0);
   for (std::size_t i = history.size() - 1; i > first; --i)
     builder.add(history.penetration[i], history.force_of_pad()[i]);

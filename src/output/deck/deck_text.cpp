@@ -8,23 +8,13 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "dashpad/output/text/case.hpp"
 #include "dashpad/version.hpp"
+#include "output/documents/basis.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
-}
 
 std::string why_missing(const Curve& curve, const Summary& summary) {
   const bool ran = summary.status != Status::not_run;
@@ -33,7 +23,7 @@ std::string why_missing(const Curve& curve, const Summary& summary) {
   return "not there: the " + curve.name + " has no two points";
 }
 
-/// A fraction as a percentage of two digits, rounded up: a bound must not look smaller than it is.
+/// A fraction as a percentage of two digits, rounded up so that a bound does not look smaller than it is.
 std::string bound(double fraction) {
   if (!(fraction > 0)) return "0 %";
   const double unit = std::pow(10, std::floor(std::log10(100 * fraction)) - 1);
@@ -61,7 +51,7 @@ FileCurve file_curve(const std::string& name, const Solution& solution,
   return of;
 }
 
-/// What a flag means for the curves.
+/// The consequence of a flag for the curves.
 std::string consequence(const Flag& flag, const Summary& summary) {
   if (flag.name == "TOLERANCE NOT MET")
     return std::string("; do not rely on these curves") +
@@ -93,11 +83,9 @@ std::vector<std::string> flags_of(const Summary& summary) {
 
 CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
                      const std::vector<std::string>& names, std::optional<std::size_t> max_points) {
-  ImpactCase untitled = impact;
-  untitled.title.clear();
   CurveFile file;
   file.title = impact.title;
-  file.origin = lines_of(case_text(untitled, unit_system("si")));
+  file.origin = case_lines(impact, unit_system("si"));
   file.flags = flags_of(solution.summary);
   for (const std::string& name : names) file.curves.push_back(file_curve(name, solution, max_points));
   return file;
@@ -112,7 +100,7 @@ std::string plain_ascii(std::string_view text) {
     else if (byte >= 0xc0 || character == '&')
       plain += '?';
     else if (byte < 0x80)
-      plain += character;  // and what remains are the further bytes of a character
+      plain += character;  // the remaining bytes of a character are skipped
   }
   return plain;
 }
@@ -157,7 +145,7 @@ std::vector<std::string> heading(const CurveFile& file) {
 
 std::string number_field(double value) {
   constexpr std::size_t width = 20;
-  if (value == 0) value = 0;  // without the sign
+  if (value == 0) value = 0;  // without a sign
   std::string text;
   for (int digits = 13; text.empty() || text.size() >= width; --digits)
     text = fmt::format("{:.{}E}", value, digits);
@@ -176,7 +164,7 @@ Curve in_units_of(const CurveFile& file, const Curve& curve) {
   if (curve.x.size() != curve.y.size()) throw std::invalid_argument("curve: x and y differ in length");
   convert(converted.x, converted.abscissa, file);
   convert(converted.y, converted.ordinate, file);
-  // As it will be written: two numbers may differ in more digits than a field has.
+  // Compares numbers as written, since two may differ only in digits that a field does not hold.
   const auto written = [](double x) { return std::strtod(number_field(x).c_str(), nullptr); };
   const auto falls_back = [&](double a, double b) { return written(b) <= written(a); };
   if (std::ranges::adjacent_find(converted.x, falls_back) != converted.x.end())

@@ -1,4 +1,4 @@
-// ISO-MME out, and curves as a test in it. Lines end in CR LF, as the programs of laboratories write them.
+// Writes curves as a test in ISO-MME. Lines end in CR LF, like those of laboratory programs.
 
 #include <algorithm>
 #include <cmath>

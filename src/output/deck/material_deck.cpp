@@ -31,8 +31,6 @@ const MaterialDeckFormat* format_named(const std::string& name) {
   return found == formats_of_materials.end() ? nullptr : found;
 }
 
-bool is_of_radioss(const std::string& format) { return format.starts_with("radioss"); }
-
 void tell_of_foam(const Foam& foam, const MaterialDeckOptions& options, std::vector<std::string>& remarks) {
   if (foam.friction > 0) remarks.push_back(fmt::format("friction = {:g} is left out.", foam.friction));
   if (foam.unloading_curve && options.format != "radioss-70")
@@ -45,7 +43,7 @@ void tell_of_foam(const Foam& foam, const MaterialDeckOptions& options, std::vec
                     written_unloading_factor(foam)));
 }
 
-/// What there is of the rate beside its curves.
+/// Remarks on the rates, besides those on the curves.
 void tell_of_rates(const FoamCurves& curves, const MaterialDeckFormat& format, const MaterialPoints& points,
                    std::vector<std::string>& remarks) {
   const bool has_effect = !std::holds_alternative<NoRateEffect>(curves.rate_effect);
@@ -69,7 +67,7 @@ MaterialPoints points_for(const Material& material, const MaterialDeckFormat& fo
   return points;
 }
 
-/// The law as the deck has it: where a way back was measured that it cannot say, HU and SHAPE say nothing.
+/// The law as the deck holds it. If a measured way back is left out, HU and SHAPE have no meaning either.
 Material as_in_deck(Material material, const std::string& format) {
   if (auto* const foam = std::get_if<Foam>(&material.law); foam != nullptr && foam->unloading_curve)
     if (format != "radioss-70") foam->unloading_factor = foam->unloading_shape = 1;
@@ -127,7 +125,7 @@ std::string material_deck(const Material& given, const MaterialDeckOptions& opti
   const Material material = as_in_deck(given, options.format);
   const MaterialPoints points = points_for(material, *format_named(options.format));
   DeckNumbers numbers(options.units);
-  const bool radioss = is_of_radioss(options.format);
+  const bool radioss = options.format.starts_with("radioss");
   const std::string body = radioss ? radioss_material(material, points, options, numbers)
                                    : ls_dyna_material(material, points, options, numbers);
   const UnitSystem& units = options.units;

@@ -1,5 +1,3 @@
-// Foams as *MAT keywords of LS-DYNA.
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,7 +17,7 @@ std::string curve_text(const TableCurve& curve, int id, const std::string& title
   return define_curve(title, id, "$           STRAIN A1           STRESS O1", points);
 }
 
-/// The classic kind of table: its curves follow at once.
+/// A table of the classic kind, directly followed by its curves.
 std::string table_text(const MaterialPoints& points, int id, DeckNumbers& numbers) {
   std::string text = fmt::format(
       "*DEFINE_TABLE_TITLE\nCurves by strain rate\n$     TBID\n{:>10}\n"
@@ -38,7 +36,7 @@ const input::LsDynaFoam& foam_of(const std::string& format) {
                                [&](const input::LsDynaFoam& each) { return format.ends_with(each.number); });
 }
 
-/// SFLAG 1: the rates are those of the nominal strain.
+/// SFLAG 1: rates of the nominal strain.
 std::string cards_of(const Material& material, const MaterialPoints& points, const std::string& format,
                      int id, DeckNumbers& numbers, std::size_t width) {
   CardValues values{{"MID", id},
@@ -62,25 +60,19 @@ std::string cards_of(const Material& material, const MaterialPoints& points, con
   return text;
 }
 
-const char* keyword_for(const std::string& format) {
-  for (const MaterialDeckFormat& each : material_deck_formats())
-    if (format == each.name) return each.card;
-  return "";
-}
-
 }  // namespace
 
 std::string ls_dyna_material(const Material& material, const MaterialPoints& points,
                              const MaterialDeckOptions& options, DeckNumbers& numbers) {
   const bool has_table = options.format == "ls-dyna-083" || options.format == "ls-dyna-163";
   const bool log_log = options.format == "ls-dyna-083" && points.loading.size() > 1 && !points.linear_in_rate;
-  // Fields of 20 columns where 10 do not hold a number.
+  // Fields have 20 columns if 10 do not hold a number.
   DeckNumbers tried(options.units);
   (void)cards_of(material, points, options.format, options.first_id, tried, 10);
   const bool is_long = tried.rounded() > 0;
-  std::string text =
-      fmt::format("{}{}_TITLE{}\n{}\n", keyword_for(options.format), log_log ? "_LOG_LOG_INTERPOLATION" : "",
-                  is_long ? " +" : "", deck_title(material, columns));
+  std::string text = fmt::format("*MAT_{}{}_TITLE{}\n{}\n", foam_of(options.format).words,
+                                 log_log ? "_LOG_LOG_INTERPOLATION" : "", is_long ? " +" : "",
+                                 deck_title(material, columns));
   text += cards_of(material, points, options.format, options.first_id, numbers, is_long ? 20 : 10);
   return text + (has_table ? table_text(points, options.first_id, numbers)
                            : curve_text(points.loading.front().curve, options.first_id,

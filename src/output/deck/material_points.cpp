@@ -13,9 +13,9 @@ namespace dashpad::output {
 namespace {
 
 constexpr int points_of_formula = 100;
-constexpr int digits_of_formula = 10;  // so that they fit into every deck
+constexpr int digits_of_formula = 10;  // fits into every deck
 
-/// Points of a formula, closer together where foam is stiff at first.
+/// Points of a formula, closer together at small strains, where foam is stiff.
 template <class Form>
 TableCurve points_along(const Form& form) {
   TableCurve curve;
@@ -46,7 +46,7 @@ TableCurve base_points(const BaseCurve& base, std::vector<std::string>& remarks)
       base);
 }
 
-/// The base curve with each stress multiplied.
+/// The base curve with its stresses multiplied.
 template <class Factor>
 TableCurve scaled(TableCurve curve, Factor factor) {
   for (std::size_t i = 0; i < curve.strain.size(); ++i)
@@ -54,7 +54,7 @@ TableCurve scaled(TableCurve curve, Factor factor) {
   return curve;
 }
 
-/// The rates at which a power of the rate is given: a decade apart, and the highest.
+/// The rates for a power of the rate: a decade apart, and the highest.
 std::vector<double> decades(double slowest, double highest) {
   std::vector<double> rates;
   for (double rate = 10 * slowest; rate < highest / 2 && rates.size() + 2 < max_rates; rate *= 10)
@@ -129,10 +129,6 @@ std::string DeckNumbers::field(input::Content content, double value, std::size_t
   const std::string text = input::deck_number(value, unit, width);
   if (input::read_deck_number(text, unit).value != value) ++rounded_;
   return fmt::format("{:>{}}", text, width);
-}
-
-std::string DeckNumbers::point(double strain, double stress) {
-  return field(input::Content::number, strain) + field(input::Content::stress, stress) + "\n";
 }
 
 std::string card_text(char mark, input::DeckCard card, const CardValues& values, DeckNumbers& numbers,

@@ -1,5 +1,3 @@
-// Foams as /MAT blocks of the Radioss starter.
-
 #include <utility>
 
 #include <fmt/format.h>
@@ -72,7 +70,7 @@ std::string law_70(const Material& material, const Foam& foam, const MaterialPoi
   const int id_back = id + static_cast<int>(points.loading.size());
   text +=
       card_text('#', deck::law_70_elastic, {{"E0", modulus}, {"E_max", modulus}, {"EPS_max", 1}}, numbers);
-  // Iflag 0: by the unloading function; 4: the whole stress by Shape and Hys.
+  // Iflag 0: unloading function; 4: Shape and Hys applied to the whole stress.
   text += card_text('#', deck::law_70_flags,
                     {{"NL", points.loading.size()},
                      {"NuL", points.unloading ? 1 : 0},
@@ -102,7 +100,7 @@ std::string law_33(const Material& material, const CrushableFoam& foam, const Ma
                               numbers);
 }
 
-/// The moduli are those of a sudden strain, and the ratios are shares of it: Flag_Rigi 0, which every version
+/// The moduli are those of a sudden strain, and the ratios shares of them: Flag_Rigi 0, which every version
 /// understands. Flag_Visc 1: the whole stress relaxes.
 std::string law_62(const Material& material, const ViscoelasticFoam& foam, int id, DeckNumbers& numbers) {
   const double sudden = 1 + foam.first_share + foam.second_share;

@@ -1,5 +1,3 @@
-// A zip in memory, by libarchive.
-
 #include <memory>
 #include <stdexcept>
 
@@ -40,7 +38,7 @@ std::string zip_of(const std::map<std::string, std::string>& files) {
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(text.size()));
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_mtime(entry.get(), 315'532'800, 0);  // 1980, the first year that a zip can say
+    archive_entry_set_mtime(entry.get(), 315'532'800, 0);  // 1980, the earliest year in a zip
     require(zip, archive_write_header(zip.get(), entry.get()));
     if (archive_write_data(zip.get(), text.data(), text.size()) != static_cast<la_ssize_t>(text.size()))
       require(zip, ARCHIVE_FATAL);

@@ -12,7 +12,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// Adds claims whose printed value is in the data.
+/// Collects claims, taking printed values from the data.
 class Claims {
  public:
   explicit Claims(const ValidationData& data) : data_(data) {}
@@ -43,7 +43,7 @@ double count_tests(const ValidationData& data, const std::vector<Projectile>& pr
   }));
 }
 
-/// Readings of a column, whether their tests are known or not.
+/// The number of readings of a column, including those whose tests are lost.
 double count_readings(const ValidationData& data, const std::string& column) {
   const auto reading = measured_column(column).reading;
   std::size_t count = 0;
@@ -52,9 +52,6 @@ double count_readings(const ValidationData& data, const std::string& column) {
     if (group.column == column) count += group.readings.size();
   return static_cast<double>(count);
 }
-
-/// Half a unit of the last digit of an energy of Table 3-1: whole, or with one decimal.
-double half_digit(double energy_in_lb) { return energy_in_lb == std::floor(energy_in_lb) ? 0.5 : 0.05; }
 
 void claim_counts(const ValidationData& data, Claims& claims) {
   using enum Projectile;
@@ -79,7 +76,8 @@ void claim_counts(const ValidationData& data, Claims& claims) {
 
   const auto energies = std::ranges::count_if(data.measured.tests, [](const MeasuredTest& test) {
     const double energy = impact_energy_in_lb(test.weight_lb, test.speed_mph);
-    return std::abs(test.energy_in_lb - energy) <= half_digit(test.energy_in_lb);
+    const bool is_whole = test.energy_in_lb == std::floor(test.energy_in_lb);  // or has one decimal
+    return std::abs(test.energy_in_lb - energy) <= (is_whole ? 0.5 : 0.05);
   });
   claims.add("Table 3-1", "tests whose kinetic energy is M V^2/2 to the printed digit", "tests",
              static_cast<double>(energies), 0,
@@ -140,7 +138,8 @@ void claim_storage(const ValidationData& data, Claims& claims) {
              fmt::format("test {}; \"about 30 percent\"", greatest.number));
 }
 
-/// One column of Table 3-2. The tolerances are half a unit of its digits; the aluminium column has fewer.
+/// Adds the claims of one column of Table 3-2. The tolerance is half a unit of the last digit; the aluminium
+/// column has fewer digits.
 void claim_table_3_2(const ValidationData& data, const ExpectationExample& printed, Claims& claims) {
   const bool is_steel = printed.projectile == Projectile::steel;
   const ExpectationExample computed =

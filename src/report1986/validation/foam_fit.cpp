@@ -1,4 +1,4 @@
-// The foam that the tests ask for. Scatters, priors and what is fixed: decision 16.
+// The foam that fits the tests best. Scatters, priors and fixed numbers: decision 16.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// A number that is fitted, with a weak normal prior: of its logarithm where it is sought so.
+/// A fitted number with a weak normal prior, which is that of its logarithm if the search is logarithmic.
 struct FittedNumber {
   double FittedFoam::*of;
   fit::Coordinate coordinate;
@@ -40,7 +40,7 @@ const std::array<FittedNumber, fitted_numbers> sought{{
     {&FittedFoam::unloading_shape, between(0.02, 50, true), 8, 1.5},
 }};
 
-/// What is expected of one test: relative, of strains absolute. Fixed before the folds were run.
+/// The expected scatter of one test, relative, or absolute for strain. Fixed before the folds were run.
 constexpr double scatter_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::peak_force: return 0.19;
@@ -54,9 +54,9 @@ constexpr double scatter_of(Quantity quantity) {
 constexpr double modulus_psi = 600;
 constexpr double highest_strain = 0.97;
 constexpr double gentlest = 1, steepest = 4;  ///< continuation exponents
-constexpr double base_rate = 200;             ///< 1/s; without a rate effect it says only what was tested
+constexpr double base_rate = 200;             ///< 1/s; without a rate effect it has no influence
 
-/// Runs of the solver: their figures are within 0.1 % of those of the full tolerance, and smooth over this
+/// Solver runs per impact. Figures are then within 0.1 % of those at full tolerance, and smooth over this
 /// step of a coordinate in [0, 1].
 constexpr int runs = 3;
 constexpr double derivative_step = 1e-2;
@@ -67,7 +67,7 @@ FittedFoam foam_at(std::span<const double> x) {
   return foam;
 }
 
-/// Residuals of the readings, then of the priors. One impact for each setup.
+/// The residuals of the readings, followed by those of the priors. Each setup is solved once.
 class Misfit {
  public:
   Misfit(const ValidationData& data, const std::vector<Reading>& readings) : readings_(readings) {
@@ -102,7 +102,7 @@ class Misfit {
  private:
   const std::vector<Reading>& readings_;
   std::vector<Setup> setups_;
-  std::vector<ImpactCase> impacts_;  ///< of the setups
+  std::vector<ImpactCase> impacts_;
   Options options_;
   Solver solver_;
 };

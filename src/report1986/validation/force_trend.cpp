@@ -12,7 +12,7 @@ namespace {
 
 constexpr double ratio_tolerance = 0.25;  ///< docs/decisions/0007-validation-rules.md
 
-/// The force at which a rising curve of speed over force has a speed.
+/// The force at which an increasing curve of speed over force reaches a speed.
 template <class Curve>
 double force_at(double speed_mph, Curve&& speed_of) {
   double low = 1, high = 1e6;
@@ -37,7 +37,6 @@ Estimate slope_of(const std::vector<Point>& points) {
   return fit_line(points).slope;
 }
 
-/// Within 25 % of what the report prints.
 bool gives_the_printed_ratios(const ValidationData& data, const ForceTrend& trend) {
   return std::ranges::all_of(printed_ratios, [&](const PrintedRatio& printed) {
     return std::abs(trend.*printed.ours / data.constant(printed.constant) - 1) <= ratio_tolerance;

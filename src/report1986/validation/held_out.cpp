@@ -24,7 +24,7 @@ constexpr ScoreName score_names[] = {
     {"strain_plate", TestSupport::plate, Quantity::peak_strain},
 };
 
-/// The readings of some tests, or without them.
+/// The readings at `places`, or all others if `without`.
 std::vector<Reading> chosen(const std::vector<Reading>& readings, const std::vector<std::size_t>& places,
                             bool without) {
   std::vector<Reading> result;
@@ -33,7 +33,7 @@ std::vector<Reading> chosen(const std::vector<Reading>& readings, const std::vec
   return result;
 }
 
-/// Readings of a fold with what its fit predicts.
+/// A reading with the value that its fit predicts.
 struct Predicted {
   Reading reading;
   std::optional<double> value;
@@ -41,7 +41,7 @@ struct Predicted {
 std::vector<Predicted> predict_fold(const ValidationData& data, const std::vector<Reading>& held,
                                     const FittedFoam& foam) {
   std::vector<Predicted> result;
-  std::optional<Prediction> last;  // the readings of a test follow each other
+  std::optional<Prediction> last;  // readings of a test are adjacent
   for (const Reading& reading : held) {
     if (foam.converged && !(last && last->setup == reading.setup))
       last = predict(data, material_of(foam), Program::accurate, reading.setup);

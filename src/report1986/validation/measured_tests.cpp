@@ -59,7 +59,7 @@ void check_physics(const CsvRecord& record, const MeasuredTest& test) {
     record.fault("time_to_peak_ms", "must be less than the total time");
 }
 
-/// Among all rows: numbers go up, a projectile has one weight, both projectiles are there.
+/// Checks that numbers increase, that each projectile has one weight, and that both projectiles occur.
 void check_rows(CsvTable& table, const std::vector<MeasuredTest>& tests) {
   std::map<Projectile, double> weights;
   for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -88,11 +88,7 @@ std::vector<double> read_readings(const CsvRecord& record, bool is_fraction) {
   return readings;
 }
 
-bool share_tests(const UnplacedReadings& one, const UnplacedReadings& other) {
-  return one.column == other.column && one.first_test <= other.last_test && other.first_test <= one.last_test;
-}
-
-/// The rule about the rows that a group breaks; empty if none.
+/// The rule that a group breaks; empty if none.
 std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& measured) {
   const auto exists = [&](int number) {
     return std::ranges::count(measured.tests, number, &MeasuredTest::number) > 0;
@@ -108,13 +104,14 @@ std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& meas
   if (group.readings.size() > rows)
     return fmt::format("{} readings cannot belong to {} tests", group.readings.size(), rows);
   for (const UnplacedReadings& other : measured.unplaced)
-    if (share_tests(other, group))
+    if (other.column == group.column && other.first_test <= group.last_test &&
+        group.first_test <= other.last_test)
       return fmt::format("shares tests with the group {} to {}", other.first_test, other.last_test);
   return "";
 }
 
-/// Of Table 3-1 what is certain. Also checks that each energy is M V^2/2, that a rebound is slower than the
-/// impact, that a peak comes before the end.
+/// Reads the certain part of Table 3-1. Checks that each energy is M V^2/2, that a rebound is slower than the
+/// impact, and that the peak precedes the end.
 std::vector<MeasuredTest> read_certain_rows(const fs::path& file, std::vector<input::Fault>& faults) {
   CsvTable table(file, columns_of_tests(), faults);
   std::vector<MeasuredTest> tests;
@@ -126,8 +123,8 @@ std::vector<MeasuredTest> read_certain_rows(const fs::path& file, std::vector<in
   return tests;
 }
 
-/// The readings whose rows are lost. Also checks that the groups fit in the rows: tests that exist and have
-/// no reading of their own, enough of them, and each claimed by one group of its column only.
+/// Reads the readings whose rows are lost. Checks that each group fits its rows: tests that exist, have no
+/// reading of their own, suffice in number, and belong to one group of the column only.
 std::vector<UnplacedReadings> read_unplaced(const fs::path& file, const std::vector<MeasuredTest>& tests,
                                             std::vector<input::Fault>& faults) {
   std::vector<std::string> names;
@@ -150,9 +147,7 @@ std::vector<UnplacedReadings> read_unplaced(const fs::path& file, const std::vec
   return measured.unplaced;
 }
 
-// --- The other files ---
-
-/// The printed constants that the study compares with.
+/// The printed constants that the study needs.
 constexpr const char* constants_of_the_study =
     "pad_thickness_in inch_per_s_of_mph tests load_cell_tests plate_tests aluminium_load_cell_tests "
     "steel_load_cell_tests force_readings plug_only_strains strains_by_both load_cell_first_slope_lb_per_in "
@@ -167,7 +162,7 @@ constexpr const char* constants_of_the_study =
     "force_ratio_aluminium_low_speed force_ratio_aluminium_high_speed force_ratio_steel_low_speed "
     "force_ratio_steel_high_speed";
 
-/// The points of both supports, checked: deflections and forces go up; the plate is one point.
+/// Checks that deflections and forces increase, and that the plate has one point.
 void read_supports(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {
   CsvTable table(file, {"support", "deflection_in", "force_lb"}, faults);
   bool has_plate = false;

@@ -1,66 +1,141 @@
 #pragma once
-/// A data file of the study: comma separated, with comments (#) and one line that names the columns.
+/// Data files of the study: comma separated, with comments (#) and one line that names the columns.
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "dashpad/input/fault.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "input/disk.hpp"
+#include "input/measurement/csv_table.hpp"
+#include "input/spelling.hpp"
 
 namespace dashpad::report1986 {
 
-struct CsvTable;
+/// The reason why a text is no finite number above 0 (and below 1 for a fraction). Empty if it is one; then
+/// `value` is set.
+inline std::string why_no_reading(const std::string& text, bool is_fraction, double& value) {
+  const input::ReadNumber number = input::read_number(text);
+  if (number.kind == input::NumberKind::empty) return "is missing";
+  if (number.kind != input::NumberKind::number) return input::rule_for(number.kind);
+  if (number.value <= 0) return "must be more than 0";
+  if (is_fraction && number.value >= 1) return "must be less than 1";
+  value = number.value;
+  return "";
+}
 
-/// A row of a table, which outlives it.
+/// A data file, with the list that collects its faults.
+struct CsvFile {
+  const std::string name;
+  const std::vector<std::string> columns;
+  std::vector<input::Fault>& faults;
+
+  /// Adds a fault of the whole file or of a line.
+  void fault(std::string rule, int line = 0) { faults.push_back({name, line, "", "", std::move(rule)}); }
+};
+
+/// A row of a file, which must outlive it.
 class CsvRecord {
  public:
-  /// `fields`: one for each column, without blanks around them.
-  CsvRecord(CsvTable& table, int line, std::vector<std::string> fields)
-      : table_(&table), line_(line), fields_(std::move(fields)) {}
+  CsvRecord(CsvFile& file, int line, std::vector<std::string> fields)
+      : file_(&file), line_(line), fields_(std::move(fields)) {}
 
-  /// What stands in a column; must not be empty.
-  [[nodiscard]] std::string text(const std::string& column) const;
-  /// A finite number above 0, of a fraction below 1. NaN after a fault.
-  [[nodiscard]] double number(const std::string& column, bool is_fraction = false) const;
-  /// The same; nothing where the field is empty or at fault.
-  [[nodiscard]] std::optional<double> reading(const std::string& column, bool is_fraction) const;
-  /// A whole number from 1 to 9999. 0 after a fault.
-  [[nodiscard]] int whole(const std::string& column) const;
-  /// One of the words. Their number in `words`; nothing after a fault.
+  /// Adds a fault with the value of the column.
+  void fault(const std::string& column, std::string rule) const {
+    file_->faults.push_back({file_->name, line_, column, field(column), std::move(rule)});
+  }
+  /// The text of a column, which must not be empty.
+  [[nodiscard]] std::string text(const std::string& column) const {
+    if (field(column).empty()) fault(column, "is missing");
+    return field(column);
+  }
+  /// A finite number above 0, and below 1 if a fraction. NaN after a fault.
+  [[nodiscard]] double number(const std::string& column, bool is_fraction = false) const {
+    double value = no_value;
+    const std::string rule = why_no_reading(field(column), is_fraction, value);
+    if (!rule.empty()) fault(column, rule);
+    return value;
+  }
+  /// The same number; absent if the field is empty or at fault.
+  [[nodiscard]] std::optional<double> reading(const std::string& column, bool is_fraction) const {
+    if (field(column).empty()) return std::nullopt;
+    const double value = number(column, is_fraction);
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+  }
+  /// A whole number from 1 to 9999; 0 after a fault.
+  [[nodiscard]] int whole(const std::string& column) const {
+    double value = 0;
+    std::string rule = why_no_reading(field(column), false, value);
+    if (rule.empty() && (value != std::floor(value) || value > 9999))
+      rule = "must be a whole number from 1 to 9999";
+    if (rule.empty()) return static_cast<int>(value);
+    fault(column, rule);
+    return 0;
+  }
+  /// The index of the field in `words`; absent after a fault.
   [[nodiscard]] std::optional<std::size_t> choice(const std::string& column,
-                                                  const std::vector<std::string>& words) const;
-  /// A fault, with the value of the column.
-  void fault(const std::string& column, std::string rule) const;
+                                                  const std::vector<std::string>& words) const {
+    const auto found = std::ranges::find(words, field(column));
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    fault(column, "must be one of " + input::listing(words) + input::did_you_mean(field(column), words));
+    return std::nullopt;
+  }
 
  private:
-  [[nodiscard]] const std::string& field(const std::string& column) const;
+  [[nodiscard]] const std::string& field(const std::string& column) const {
+    const auto at = std::ranges::find(file_->columns, column) - file_->columns.begin();
+    return fields_.at(static_cast<std::size_t>(at));
+  }
 
-  CsvTable* table_;
+  CsvFile* file_;
   int line_;
   std::vector<std::string> fields_;
 };
 
-/// Keeps every fault instead of stopping at the first. A row with too few or too many fields is a fault and
-/// is left out.
-struct CsvTable {
-  /// The file must name these columns, in this order. `faults` must outlive the table.
-  CsvTable(const std::filesystem::path& file, std::vector<std::string> columns,
-           std::vector<input::Fault>& faults);
+/// The rows of a file, which must name these columns in this order. A row with too few or too many fields is
+/// a fault and is omitted.
+struct CsvTable : CsvFile {
+  CsvTable(const std::filesystem::path& given, std::vector<std::string> wanted,
+           std::vector<input::Fault>& list)
+      : CsvFile{given.string(), std::move(wanted), list} {
+    const auto text = input::read_text_file(given);
+    if (!text) {
+      for (input::Fault& unread : text.faults()) faults.push_back(std::move(unread));
+      return;
+    }
+    input::CsvRows rows(input::without_mark(*text), ',');
+    input::CsvRow row;
+    const auto trimmed = [&row] {
+      std::vector<std::string> texts;
+      for (const std::string_view field : row.fields) texts.emplace_back(input::without_blanks(field));
+      return texts;
+    };
+    if (!rows.next(row) || trimmed() != columns) {
+      fault("must name these columns first: " + input::listing(columns), static_cast<int>(row.line));
+      return;
+    }
+    while (rows.next(row)) {
+      const int line = static_cast<int>(row.line);
+      if (!row.fault.empty())
+        fault(std::string(row.fault), line);
+      else if (row.fields.size() != columns.size())
+        fault(fmt::format("has {} fields; the columns are {}", row.fields.size(), columns.size()), line);
+      else
+        records.emplace_back(*this, line, trimmed());
+    }
+    if (records.empty()) fault("has no rows");
+  }
   CsvTable(const CsvTable&) = delete;
   CsvTable& operator=(const CsvTable&) = delete;
 
-  /// A fault of the whole file, unless a line is named.
-  void fault(std::string rule, int line = 0);
-
-  const std::string file;
-  const std::vector<std::string> columns;
-  std::vector<input::Fault>& faults;
   std::vector<CsvRecord> records;
 };
-
-/// Why a text is no finite number above 0 (below 1 for a fraction). Empty if it is one, which is then in
-/// `value`.
-std::string why_no_reading(const std::string& text, bool is_fraction, double& value);
 
 }  // namespace dashpad::report1986

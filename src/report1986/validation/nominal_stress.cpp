@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::array<const char*, 3> columns{"plug_strain", "diameter_strain", "peak_force_lb"};
 
-/// How many readings of the current group of each column are placed.
+/// For each column, how many readings of its current group are placed.
 using Placed = std::array<std::size_t, columns.size()>;
 
-/// A test with some of the lost readings given to it.
+/// A test to which some lost readings have been assigned.
 struct Served {
   MeasuredTest test;
   Placed placed{};
@@ -37,8 +37,8 @@ const UnplacedReadings* group_at(const MeasuredTests& measured, const std::strin
   return found == measured.unplaced.end() ? nullptr : &*found;
 }
 
-/// Both ways to go on in a column, with the next reading and without it. At the end of its group all readings
-/// must be placed.
+/// Both continuations in a column, with the next reading and without it. At the end of a group all its
+/// readings must be placed.
 std::vector<Served> served(const MeasuredTests& measured, const std::vector<Served>& before,
                            std::size_t column) {
   std::vector<Served> after;
@@ -61,17 +61,16 @@ std::vector<Served> served(const MeasuredTests& measured, const std::vector<Serv
   return after;
 }
 
-/// The least sum over the points of a placing.
 struct LeastSum {
   double sum = 0;
   std::vector<NominalStressPoint> points;
 };
 
-/// All placings of strains and forces at once. There are far too many to visit; sums over a placing's points
-/// are least along a path through the tests, by dynamic programming.
+/// All placings of strains and forces at once. They are far too many to enumerate; but a sum over the points
+/// of a placing is least along a path through the tests, which dynamic programming finds.
 class NominalStressPlacings {
  public:
-  /// Tests with strain and force make points. `stress` is the nominal stress of a test with its readings
+  /// Tests with strain and force become points. `stress` gives the nominal stress of a test with its readings
   /// placed.
   NominalStressPlacings(const MeasuredTests& measured,
                         const std::function<double(const MeasuredTest&)>& stress) {
@@ -96,15 +95,14 @@ class NominalStressPlacings {
     }
   }
 
-  /// The placing with the least sum of cost(ln(force / stress)) for each number of points that a placing may
-  /// have.
+  /// For each possible number of points, the placing with the least sum of cost(ln(force / stress)).
   [[nodiscard]] std::map<std::size_t, LeastSum> least(const std::function<double(double)>& cost) const {
     struct Best {
       double sum = infinite;
       const Step* step = nullptr;
     };
     const std::size_t counts = steps_.size() + 1;  // numbers of points: 0 to that of the tests
-    std::vector<std::vector<Best>> best;           // before each test: for each state and number of points
+    std::vector<std::vector<Best>> best;           // before each test, by state and number of points
     for (const std::size_t states : states_) best.emplace_back(states * counts);
     best.front().front().sum = 0;
 
@@ -138,21 +136,20 @@ class NominalStressPlacings {
   }
 
  private:
-  /// A way to serve one test: from how many readings placed before, to how many after it.
+  /// A way to assign readings to one test, from one state of placed readings to the next.
   struct Step {
     std::size_t from = 0, to = 0;
     bool has_point = false;
     NominalStressPoint point;
   };
   std::vector<std::vector<Step>> steps_;  ///< for each test
-  std::vector<std::size_t> states_;       ///< how many there are before each test, and after the last
+  std::vector<std::size_t> states_;       ///< their number before each test, and after the last
 };
 
 constexpr double pound_per_square_inch = 4.4482216152605 / (0.0254 * 0.0254);  // Pa
 constexpr std::size_t fewest_points = 3;                                       // for a slope with an interval
 
-/// Lines of unit slope that are tried between the extreme ones. The least scatter is found to within half a
-/// step, a thousandth of the range.
+/// Number of trial lines of unit slope between the extreme ones; the minimum is found to within half a step.
 constexpr int lines = 500;
 
 std::vector<Point> logarithms(const std::vector<NominalStressPoint>& points) {
@@ -179,7 +176,7 @@ double scatter_of(const std::vector<NominalStressPoint>& points) {
   return deviation(squares, points.size());
 }
 
-/// Least and greatest mean of ln(F / stress), over all placings with points.
+/// The least and the greatest mean of ln(F / stress) over all placings with points.
 Interval means_over(const NominalStressPlacings& placings) {
   Interval means = nowhere;
   for (const auto& [points, least] : placings.least([](double ratio) { return ratio; }))
@@ -189,8 +186,9 @@ Interval means_over(const NominalStressPlacings& placings) {
   return means;
 }
 
-/// Sets the placing of least scatter, and the span of the scatter. A placing scatters least about its own
-/// mean; so the least about any line is the least of all, and the greatest about one line exceeds all.
+/// Finds the placing of least scatter, and the range of the scatter. A placing scatters least about its own
+/// mean, so the least scatter about any line is the least of all, and the greatest about one line is an upper
+/// bound.
 void scan_lines(const NominalStressPlacings& placings, const Interval& means, NominalStressFit& fit) {
   fit.scatter = infinite;
   std::map<std::size_t, double> bounds;

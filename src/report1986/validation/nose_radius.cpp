@@ -18,7 +18,7 @@ using Residuals = std::vector<std::optional<double>>;
 
 constexpr double step_in = 0.25;
 
-/// The least sum of squares between the radii: the vertex of the parabola through three of them.
+/// The minimum of the sum of squares, by a parabola through three radii.
 struct Least {
   std::size_t index = 0;
   double radius_in = 0;
@@ -39,15 +39,15 @@ Least min_of(const std::vector<double>& radii, const std::vector<double>& sums) 
   return least;
 }
 
-/// No radius with a figure is left on one side of the least sum.
+/// Whether no radius with a figure is left on one side of the minimum.
 bool is_at_an_end(const std::vector<double>& sums, std::size_t least) {
   const auto has_figure = [](double sum) { return !std::isnan(sum); };
   const auto place = sums.begin() + static_cast<std::ptrdiff_t>(least);
   return std::none_of(sums.begin(), place, has_figure) || std::none_of(place + 1, sums.end(), has_figure);
 }
 
-/// Where the sum of squares crosses the limit, from the least one towards an end of the range; a radius
-/// without a figure forbids nothing.
+/// The radius at which the sum of squares crosses the limit, from the minimum towards one end. Radii without
+/// a figure are skipped.
 double border(const std::vector<double>& radii, const std::vector<double>& sums, const Least& least,
               double limit, int direction) {
   double radius = least.radius_in, sum = least.sum;
@@ -60,7 +60,7 @@ double border(const std::vector<double>& radii, const std::vector<double>& sums,
   return direction < 0 ? radii.front() : radii.back();
 }
 
-/// Sum of squares; NaN where a reading has no figure.
+/// NaN if a reading has no figure.
 double sum_of_squares(const Residuals& residuals) {
   double sum = 0;
   for (const std::optional<double>& residual : residuals) {
@@ -70,16 +70,16 @@ double sum_of_squares(const Residuals& residuals) {
   return sum;
 }
 
-/// Speeds of the plate at which curve "B" is above its tail, mph.
+/// Speeds at which curve "B" is above its tail, mph.
 constexpr double speeds_on_the_plate[] = {14, 16, 18, 20};
 
-/// What a prediction is held against, at whatever radius.
+/// A value that predictions are compared with, at any radius.
 struct Expected {
   Setup setup;
   double value = 0;
 };
 
-/// Residuals of a program's predictions of a quantity, by the error of its rule.
+/// The criterion whose residuals are the errors of a program's predictions, by the rule of the quantity.
 RadiusCriterion criterion_of(std::string name, std::string remark, const std::vector<Prediction>& predictions,
                              Program program, Quantity quantity, const std::vector<Expected>& expected) {
   const Rule& rule = rule_of(quantity);
@@ -95,7 +95,7 @@ RadiusCriterion criterion_of(std::string name, std::string remark, const std::ve
   return radius_criterion(std::move(name), std::move(remark), rule.logarithmic ? "ln" : "1", residuals_at);
 }
 
-/// The certain readings of a quantity on a support, by the accurate solver.
+/// Compares the accurate solver with the certain readings of a quantity on a support.
 RadiusCriterion of_tests(const ValidationData& data, const std::vector<Prediction>& at_tests,
                          std::string name, TestSupport support, Quantity quantity) {
   std::vector<Expected> expected;
@@ -106,7 +106,8 @@ RadiusCriterion of_tests(const ValidationData& data, const std::vector<Predictio
                       Program::accurate, quantity, expected);
 }
 
-/// Steel projectile: the strains lost their rows, so a residual is the root mean square over all placings.
+/// Strains of the steel projectile. Their rows are lost, so a residual is the root mean square over all
+/// placings.
 RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
                                          const std::vector<Prediction>& at_tests) {
   MeasuredTests group{data.measured.tests, {}};
@@ -149,7 +150,7 @@ RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<
                       others, program, Quantity::peak_force, expected);
 }
 
-/// The report's statements on its simulations are about the load cell.
+/// The report's statements about its simulations concern the load cell.
 RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vector<Prediction>& others,
                                      Program program) {
   std::vector<Expected> expected;

@@ -7,12 +7,11 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// More placings are not gone through.
 constexpr double max_placings = 1e6;
 
 using Visit = std::function<void(const std::vector<MeasuredTest>&)>;
 
-/// The rows of a group that are free, as places in the vector of tests.
+/// A group with the indices of its free rows in the vector of tests.
 struct Group {
   const UnplacedReadings* readings = nullptr;
   std::vector<std::size_t> rows;
@@ -36,7 +35,7 @@ struct Search {
   const Visit& visit;
   std::vector<MeasuredTest> tests;
 
-  /// Places the readings from number `next` of group `g` on, in rows from number `row` on.
+  /// Places the readings of group `g` from number `next` on, in the rows from number `row` on.
   void place(std::size_t g, std::size_t next, std::size_t row) {
     if (g == groups.size()) return visit(tests);
     const Group& group = groups[g];

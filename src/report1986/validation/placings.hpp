@@ -1,6 +1,5 @@
 #pragma once
-/// The measured columns of Table 3-1, and the ways to give readings whose test is lost, in their order, to
-/// tests.
+/// The measured columns of Table 3-1, and all ways of assigning lost readings, in their order, to tests.
 
 #include <array>
 #include <cstddef>
@@ -16,8 +15,8 @@ namespace dashpad::report1986 {
 struct MeasuredColumn {
   const char* name;  ///< in the data files
   std::optional<double> MeasuredTest::*reading;
-  const char* words;                 ///< as people call it, with its unit
-  std::optional<Quantity> quantity;  ///< of the rules, where it is one
+  const char* words;                 ///< for people, with the unit
+  std::optional<Quantity> quantity;  ///< of the rules, if it is one
   [[nodiscard]] bool is_fraction() const { return quantity == Quantity::peak_strain; }
 };
 
@@ -31,21 +30,20 @@ inline constexpr std::array<MeasuredColumn, 6> measured_columns{{
      Quantity::peak_strain},
 }};
 
-/// The column of a group. Throws std::out_of_range for a name that is none.
+/// The column of that name. Throws std::out_of_range if there is none.
 const MeasuredColumn& measured_column(const std::string& name);
 
-/// The tests of the group's range that have no reading of their own in its column, by number.
+/// The tests in the group's range that have no reading of their own in its column, by number.
 std::vector<const MeasuredTest*> free_tests(const MeasuredTests& measured, const UnplacedReadings& group);
 
-/// How many ways there are to choose `readings` of `rows`; 0 where there are more readings than rows. As a
-/// double, since it may be large.
+/// The number of ways to choose `readings` of `rows`; 0 if there are more readings than rows.
 double placings(std::size_t rows, std::size_t readings);
 
-/// Of all groups of a column together.
+/// The product over all groups of a column.
 double placings(const MeasuredTests& measured, const std::string& column);
 
-/// Calls `visit` with all tests, once for each placing of all unplaced readings of a column. Throws
-/// std::length_error where there are more than a million.
+/// Calls `visit` with all tests for each placing of the unplaced readings of a column. Throws
+/// std::length_error for more than a million.
 void for_each_placing(const MeasuredTests& measured, const std::string& column,
                       const std::function<void(const std::vector<MeasuredTest>&)>& visit);
 

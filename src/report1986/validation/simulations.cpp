@@ -15,7 +15,7 @@ namespace dashpad::report1986 {
 
 namespace {
 
-/// The support of a setup: the curve, or its first point alone.
+/// The support of a setup, with its whole curve or only its first slope.
 Support support_of(const ValidationData& data, TestSupport support, bool first_slope) {
   const double inch = to_si("1 in", "m"), pound = to_si("1 lbf", "N");
   if (support == TestSupport::plate) return Support::linear(data.plate_stiffness_lb_per_in * pound / inch);
@@ -39,8 +39,8 @@ std::string remark_on(const spit1984::Run& run) {
   return remark;
 }
 
-/// Rows of the history before the run breaks down: before the first tensile force after contact, the first
-/// step out of equilibrium, and a last step that was not accepted.
+/// The number of rows before a run breaks down: before the first tensile force, the first step out of
+/// equilibrium, and a last step that was not accepted.
 std::size_t sound_rows(const spit1984::Run& run) {
   std::size_t rows = run.history.size() - (run.last_step_accepted ? 0 : 1);
   for (std::size_t i = 0; i < rows; ++i)
@@ -50,8 +50,8 @@ std::size_t sound_rows(const spit1984::Run& run) {
   return rows;
 }
 
-/// A run that breaks down on the rebound has passed its peaks. With this little of the peak force left it
-/// still has to gain some speed: in the tests' complete runs 0.9 % at the median, and at most 6 %.
+/// A run that breaks down on the rebound has passed its peaks. At this fraction of the peak force it has yet
+/// to gain 0.9 % of its speed (the median of the tests' complete runs), and at most 6 %.
 constexpr double little_force_left = 0.1;
 
 void read_broken_run(const spit1984::Run& run, double thickness_in, Prediction& prediction) {
@@ -70,7 +70,7 @@ void read_broken_run(const spit1984::Run& run, double thickness_in, Prediction& 
                                    end[-1].time_ms, 100 * left);
 }
 
-/// On the linear plate a support's later slopes say nothing.
+/// The plate is linear, so it has no later slopes.
 Program that_runs(Program program, TestSupport support) {
   if (support == TestSupport::load_cell) return program;
   if (program == Program::mended_support_1984) return Program::printed_1984;

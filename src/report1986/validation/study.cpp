@@ -17,7 +17,6 @@ std::vector<Setup> at_radii(const Radii& radii, SetupsAt&& setups_at) {
   return setups;
 }
 
-/// The score at a radius with its span over all of them.
 Verdict verdict_of(const Study& study, double radius_in, Program program, TestSupport support,
                    Quantity quantity, std::optional<Projectile> projectile) {
   const auto score_at = [&](double radius) {
@@ -47,7 +46,6 @@ bool measured_on(const Study& study, TestSupport support, Quantity quantity) {
   });
 }
 
-/// The anomaly at a radius, by the trends of the programs given.
 AnomalyVerdict anomaly_at(const Study& study, double radius, const std::vector<Prediction>& on_curves,
                           const std::vector<Program>& which) {
   std::vector<ForceTrend> trends;

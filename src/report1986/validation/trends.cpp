@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/report1986/validation/energy.hpp"
 #include "report1986/validation/placings.hpp"
@@ -15,7 +17,8 @@ namespace {
 
 Estimate estimate(double value, double half_width) { return {value, value - half_width, value + half_width}; }
 
-/// Fieller: all r for which intercept - r slope may be 0. `t2_aa` and so on: t^2 times the covariances.
+/// Fieller's theorem: the interval of all r for which intercept - r slope may be 0. `t2_aa` etc. are t^2
+/// times the covariances.
 Estimate ratio_of(double intercept, double slope, double t2_aa, double t2_ab, double t2_bb) {
   const double ratio = intercept / slope;
   const double a = slope * slope - t2_bb;
@@ -30,9 +33,8 @@ using Tests = std::vector<MeasuredTest>;
 
 using Fit = ProportionalFit;
 
-/// A constant to be fitted to the readings of one column.
 struct Trend {
-  FittedConstant constant;  ///< what is known before the fit
+  FittedConstant constant;  ///< the members that are known before the fit
   std::string column;
   std::function<bool(const MeasuredTest&)> takes;  ///< of the tests with a reading
   std::function<Fit(const Tests&)> fit;
@@ -46,7 +48,7 @@ Tests taken(const Trend& trend, const Tests& tests) {
   return chosen;
 }
 
-/// Without the lost readings that cannot belong to a test of the trend.
+/// Omits the lost readings that cannot belong to a test of the trend.
 MeasuredTests with_groups_of(const Trend& trend, MeasuredTests measured) {
   std::erase_if(measured.unplaced, [&](const UnplacedReadings& group) {
     const auto free = free_tests(measured, group);
@@ -88,7 +90,6 @@ std::vector<Point> points_of(const Tests& tests, PointOf point_of) {
 bool on_load_cell(const MeasuredTest& test) { return test.support == TestSupport::load_cell; }
 bool on_plate(const MeasuredTest& test) { return test.support == TestSupport::plate; }
 
-/// A proportional fit to a point of each test.
 template <class PointOf>
 std::function<Fit(const Tests&)> proportional(PointOf point_of) {
   return [point_of](const Tests& tests) { return fit_proportional(points_of(tests, point_of)); };
@@ -102,15 +103,11 @@ Point time_over_slowness(const MeasuredTest& test) {
 
 // --- Energy over force: ln U = exponent (ln factor + ln F) ---
 
-LineFit line_of_energy(const Tests& tests) {
-  return fit_line(points_of(tests, [](const MeasuredTest& test) {
-    return Point{std::log(*test.peak_force_lb), std::log(test.energy_in_lb)};
-  }));
-}
-
-LineFit line_of_force(const Tests& tests) {
-  return fit_line(points_of(tests, [](const MeasuredTest& test) {
-    return Point{std::log(test.energy_in_lb), std::log(*test.peak_force_lb)};
+/// The line of ln U over ln F or, if `is_inverse`, of ln F over ln U.
+LineFit line_of(const Tests& tests, bool is_inverse) {
+  return fit_line(points_of(tests, [is_inverse](const MeasuredTest& test) {
+    const double force = std::log(*test.peak_force_lb), energy = std::log(test.energy_in_lb);
+    return is_inverse ? Point{energy, force} : Point{force, energy};
   }));
 }
 
@@ -120,7 +117,7 @@ Estimate exponential(const Estimate& logarithm) {
 
 Estimate negative(const Estimate& estimate) { return {-estimate.value, -estimate.high, -estimate.low}; }
 
-/// Of an estimate that is above 0 with its interval; else the interval is of no use.
+/// The interval is only useful if the estimate is positive with its whole interval.
 Estimate reciprocal(const Estimate& estimate) {
   if (estimate.low <= 0) return {1 / estimate.value, 0, infinite};
   return {1 / estimate.value, 1 / estimate.high, 1 / estimate.low};
@@ -128,37 +125,28 @@ Estimate reciprocal(const Estimate& estimate) {
 
 void add_energy_trends(const ValidationData& data, std::vector<Trend>& trends) {
   const double from = data.constant("energy_trend_from_in_lb");
-  const auto add = [&](const char* name, const char* title, const char* residual_unit, const char* method,
-                       std::function<Fit(const Tests&)> fit) {
+  const auto add = [&](const char* constant, bool is_inverse, const char* more,
+                       Estimate (*constant_of)(const LineFit&)) {
+    const char *const y = is_inverse ? "ln F" : "ln U", *const x = is_inverse ? "ln U" : "ln F";
     trends.push_back(
-        {{.name = name, .title = title, .unit = "1", .residual_unit = residual_unit, .method = method},
+        {{.name = fmt::format("energy_trend_{}", constant),
+          .title = fmt::format("{} of U = (factor F)^exponent, {} on {}", constant, y, x),
+          .unit = "1",
+          .residual_unit = fmt::format("of {}", y),
+          .method =
+              fmt::format("least squares of {} over {}, load cell, energies above 300 in.lb{}", y, x, more)},
          "peak_force_lb",
          [from](const MeasuredTest& test) { return on_load_cell(test) && test.energy_in_lb > from; },
-         std::move(fit)});
+         [is_inverse, constant_of](const Tests& tests) {
+           const LineFit line = line_of(tests, is_inverse);
+           return Fit{constant_of(line), line.scatter};
+         }});
   };
-  add("energy_trend_exponent", "exponent of U = (factor F)^exponent, ln U on ln F", "of ln U",
-      "least squares of ln U over ln F, load cell, energies above 300 in.lb", [](const Tests& tests) {
-        const LineFit line = line_of_energy(tests);
-        return Fit{line.slope, line.scatter};
-      });
-  add("energy_trend_factor", "factor of U = (factor F)^exponent, ln U on ln F", "of ln U",
-      "least squares of ln U over ln F, load cell, energies above 300 in.lb; interval of the line's zero by "
-      "Fieller's theorem",
-      [](const Tests& tests) {
-        const LineFit line = line_of_energy(tests);
-        return Fit{exponential(line.ratio), line.scatter};
-      });
-  constexpr const char* by_energy = "least squares of ln F over ln U, load cell, energies above 300 in.lb";
-  add("energy_trend_exponent", "exponent of U = (factor F)^exponent, ln F on ln U", "of ln F", by_energy,
-      [](const Tests& tests) {
-        const LineFit line = line_of_force(tests);
-        return Fit{reciprocal(line.slope), line.scatter};
-      });
-  add("energy_trend_factor", "factor of U = (factor F)^exponent, ln F on ln U", "of ln F", by_energy,
-      [](const Tests& tests) {
-        const LineFit line = line_of_force(tests);
-        return Fit{exponential(negative(line.intercept)), line.scatter};
-      });
+  add("exponent", false, "", [](const LineFit& line) { return line.slope; });
+  add("factor", false, "; interval of the line's zero by Fieller's theorem",
+      [](const LineFit& line) { return exponential(line.ratio); });
+  add("exponent", true, "", [](const LineFit& line) { return reciprocal(line.slope); });
+  add("factor", true, "", [](const LineFit& line) { return exponential(negative(line.intercept)); });
 }
 
 std::vector<Trend> trends_of(const ValidationData& data) {

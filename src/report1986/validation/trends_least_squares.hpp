@@ -1,6 +1,6 @@
 #pragma once
-/// Least squares of one and two constants, with 95 % intervals by Student's t: infinite where there are too
-/// few points to tell.
+/// Least squares for one or two constants, with 95 % intervals by Student's t, which are infinite without a
+/// degree of freedom.
 
 #include <vector>
 
@@ -14,17 +14,17 @@ struct Point {
   double x = 0, y = 0;
 };
 
-/// y = constant x; at least one point.
+/// y = constant x, for at least one point.
 struct ProportionalFit {
   Estimate constant;
   double scatter = 0;  ///< standard deviation of the residuals, n - 1; 0 for one point
 };
 ProportionalFit fit_proportional(const std::vector<Point>& points);
 
-/// y = intercept + slope x; at least two points of different x.
+/// y = intercept + slope x, for at least two points of different x.
 struct LineFit {
   Estimate intercept, slope;
-  Estimate ratio;  ///< intercept / slope, interval by Fieller's theorem; infinite where the slope may be 0
+  Estimate ratio;      ///< intercept / slope, interval by Fieller's theorem; infinite if the slope may be 0
   double scatter = 0;  ///< standard deviation of the residuals, n - 2; 0 for two points
 };
 LineFit fit_line(const std::vector<Point>& points);

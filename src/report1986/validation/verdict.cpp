@@ -24,7 +24,7 @@ struct QuantityFacts {
   std::optional<double> Prediction::*prediction;
 };
 
-/// In the order of Quantity.
+/// Indexed by Quantity.
 constexpr QuantityFacts facts[] = {{"peak force", "lb", 0, &Prediction::peak_force_lb},
                                    {"time to peak force", "ms", 2, &Prediction::time_to_peak_ms},
                                    {"rebound speed", "mph", 2, &Prediction::rebound_mph},
@@ -46,7 +46,7 @@ PlacedScore placed_score(const MeasuredTests& measured_tests, const std::vector<
     errors.clear();
     for (std::size_t i = 0; i < tests.size(); ++i) {
       if (tests[i].number < group.first_test || tests[i].number > group.last_test) continue;
-      // A test's strain by the other method is certain, and none of this group.
+      // A strain by the other method is certain and not of this group.
       MeasuredTest placed = tests[i];
       (group.column == "plug_strain" ? placed.diameter_strain : placed.plug_strain).reset();
       const std::optional<double> reading = measured(placed, quantity);
@@ -70,7 +70,7 @@ PlacedScore placed_score(const MeasuredTests& measured_tests, const std::vector<
 
 }  // namespace
 
-/// Fixed before the model was run (docs/decisions/0007-validation-rules.md): not to be touched.
+/// Fixed before the model was run (docs/decisions/0007-validation-rules.md). Do not change.
 const std::array<Rule, 4> rules{{
     {Quantity::peak_force, -0.15, 0.15, 0.25, true},
     {Quantity::time_to_peak, -0.10, 0.10, 0.15, true},

@@ -1,6 +1,6 @@
 #pragma once
-/// Tests in the format ISO-MME (ISO/TS 13499): a folder, its .mme file, or a zip or tar of it. docs/pulses.md
-/// has the rules.
+/// Tests in the format ISO-MME (ISO/TS 13499): a folder, its .mme file, or a zip or tar of it
+/// (docs/pulses.md).
 
 #include <filesystem>
 #include <string>
@@ -19,8 +19,8 @@ struct IsoMmeChannel {
   std::string code;     ///< sixteen characters, such as 11HEAD0000H3ACXA; empty if the file has none
   std::string name;     ///< in words
   std::string unit;     ///< as in the file
-  std::string samples;  ///< their number, as the file claims
-  std::string problem;  ///< why it cannot be read; empty if nothing is known against it
+  std::string samples;  ///< as the file claims
+  std::string problem;  ///< why it cannot be read; empty if nothing speaks against it
 };
 
 /// All channels, by number.
@@ -34,9 +34,9 @@ struct IsoMmeOptions {
   std::vector<Sensitivity> sensitivity = {};  ///< as in PulseCsvOptions; the directions in the order X, Y, Z
 };
 
-/// Nothing outside of the folder or archive is read: links are not followed, and an archive with a name that
-/// leads elsewhere is refused. Gives all faults, or the first 200. At most 1 GiB unpacked and 50 million
-/// samples a channel.
+/// Reads nothing outside of the folder or archive: links are not followed, and archives with names that lead
+/// elsewhere are refused. Reports all faults, or the first 200. At most 1 GiB unpacked and 50 million samples
+/// per channel.
 Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

@@ -1,5 +1,5 @@
 #pragma once
-/// Computed tests in the format ISO-MME (ISO/TS 13499), to write.
+/// Computed tests to be written in the format ISO-MME (ISO/TS 13499).
 
 #include <map>
 #include <string>
@@ -7,13 +7,11 @@
 
 namespace dashpad::output {
 
-/// The codes of a computed impact on a head form. Test object 1, no seat (0), the whole head, no dummy (00),
-/// along the impact (X). Filter class 0, unfiltered: P would say that a filter of the measuring chain has
-/// been at work, and here there is none.
+/// The codes of a computed impact on a head form: test object 1, no seat (0), the whole head, no dummy (00),
+/// along the impact (X). Filter class 0 means unfiltered; P would imply a filter in the measuring chain.
 inline constexpr const char* computed_acceleration_code = "10HEAD000000ACX0";
 inline constexpr const char* computed_force_code = "10HEAD000000FOX0";
 
-/// A time history to write.
 struct IsoMmeHistory {
   std::string code;            ///< sixteen letters and digits, capitals
   std::string name;            ///< in words
@@ -22,7 +20,7 @@ struct IsoMmeHistory {
   std::vector<double> values;  ///< in `unit`
 };
 
-/// A test to write. All histories have the same even times.
+/// All histories have the same even times.
 struct IsoMmeTest {
   std::string name = "dashpad";  ///< of the files: letters, digits, - and _
   std::string title = {};
@@ -33,13 +31,13 @@ struct IsoMmeTest {
   std::vector<IsoMmeHistory> histories = {};
 };
 
-/// File names, with / between folder and file, and their texts: NAME.mme, Channel/NAME.chn, Channel/NAME.001
-/// and so on. What is not known is NOVALUE; no date, so that the same test gives the same files. Numbers read
-/// back as the same double. Throws std::invalid_argument that says what is wrong with `test`.
+/// File names, with / after the folder, and their texts: NAME.mme, Channel/NAME.chn, Channel/NAME.001 and so
+/// on. Unknown values are NOVALUE; there is no date, so that the same test gives the same files. Numbers read
+/// back as the same double. Throws std::invalid_argument for an invalid test.
 std::map<std::string, std::string> iso_mme_files(const IsoMmeTest& test);
 
-/// The bytes of a zip of files, in their order, without dates: the same files give the same bytes. Throws
-/// std::runtime_error with libarchive's reason.
+/// The bytes of a zip of files, in their order and without dates, so that the same files give the same bytes.
+/// Throws std::runtime_error with libarchive's reason.
 std::string zip_of(const std::map<std::string, std::string>& files);
 
 }  // namespace dashpad::output

@@ -76,6 +76,7 @@ struct Panel {
   Axis y = {};
   std::vector<Series> series = {};
 
+  void add(Series one) { series.push_back(std::move(one)); }
   void add(std::vector<Series> more) {
     for (Series& one : more) series.push_back(std::move(one));
   }

@@ -1,8 +1,8 @@
 #pragma once
-/// The 33 validation tests of the report's Table 3-1, as far as the scan lets us read them, in its units.
+/// The 33 validation tests of the report's Table 3-1, in its units, as far as the scan is legible.
 ///
-/// The scan lost the rows of some readings: their order in a column is known, their tests are not. Such
-/// readings are kept apart, as groups.
+/// For some readings the scan shows their order in a column, but not their tests. These are kept as separate
+/// groups.
 
 #include <filesystem>
 #include <optional>
@@ -17,7 +17,7 @@ namespace dashpad::report1986 {
 enum class Projectile { aluminium, steel };
 enum class TestSupport { load_cell, plate };
 
-/// One row of Table 3-1. Absent: not measured, or of uncertain row.
+/// One row of Table 3-1. A value is absent if it was not measured or its row is uncertain.
 struct MeasuredTest {
   int number = 0;
   Projectile projectile = Projectile::aluminium;
@@ -33,11 +33,11 @@ struct MeasuredTest {
   std::optional<double> diameter_strain = {};  ///< by the contact diameter
 };
 
-/// The peak strain of a test: the mean of both methods where both are there (report, section 3.3).
+/// The peak strain of a test: the mean of both methods if both were used (report, section 3.3).
 std::optional<double> peak_strain(const MeasuredTest& test);
 
-/// Readings of one column whose tests are lost: they belong to some of the tests first to last that have no
-/// certain reading in that column, in this order.
+/// Readings of one column whose tests are lost. In this order, they belong to some of the tests from first to
+/// last that have no certain reading in that column.
 struct UnplacedReadings {
   std::string column;  ///< as in the data file: "rebound_mph", "peak_force_lb", ...
   int first_test = 0;
@@ -73,7 +73,7 @@ struct ExpectationExample {
   double rebound_mph = 0;  ///< V_R*
 };
 
-/// Everything that the study takes from data files.
+/// All data that the study reads from files.
 struct ValidationData {
   MeasuredTests measured;
   std::vector<StaticPoint> load_cell;  ///< after the origin; a reconstruction (data/validation/README.md)
@@ -81,15 +81,15 @@ struct ValidationData {
   double pad_thickness_in = 0;
   std::vector<PrintedConstant> printed;
   std::vector<ExpectationExample> table_3_2;
-  std::vector<input::InputFile> files;  ///< that it was read from, sound or not
+  std::vector<input::InputFile> files;  ///< all files that were read, valid or not
 
-  /// The value of a printed constant. Throws std::out_of_range that names it where it is not there.
+  /// The value of a printed constant. Throws std::out_of_range with its name if there is none.
   [[nodiscard]] double constant(const std::string& name) const;
 };
 
-/// Reads the files of a folder: table-3-1.csv, table-3-1-unplaced.csv, table-3-2.csv, printed-constants.csv,
-/// supports.csv. All faults of all files in `faults`, with file, line, column, value and rule; the data are
-/// of use only where there are none.
+/// Reads table-3-1.csv, table-3-1-unplaced.csv, table-3-2.csv, printed-constants.csv and supports.csv in a
+/// folder. Adds all faults to `faults`, with file, line, column, value and rule; the data are valid only if
+/// there are none.
 ValidationData read_validation_data(const std::filesystem::path& folder, std::vector<input::Fault>& faults);
 
 const char* to_string(Projectile projectile);

@@ -13,8 +13,8 @@
 namespace dashpad::report1986 {
 
 enum class Program {
-  printed_1984,          ///< as printed, its defects included, pdp10 arithmetic, steps of 0.1 ms
-  mended_support_1984,   ///< the same with the support's curve engaged (Defects::idle_segments mended)
+  printed_1984,          ///< as printed, with its defects, pdp10 arithmetic, steps of 0.1 ms
+  mended_support_1984,   ///< the same with the whole support curve (Defects::idle_segments mended)
   accurate,              ///< the solver, exact units, support as specified
   accurate_first_slope,  ///< the solver, with the load cell's first slope alone; on the plate the same as
                          ///< accurate
@@ -23,7 +23,7 @@ inline const std::vector<Program> programs{Program::printed_1984, Program::mende
                                            Program::accurate, Program::accurate_first_slope};
 const char* to_string(Program program);  ///< for people: "1984 program", ...
 
-/// What is simulated: the projectile at a speed, with a nose radius, on one of the supports.
+/// The simulated impact: a projectile at a speed, with a nose radius, on one of the supports.
 struct Setup {
   Projectile projectile = Projectile::aluminium;
   TestSupport support = TestSupport::load_cell;
@@ -34,12 +34,12 @@ struct Setup {
 
 Setup setup_of(const MeasuredTest& test, double radius_in);
 
-/// The impact case of a setup, exact units, with the 9-parameter law of Ensolite (report, section 4).
+/// The impact case of a setup: exact units, 9-parameter law of Ensolite (report, section 4).
 ImpactCase impact_case(const ValidationData& data, const Material& ensolite, const Setup& setup);
 
-/// Magnitudes, in the report's units. Figures that a run did not reach are absent. After an ABEND of the
-/// program of 1984 the peaks are there if the projectile was on its way back and every step up to the peak
-/// force was in equilibrium; the rebound speed never is.
+/// Magnitudes in the report's units. A figure is absent if the run did not reach it. After an ABEND of the
+/// program of 1984 the peaks are present if the projectile was on its way back and every step up to the peak
+/// force was in equilibrium; the rebound speed is always absent.
 struct Prediction {
   Program program = Program::accurate;
   Setup setup;
@@ -47,30 +47,30 @@ struct Prediction {
   std::optional<double> time_to_peak_ms;
   std::optional<double> rebound_mph;  ///< at the weight criterion, the report's end of an impact
   std::optional<double> peak_strain;
-  bool bottomed = false;    ///< the accurate solver: the pad was fully compressed
-  double error = 0;         ///< the solver's estimate for the peak force, relative; 0 for the program of 1984
+  bool bottomed = false;    ///< the pad was fully compressed; accurate solver only
+  double error = 0;         ///< estimated relative error of the peak force; 0 for the program of 1984
   std::string remark = {};  ///< why figures are missing or doubtful: an ABEND, a tolerance not met
 };
 
-/// The figures of an impact in the report's units; program and setup are left to the caller.
+/// The figures of an impact in the report's units. The caller sets program and setup.
 Prediction figures_of(const Summary& summary);
 
-/// Throws std::invalid_argument for a setup that is no sound case (impact_case.hpp).
+/// Throws std::invalid_argument for a setup that makes no valid case (impact_case.hpp).
 Prediction predict(const ValidationData& data, const Material& ensolite, Program program, const Setup& setup);
 
-/// Told after each run: done, of how many. One call at a time, from any thread.
+/// Receives the number of runs done and of all runs, after each run; one call at a time, from any thread.
 using Progress = std::function<void(std::size_t, std::size_t)>;
 
-/// Calls work(0) to work(count - 1) on all cores, and throws again what the first of them throws.
+/// Calls work(0) to work(count - 1) on all cores, and rethrows the first exception.
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work, const Progress& progress);
 
-/// One prediction for each setup and program, programs innermost; on all cores. Equal impacts are run once.
+/// One prediction for each setup and program, programs innermost, on all cores. Equal impacts are run once.
 /// Throws what predict() throws.
 std::vector<Prediction> predict_all(const ValidationData& data, const Material& ensolite,
                                     const std::vector<Program>& which, const std::vector<Setup>& setups,
                                     const Progress& progress = {});
 
-/// The prediction of a program for a setup; null where it is not there.
+/// The prediction of a program for a setup; null if there is none.
 const Prediction* find(const std::vector<Prediction>& predictions, Program program, const Setup& setup);
 
 }  // namespace dashpad::report1986

@@ -1,5 +1,5 @@
 #pragma once
-/// The study on the report's 33 tests; each test predicted by a foam that was fitted without it.
+/// The study of the report's 33 tests, each of which is also predicted by a foam that was fitted without it.
 
 #include <cstddef>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace dashpad::report1986 {
 
-/// Of the nose, in. It is lost; the weights allow at most 2.35 in, and the tests tell only its product with
-/// the stress.
+/// Nose radius, in. The true one is lost; the weights allow at most 2.35 in, and the tests determine only its
+/// product with the stress.
 inline constexpr double held_out_radius_in = 2;
 
 /// A certain reading of a test.
@@ -21,12 +21,12 @@ struct Reading {
   Quantity quantity = Quantity::peak_force;
   double value = 0;  ///< in the report's units
 };
-/// All that take part: forces, times and rebound speeds, and the strains on the plate.
+/// All readings that take part: forces, times and rebound speeds, and the strains on the plate.
 std::vector<Reading> certain_readings(const MeasuredTests& measured);
 
-/// The readings that a fit does not see, by their places among all, fold by fold; each is in one fold. On the
-/// load cell five folds: of each projectile the distinct speeds in their order, rank modulo five, so that
-/// repeated tests stay together. On the plate test by test.
+/// The indices of the readings that each fit does not see; each reading is in one fold. On the load cell
+/// there are five folds: for each projectile, the rank of the speed modulo five, so that repeated tests stay
+/// together. On the plate each test is a fold.
 std::vector<std::vector<std::size_t>> folds_of(const std::vector<Reading>& readings);
 
 /// A foam with Avalle's curve (theory.md, Eq. 32): modulus 600 psi, no rate effect, no friction. Its stresses
@@ -37,17 +37,18 @@ struct FittedFoam {
   double densification_stress_psi = 0;  ///< B, [0.1, 200]
   double densification_exponent = 0;  ///< n, [0.5, 4]; also that of the continuation, where it is at least 1
   double unloading_shape = 0;         ///< SHAPE, [0.02, 50]
-  double misfit = 0;                  ///< sum of squared residuals, those of the priors included
+  double misfit = 0;                  ///< sum of squared residuals, including those of the priors
   bool converged = false;
   std::string why_not = {};
 };
 Material material_of(const FittedFoam& foam);
 
-/// Least squares of ln(predicted / measured), of strains the difference, over the scatters of the decision.
+/// Least squares of ln(predicted / measured), or of the difference for strains, over the scatters of
+/// decision 16.
 FittedFoam fit_foam(const ValidationData& data, const std::vector<Reading>& readings);
 
-/// A quantity on a support, predicted by fits that have not seen the test. "Seen data, no blind test": the
-/// form of the foam was chosen with all tests in sight.
+/// A quantity on a support, predicted by fits that have not seen the test. The form of the foam was chosen
+/// with all tests in sight, so this is no blind test.
 struct HeldOutScore {
   std::string name;  ///< "peak_force", "rebound_plate"
   TestSupport support = TestSupport::load_cell;
@@ -57,7 +58,7 @@ struct HeldOutScore {
   double bias = 0;                     ///< exp(mean of ln ratio) - 1, or mean difference
   std::optional<double> standard_error = {},
                         scatter = {};  ///< of the bias, and as in Score; absent below two tests
-  bool passed = false;                 ///< the rules of decision 7
+  bool passed = false;                 ///< by the rules of decision 7
 };
 
 struct HeldOut {
@@ -66,7 +67,7 @@ struct HeldOut {
   std::vector<HeldOutScore> scores;
 };
 
-/// On all cores. `progress` is told of each fit.
+/// Fits on all cores; `progress` is called after each fit.
 HeldOut hold_out(const ValidationData& data, const Progress& progress = {});
 
 /// The whole study: data in, conclusions out.
@@ -89,7 +90,7 @@ struct Study {
   HeldOut held_out;
 };
 
-/// `progress` is told of each stage on its own.
+/// `progress` counts each stage separately.
 Study run_study(const ValidationData& data, const Material& ensolite, const Progress& progress = {});
 
 }  // namespace dashpad::report1986
