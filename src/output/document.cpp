@@ -93,7 +93,7 @@ Table table_of(const RowGroup& group) {
   Table table{.caption = group.caption, .columns = {"Figure", "Value"}};
   for (const ValueRow& row : rows) table.rows.push_back({row.label, shown_value(row)});
   for (const auto& [title, cell] : optional) {
-    if (std::ranges::all_of(rows, [&](const ValueRow& row) { return cell(row).empty(); })) continue;
+    if (std::ranges::all_of(rows, &std::string::empty, cell)) continue;
     table.columns.emplace_back(title);
     for (std::size_t i = 0; i < rows.size(); ++i) table.rows[i].push_back(cell(rows[i]));
   }

@@ -26,7 +26,7 @@ constexpr Look looks[] = {{palette_index::printed_1984, SeriesStyle::points},
 
 std::vector<Series> lines_of(const Study& study, Program program, TestGroup group, Quantity quantity) {
   const double of_the_report = study.radius.of_the_report_in(), favoured = study.radius.favoured_in();
-  const auto [palette_index, style] = looks[static_cast<std::size_t>(program)];
+  const Look& look = looks[static_cast<std::size_t>(program)];
   std::map<double, double> at_the_reports_radius, at_the_favoured_radius;
   std::map<double, Interval> over_radii;
   for (const Prediction& prediction : study.on_curves) {
@@ -42,16 +42,16 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
   const auto line_of = [&](const std::map<double, double>& values, double radius, SeriesStyle drawn) {
     Series line{.label = fmt::format("{}, {:.2f} in", to_string(program), radius),
                 .style = drawn,
-                .palette_index = palette_index};
+                .palette_index = look.palette_index};
     for (const auto& [speed, value] : values) line.add(speed, value);
     return line;
   };
-  const Series line = line_of(at_the_reports_radius, of_the_report, style);
+  const Series line = line_of(at_the_reports_radius, of_the_report, look.style);
   if (program != Program::accurate) return {line};
 
   Series band{.label = std::string{to_string(program)} + ", over the nose radii",
               .style = SeriesStyle::band,
-              .palette_index = palette_index};
+              .palette_index = look.palette_index};
   for (const auto& [speed, span] : over_radii) {
     band.add(speed, span.low);
     band.y2.push_back(span.high);

@@ -99,7 +99,7 @@ std::vector<ValueRow> figures_of(const ImpactReport& report, std::vector<ValueRo
     std::vector<ValueRow> of_bottoming = bottoming_figures(report.impact, summary, units);
     rows.insert(rows.begin(), of_bottoming.begin(), of_bottoming.end());
     // Figures without a finite value come last.
-    std::ranges::stable_partition(rows, [](const ValueRow& row) { return row.value != "none"; });
+    std::stable_partition(rows.begin(), rows.end(), [](const ValueRow& row) { return row.value != "none"; });
   } else if (is_cut(summary)) {
     mark_bounds(rows);
   }
