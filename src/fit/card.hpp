@@ -24,8 +24,7 @@ inline constexpr int card_digits = 6;
 /// stresses include a fitted scale of the pad.
 Material card_of(const Fit& fit, std::span<const double> values, const FitReport& report);
 
-/// The case with the fitted values except its foam, which is that of the finished card; none if only numbers
-/// of a card were sought.
+/// The case with the fitted values, but for its foam; none if only numbers of a card were sought.
 std::optional<FittedCase> fitted_case_of(const Fit& fit, std::span<const double> values);
 
 /// Whether a material comes from a card, or says itself where it was tested.
@@ -68,8 +67,7 @@ void seek_recoil(Fit& fit);
 
 // How the material meets the measurements, fitted and held out (theory.md, section 6).
 
-/// The comparison with a test at the points that count. `values` are those of the unknowns, `offset` is in
-/// Pa.
+/// The comparison with a test at the points that count, at values of the unknowns; `offset` is in Pa.
 MetTest met_test(const Fit& fit, const MaterialMeasurement& test, std::span<const double> values,
                  double offset);
 
@@ -81,8 +79,7 @@ std::vector<MetFigure> met_figures(const Fit& fit, const ImpactMeasurement& impa
 MetPulse met_pulse(const Fit& fit, const ImpactMeasurement& impact, std::span<const double> values,
                    std::optional<std::size_t> shift);
 
-/// Strain rates between the points that count, 1/s: the 5th and the 95th percentile of their magnitudes,
-/// weighted by distance.
+/// Strain rates between points that count, 1/s: 5th and 95th percentile by distance of their magnitudes.
 struct RateRange {
   double lowest = 0, highest = 0;
 };
@@ -117,8 +114,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
 std::optional<Misfit> misfit_of(std::span<const PredictedFigure> predicted,
                                 std::span<const ImpactComparison> fitted);
 
-/// The radius of a round nose over the thickness of the pad, if it varies among the impacts by no more than
-/// the factor `alike`.
+/// The radius of a round nose over the pad's thickness, if it varies by no more than the factor `alike`.
 std::optional<double> nose_over_pad_of(const Fit& fit, double alike = 1.1);
 
 }  // namespace dashpad::fit

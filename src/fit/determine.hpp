@@ -28,8 +28,8 @@ struct LeastSquares {
   std::size_t residuals = 0;
   double step = 1e-4;  ///< step of a coordinate for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
-  /// Whether residuals need impacts, which are exact to some 1e-4: then differences use several threads, and
-  /// searches end earlier.
+  /// Whether residuals need impacts, exact to some 1e-4: then differences use threads, and searches end
+  /// earlier.
   bool takes_impacts = false;
   /// Coordinates that settle() sets to their best values at no cost, unless they are held. They are not
   /// searched for. Empty if there are none.
@@ -77,9 +77,8 @@ struct ProfileRequest {
       {};  ///< change of all coordinates along the profile, for first guesses; 1 for its own
 };
 
-/// Searches from a minimum for the end of an interval, to half a per cent of the distance, or to two per cent
-/// with impacts. It takes about ten refits, each beginning where the curvature at the minimum predicts the
-/// other coordinates.
+/// Searches from a minimum for the end of an interval, to half a per cent of the distance, or two per cent
+/// with impacts, in about ten refits that begin where the curvature at the minimum predicts the others.
 ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const ProfileRequest& request);
 
 // The uncertainty of a minimum from the derivatives of the residuals there.
@@ -120,8 +119,7 @@ struct Autocorrelation {
 Autocorrelation autocorrelation_of(std::span<const double> residuals);
 
 struct Uncertainty {
-  /// The standard error of each coordinate; absent at a bound, and where the noise exceeds a move across the
-  /// bounds.
+  /// The standard error of each coordinate; absent at a bound, and if it exceeds the width of the bounds.
   std::vector<std::optional<double>> error;
   std::vector<double> widening;    ///< factor on its variance from correlated residuals
   std::vector<double> covariance;  ///< row by row; rows of coordinates at a bound are 0
@@ -133,8 +131,7 @@ struct Uncertainty {
   std::vector<Autocorrelation> blocks;  ///< autocorrelation along the curve of each block
 };
 
-/// Finds the uncertainty at a minimum. `scale` multiplies variances. False if the derivatives cannot be
-/// evaluated.
+/// Finds the uncertainty at a minimum. `scale` multiplies variances. False without derivatives.
 bool find_uncertainty(const Problem& problem, const LeastSquares& residuals, std::span<const double> x,
                       double scale, Uncertainty& into);
 
@@ -157,8 +154,7 @@ std::vector<std::vector<double>> laplace_sample(std::span<const double> minimum,
 
 // The search from the starts to the best minimum, and the session in which it runs.
 
-/// The session of a fit: the request to stop, the progress, and the finished pieces of work. Safe for several
-/// threads.
+/// The session of a fit: request to stop, progress, and finished pieces of work. Safe for several threads.
 class Session {
  public:
   /// Reads what is kept. Throws as check_state() does.

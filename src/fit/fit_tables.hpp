@@ -18,8 +18,7 @@ ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& f
 
 // Values. SI; NaN after a fault.
 
-/// A value: pure numbers stand without quotes. In an acceleration, "3 g", g is standard gravity; elsewhere in
-/// files it is the gram.
+/// A value; pure numbers stand without quotes. In an acceleration, "3 g", g is standard gravity.
 double value_of(const input::TomlNode& node, const std::string& key, const std::string& unit,
                 input::FaultList& faults);
 double value_in(input::TableReader& table, const std::string& key, const std::string& unit);

@@ -72,8 +72,7 @@ constexpr int points_per_step = 4;  ///< points of the smooth curve per step of 
 
 using Setter = std::function<void(ImpactCase&, double)>;
 
-/// Functions that set the unknowns of an impact. Throws std::invalid_argument if the impact has no such
-/// quantity.
+/// Functions that set the unknowns. Throws std::invalid_argument if the impact has no such quantity.
 std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const ImpactCase& impact) {
   std::vector<Setter> setters;
   const CaseQuantities quantities = quantities_of(impact);
@@ -85,8 +84,7 @@ std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const Im
   return setters;
 }
 
-/// A figure of the solution, SI; `no_figure` where it has none, such as a peak force where the pad bottoms
-/// out.
+/// A figure of the solution, SI; `no_figure` if it is absent, as a peak force after bottoming out.
 double figure_in(const Solution& solution, ImpactFigure figure) {
   const ResultQuantity* const quantity = name_of(figure).quantity;
   if (quantity->part != Part::pulse)
@@ -124,8 +122,7 @@ struct ComputedPulse {
   SmoothCurve curve;
   double onset = 0;
 
-  /// The deceleration at a time since the measured onset; 0 before first contact and after the end of
-  /// contact.
+  /// The deceleration at a time since the measured onset; 0 outside contact.
   [[nodiscard]] double at(double time, double shift) const { return curve.at(onset + time - shift); }
 };
 

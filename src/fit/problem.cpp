@@ -55,8 +55,7 @@ Block block_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::o
   return block;
 }
 
-/// The largest shift of a pulse, as a share of the time above half its peak: its trigger is only as good as
-/// its noise.
+/// The largest shift of a pulse, as a share of the time above half its peak: its trigger is inexact.
 constexpr double max_shift = 0.25;
 
 /// A coordinate of a measurement, from -`most` to `most`.
@@ -70,8 +69,7 @@ Coordinate nuisance(const std::string& key, const char* unit, double most) {
   return coordinate;
 }
 
-/// The base curve has to rise between these places by this share of its mean rise, with a deviation that no
-/// data outweigh.
+/// The base curve has to rise by this share of its mean rise, with a deviation that no data outweigh.
 constexpr std::size_t places_of_rule = 100;
 constexpr double min_rise = 0.01;
 constexpr double deviation_of_rule = 1e-4;

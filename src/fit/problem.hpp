@@ -46,12 +46,10 @@ struct Coordinate {
 /// A predicted figure that an impact does not have.
 inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
-/// Predicts from the values of all coordinates, SI. False if they make no material that can be tested. Absent
-/// figures are `no_figure`.
+/// Predicts from the values of all coordinates, SI. False without a material. Absent figures are `no_figure`.
 using Predict = std::function<bool(std::span<const double> values, std::span<double> predicted)>;
 
-/// The same with the shift at which the pulse meets the measured one best. The shift is put into the values;
-/// it costs no impact.
+/// The same with the shift at which the pulse meets the measured one best, which is put into the values.
 using Settle = std::function<bool(std::span<double> values, std::span<double> predicted)>;
 
 /// A source of data with its residuals.

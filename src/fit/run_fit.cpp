@@ -85,8 +85,7 @@ constexpr int first_runs = 3, max_runs = 7;
 /// Figures by a fixed number of runs may be off by this share of their deviations.
 constexpr double max_off = 0.1;
 
-/// Whether a fixed number of runs gives the figures and pulses of all fitted impacts as exactly as the full
-/// tolerance.
+/// Whether a fixed number of runs gives all fitted figures and pulses as exactly as the full tolerance.
 bool runs_suffice(const Fit& fit, const Problem& problem, std::span<const double> values, int runs) {
   auto block = std::ranges::find_if(problem.blocks, &Block::is_impact);
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {

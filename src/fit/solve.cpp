@@ -14,8 +14,7 @@ namespace {
 
 /// Relative change of the coordinates at which a fit has converged: far below what noise moves.
 constexpr double min_change_of_place = 1e-9;
-/// The same with impacts: changes of the coordinates, and of the misfit on the way to a coarse and to a fine
-/// minimum.
+/// The same with impacts, and changes of the misfit towards a coarse and towards a fine minimum.
 constexpr double min_change_with_impacts = 1e-5, coarse_with_impacts = 1e-4, fine_with_impacts = 1e-5;
 /// The largest step for one-sided differences. With such steps, and with impacts, they suffice on the way to
 /// a coarse minimum, at half the evaluations.
@@ -69,8 +68,7 @@ bool fill_columns(const LeastSquares& problem, std::size_t count, double* matrix
   std::atomic<bool> is_sound = true;
   const auto fill = [&](std::size_t i) {
     std::vector<double> one(problem.residuals);
-    // All columns are evaluated, even after a failure, so that the number of evaluations does not depend on
-    // the threads.
+    // All columns are evaluated, even after a failure: the number must not depend on the threads.
     if (!column(i, std::span<double>(one)))
       is_sound = false;
     else

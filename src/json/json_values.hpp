@@ -47,8 +47,7 @@ inline Json program_json() {
   return {{"name", "dashpad"}, {"version", version()}, {"commit", build_facts().git_commit}};
 }
 
-/// The text with a line break at its end. Bytes that are not UTF-8 are replaced, so that no text can prevent
-/// a result.
+/// The text with a final line break. Bytes that are not UTF-8 are replaced, so that they prevent no result.
 inline std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

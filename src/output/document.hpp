@@ -30,8 +30,7 @@ std::vector<Table> tables_of(const Section& section);
 /// The table in GitHub's Markdown.
 std::string markdown(const Table& table);
 
-/// The table for a terminal of 100 columns; the texts of its widest columns continue on further lines if
-/// necessary.
+/// The table for a terminal of 100 columns; texts of its widest columns may continue on further lines.
 std::string plain_text(const Table& table);
 
 /// "  Peak force             5757 N      5100 to 6400 N    ± 0.2 %  remark", at most 100 columns wide;

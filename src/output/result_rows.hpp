@@ -19,8 +19,7 @@ namespace dashpad::output {
 /// The outcome of the impact in one sentence.
 std::string outcome(const Summary& summary);
 
-/// The flags of a summary (dashpad/impact/flags.hpp), each beginning with a word in capitals, with moments in
-/// the reader's units.
+/// The flags of a summary, each beginning with a word in capitals, with moments in the reader's units.
 std::vector<std::string> warnings(const Summary& summary, const UnitSystem& units);
 
 /// Every figure of the impact; none if nothing was run.
@@ -39,8 +38,7 @@ std::vector<ValueRow> main_rows(const ImpactCase& impact, const Summary& summary
 std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary& summary,
                                         const UnitSystem& units);
 
-/// How the result was computed: "to a tolerance of 0.01 %: 120 steps, contact force in closed form, 3 runs,
-/// 1.2 ms".
+/// How it was computed: "to a tolerance of 0.01 %: 120 steps, contact force in closed form, 3 runs, 1.2 ms".
 std::string numbers_text(const Summary& summary);
 
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
@@ -74,8 +72,7 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
 /// The sources in words, and why one gives no interval.
 std::string source_paragraph(const Intervals& intervals);
 
-/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each; none
-/// without intervals.
+/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each.
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

@@ -1,6 +1,5 @@
 #pragma once
-/// Bounds for values that are read. Values that no foam, pad or sensor has are typing errors, and would
-/// overflow later.
+/// Bounds for values that are read: what no foam, pad or sensor has is a typing error.
 
 #include <string>
 #include <string_view>

@@ -15,8 +15,7 @@ namespace dashpad {
 
 namespace {
 
-/// Whether a number has that many digits before its point, but not so many that an exponent is easier to
-/// read.
+/// Whether a number has that many digits before its point, but too few for an exponent.
 bool is_long(double value, int digits) {
   return std::abs(value) >= std::pow(10.0, digits - 1) - 0.05 && std::abs(value) < 1e9;
 }

@@ -53,8 +53,7 @@ std::size_t character_length(std::string_view text);
 /// Text made safe for one line of a terminal: line breaks, other control characters and changes of the
 /// writing direction become spaces.
 std::string one_line(std::string_view text);
-/// The same for text of several lines, which keeps line breaks and tabs; bytes that are not UTF-8 become
-/// U+FFFD.
+/// The same for several lines, keeping line breaks and tabs; bytes that are not UTF-8 become U+FFFD.
 std::string without_controls(std::string_view text);
 
 /// A name as a message quotes it: at most `most` bytes, then "...", never half a character.
@@ -65,12 +64,10 @@ std::string without_endless_words(std::string_view line);
 /// Every place of `old`, from left to right; what took its place is not looked at again.
 void replace_all(std::string& text, std::string_view old, std::string_view fresh);
 
-/// Breaks a line at blanks into lines of at most 100 columns, if the words allow, and indents all but the
-/// first.
+/// Breaks a line at blanks into lines of at most 100 columns, if possible, and indents all but the first.
 std::string wrapped(std::string_view line, std::size_t indent);
 
-/// A fingerprint that detects changes of texts: FNV-1a of the texts and of where each ends, as 16 hexadecimal
-/// digits.
+/// A fingerprint of texts and of where each ends, 16 hexadecimal digits: FNV-1a.
 std::string fingerprint(const std::vector<std::string>& texts);
 
 }  // namespace dashpad

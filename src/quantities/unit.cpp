@@ -16,8 +16,7 @@ constexpr std::size_t longest_unit = 100;
 constexpr int largest_exponent = 1000;
 
 using Pair = std::pair<std::string_view, std::string_view>;
-/// Look-alikes: no-break space, Greek mu, dot operator, raised minus and digits, signs for degrees and the
-/// ohm.
+/// Look-alikes: no-break space, Greek mu, dot operator, raised minus and digits, degree and ohm signs.
 constexpr std::array lookalikes{Pair{"\u00a0", " "},    Pair{"\u03bc", "\u00b5"}, Pair{"\u22c5", "\u00b7"},
                                 Pair{"\u207b", "-"},    Pair{"\u00b9", "1"},      Pair{"\u00b2", "2"},
                                 Pair{"\u00b3", "3"},    Pair{"\u2074", "4"},      Pair{"\u2103", "degC"},

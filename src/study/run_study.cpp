@@ -79,8 +79,7 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
   const tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, workers};
   tbb::enumerable_thread_specific<BatchWork::Compute> compute{[&work] { return work.worker(); }};
 
-  // The pipeline forgets items in flight when a filter throws, so that they are owned here and passed as
-  // pointers.
+  // The pipeline forgets items in flight when a filter throws: they are owned here.
   std::vector<Computed> in_flight(batches_a_thread * workers);
   tbb::concurrent_queue<Computed*> unused;
   for (Computed& computed : in_flight) unused.push(&computed);
@@ -101,8 +100,7 @@ bool run_batches(std::span<const std::uint64_t> batches, int threads, const std:
         compute.local()(batch, result->rows);
         return result;
       });
-  // Writing in order is fastest, since the file grows at its end, and gives the same bytes for any number of
-  // threads.
+  // Writing in order is fastest and gives the same bytes for any number of threads.
   const auto write =
       tbb::make_filter<Computed*, void>(tbb::filter_mode::serial_in_order, [&](Computed* done) {
         work.write(done->batch, done->rows);

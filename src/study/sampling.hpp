@@ -177,8 +177,7 @@ class Quantiles {
 /// The rule that the numbers of a distribution break, or "".
 std::string rule_broken_by(const Factor& factor);
 
-/// The range in which a distribution is checked: its ends or cut-offs, or 6 deviations of a normal
-/// distribution.
+/// The range in which a distribution is checked: its ends or cut-offs, or 6 deviations of a normal one.
 struct CheckedRange {
   double low = 0, high = 0;
   bool low_is_tail = false, high_is_tail = false;  ///< 6 deviations out: rarer values exist

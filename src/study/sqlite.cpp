@@ -61,8 +61,7 @@ std::string sql_name(std::string_view name) {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
-  // Readers also open for writing, to recover what a killed run left; SQLite falls back to reading where it
-  // may not write.
+  // Readers also open for writing if they may, to recover what a killed run left.
   const int flags = SQLITE_OPEN_READWRITE | (access == Access::write ? SQLITE_OPEN_CREATE : 0);
   sqlite3* handle = nullptr;
   // The whole path: SQLite takes names such as ":memory:" for something else than files.

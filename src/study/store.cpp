@@ -39,8 +39,7 @@ const std::string& lasting_name(Status status) {
   return names.at(static_cast<std::size_t>(status));
 }
 
-/// Writes the log back while a nearly full disk still has room: until the log is emptied, its content takes
-/// twice the space.
+/// Writes the log back while a nearly full disk has room for its content twice.
 void keep_room(Database& database, const StoreHeading& heading) {
   std::error_code none;
   const std::filesystem::path log = database.log();

@@ -33,14 +33,12 @@ class Database {
   [[nodiscard]] bool has_moved() const;
   /// The write-ahead log beside the file; it need not be there.
   [[nodiscard]] std::filesystem::path log() const;
-  /// Writes the log back into the file and empties it, as far as readers and the disk allow. What stays in
-  /// the log is not lost.
+  /// Writes the log back into the file and empties it, as far as readers and the disk allow.
   void write_back_log();
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* get() const { return handle_.get(); }
 
-  /// Throws std::runtime_error with SQLite's error `code` in the user's words, DamagedStore if it means
-  /// damage.
+  /// Throws std::runtime_error with SQLite's error in the user's words, DamagedStore for damage.
   [[noreturn]] void fail(int code) const;
   /// Throws DamagedStore for content that Dashpad does not write.
   [[noreturn]] void damaged(const std::string& what) const;
@@ -144,16 +142,14 @@ std::uint64_t log_bytes_of_batch(const StoreHeading& heading);
 /// About how many bytes the tables take in the file before the first row.
 std::uint64_t bytes_of_tables(const StoreHeading& heading);
 
-/// The approximate number of free bytes that so many rows need: for the file, the shortest possible log, and
-/// the index of the log.
+/// The approximate number of free bytes for so many rows: file, shortest log, and index of the log.
 std::uint64_t bytes_of_rows(const StoreHeading& heading, std::uint64_t rows);
 
 /// A system lock on one byte far beyond the end of the file and the bytes that SQLite locks. It ends with the
 /// process and does not affect readers. Two locks in one process exclude each other, too.
 class WriterLock {
  public:
-  /// Makes the file if it is missing. Throws std::runtime_error if another run has the lock or the file
-  /// cannot be opened.
+  /// Makes a missing file. Throws std::runtime_error if another run has the lock or it cannot be opened.
   explicit WriterLock(const std::filesystem::path& file);
   /// Closing a file drops the locks that SQLite has on it in this process: it must be closed before.
   ~WriterLock();

@@ -182,8 +182,7 @@ void remove_new_file(const fs::path& file) {
 WriterLock::WriterLock(const std::filesystem::path& file)
     : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (descriptor_ < 0) refuse(file, errno);
-  // The lock belongs to the open file, not to the process (F_SETLK), since SQLite opens and closes the same
-  // file itself.
+  // The lock belongs to the open file, not the process (F_SETLK): SQLite closes the file itself.
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;

@@ -22,8 +22,7 @@ struct FittedUnknown {
   double lowest = 0, highest = 0;  ///< its bounds
   /// Standard error; absent at a bound, and where the data do not say anything of it.
   std::optional<double> standard_error;
-  /// The 95 % interval by profile likelihood; an end is absent if the misfit does not rise enough within the
-  /// bounds.
+  /// The 95 % interval by profile likelihood; an end is absent if the misfit does not rise enough.
   std::optional<double> low, high;
   /// Whether the model admits nothing beyond a bound, such as friction below 0: an interval may end there.
   bool lowest_is_natural = false, highest_is_natural = false;
@@ -31,12 +30,10 @@ struct FittedUnknown {
   bool is_logarithmic = false;            ///< sought by its logarithm
   std::optional<double> prior_deviation;  ///< deviation of its prior, if it has one
   bool is_added = false;                  ///< sought though the fit file does not name it
-  /// Whether it belongs to a measurement, not to the material: the shift of a force zero or of the clock of a
-  /// pulse.
+  /// Whether it belongs to a measurement: the shift of a force zero or of the clock of a pulse.
   bool is_nuisance = false;
 
-  /// Whether its interval ends within the bounds on both sides, or on one side within the half of the bounds
-  /// next to a natural bound.
+  /// Whether its interval ends on both sides, or on one within the half next to a natural bound.
   [[nodiscard]] bool is_identified() const {
     const auto place = [this](double end) { return place_between(lowest, highest, is_logarithmic, end); };
     if (low && high) return true;
@@ -149,8 +146,7 @@ struct FitReport {
   bool converged = false;
   std::string why_not;  ///< if it did not converge
   Material material;    ///< the card, where it converged
-  /// The case of the fit, or the first impact, with the card and all fitted values; absent if the card holds
-  /// all of them.
+  /// The case of the fit, or the first impact, with all fitted values; absent if the card holds them.
   std::optional<FittedCase> fitted_case;
   std::vector<FittedUnknown> unknowns;
   /// Ends of intervals that are rough, since the refits for each are bounded: "pad.curve.modulus, above".

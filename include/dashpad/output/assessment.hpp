@@ -21,8 +21,7 @@ std::string standard_line(const injury::Standard& standard);
 /// A standard in full: impactor, criteria and variants, each value with source and state of verification.
 Document standard_document(const injury::Standard& standard, const UnitSystem& units);
 
-/// The data of an assessment. `given` is the case of the file, `assessed` the same with the impactor of the
-/// standard.
+/// An assessment. `given` is the case of the file, `assessed` the same with the impactor of the standard.
 struct AssessmentReport {
   const injury::Standard& standard;
   const ImpactCase& given;

@@ -9,8 +9,7 @@
 
 namespace dashpad::output {
 
-/// The document of a fit: what was found and how certain it is, what the data leave open, and how well the
-/// model meets each test.
+/// The document of a fit: what was found, how certain it is, and how well the model meets each test.
 Document fit_document(const fit::FitReport& report, const UnitSystem& units,
                       Pictures pictures = Pictures::left_out);
 /// Everything, in SI: schema/fit.schema.json.

@@ -58,13 +58,11 @@ Plot result_plot(const ImpactCase& impact, const Solution& solution,
 /// (violations()) the drawing says so.
 std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units);
 
-/// The drawing as a picture file; PNG and PDF are for light paper. Throws std::runtime_error if they cannot
-/// be made.
+/// The drawing as a picture file for light paper. Throws std::runtime_error if it cannot be made.
 std::string impact_drawing(const ImpactCase& impact, const Solution& solution, const UnitSystem& units,
                            PictureFormat format);
 
-/// The text of the drawing's `<style>`, always the same, for pages whose policy admits styles by their
-/// hashes.
+/// The text of the drawing's `<style>`, always the same, for policies that admit styles by their hashes.
 std::string_view impact_drawing_style();
 
 /// The result as JSON (schema/summary.schema.json): the summary, its case and the program, in SI units, which

@@ -16,8 +16,7 @@ namespace dashpad::output {
 Document materials_document(const std::vector<Material>& materials, const UnitSystem& units,
                             Pictures pictures = Pictures::left_out);
 
-/// The document of a material: title, reservations, source, law, tested range, parameters and stresses at a
-/// few strains.
+/// The document of a material: reservations, source, law, tested range, parameters and some stresses.
 Document material_document(const Material& material, const UnitSystem& units,
                            Pictures pictures = Pictures::left_out);
 

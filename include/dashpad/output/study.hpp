@@ -17,8 +17,7 @@ std::string study_json(const study::StudyAnswers& answers);
 Document study_document(const study::StudyAnswers& answers, const UnitSystem& units,
                         Pictures pictures = Pictures::left_out);
 
-/// The figure that answers the study: cushion curves, Sobol' indices, a map or curves over a grid, or
-/// distributions.
+/// The figure that answers the study: cushion curves, Sobol' indices, a map, curves or distributions.
 Plot study_plot(const study::StudyAnswers& answers, const UnitSystem& units);
 
 /// A factor's value with its unit; for a material (unit "") its name.

@@ -7,8 +7,7 @@
 
 namespace dashpad {
 
-/// A unit for each kind of quantity, as dashpad/quantities/quantity.hpp reads it. Strain rates are in 1/s
-/// everywhere.
+/// A unit for each kind of quantity, as quantity.hpp reads it. Strain rates are in 1/s everywhere.
 struct UnitSystem {
   std::string name;  ///< name on the command line
   std::string length;

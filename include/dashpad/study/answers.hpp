@@ -47,8 +47,7 @@ struct Distribution {
 std::optional<Estimate> quantile(const Distribution& distribution, double probability);
 
 /// Bounds of a response of one row, SI: equal where it is known, infinite if the pad bottomed out on a rigid
-/// support; from the value to infinity where that is a lower bound; minus and plus infinity where nothing is
-/// known.
+/// support; up to infinity where the value is a lower bound; infinite on both sides where nothing is known.
 struct Reading {
   double low = 0, high = 0;
 };

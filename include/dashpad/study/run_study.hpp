@@ -1,6 +1,5 @@
 #pragma once
-/// Computing the rows of a study: one batch by a thread or a rank, or all missing rows on all cores or MPI
-/// ranks.
+/// Computing the rows of a study: one batch, or all missing rows on all cores or MPI ranks.
 
 #include <atomic>
 #include <cstdint>

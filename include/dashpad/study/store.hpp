@@ -45,8 +45,7 @@ class DamagedStore : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An open store. Every member that reads throws DamagedStore if the file is damaged. Not safe for several
-/// threads at once.
+/// An open store. Members that read throw DamagedStore for a damaged file. Not safe for several threads.
 class Store {
  public:
   /// Creates the file, or opens that of the very same study (text, named files, program version and commit)

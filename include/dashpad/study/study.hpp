@@ -105,8 +105,7 @@ struct FactorKey {
   std::string unit;  ///< SI; "1" for a pure number, "" for a material
 };
 
-/// All factors that a case with this law and support offers: its quantities (dashpad/case/case_quantity.hpp)
-/// and its material.
+/// All factors of a case with this law and support: its quantities (case_quantity.hpp) and its material.
 std::vector<FactorKey> factor_keys(const ImpactCase& base);
 
 /// The message for a factor that is none of factor_keys(): what was meant, or what there is instead.

@@ -1,6 +1,5 @@
 #pragma once
-/// Reading a study from its file (TOML with units, docs/studies.md), and from its store without any other
-/// file.
+/// Reading a study from its file (TOML with units, docs/studies.md), and from its store alone.
 
 #include <filesystem>
 #include <string>
@@ -12,8 +11,7 @@
 
 namespace dashpad::study {
 
-/// Reads a study file and the base case, cards and CSV files that it names, relative to it. Reports all
-/// faults at once.
+/// Reads a study file and the files that it names, relative to it. Reports all faults at once.
 input::Reading<Study> read_study(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 /// JSON in SI. Two studies with the same text here have the same rows.

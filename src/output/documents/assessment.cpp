@@ -29,8 +29,7 @@ std::array<double, 3> numbers_of(const Impactor& impactor) {
   return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
 
-/// The value of the standard that the user replaced: ", the standard 6.7 m/s"; "" where the user replaced
-/// none.
+/// The value of the standard that the user replaced: ", the standard 6.7 m/s"; "" without one.
 std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
   if (!entry.value->instead) return "";
   return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));

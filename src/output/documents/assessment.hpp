@@ -24,8 +24,7 @@ inline constexpr KeyFigure figures_of_assessment[]{
 
 Tone tone_of(injury::Verdict verdict);
 
-/// The criterion with the least relative margin: nearest to its limit, or farthest beyond it. Null if none
-/// has a margin.
+/// The criterion nearest to its limit, or farthest beyond it. Null if none has a margin.
 const injury::CriterionResult* closest(const std::vector<injury::CriterionResult>& results);
 
 /// The absolute margin of a criterion, which must have one: "3.66 g".

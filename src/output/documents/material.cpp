@@ -161,8 +161,7 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
   return section;
 }
 
-/// The parameters of the law, of its base curve and of its rate effect, then the stresses that follow from
-/// them.
+/// The parameters of the law, of its base curve and of its rate effect, and the resulting stresses.
 std::vector<Section> law_sections(const Material& material, const UnitSystem& units) {
   std::vector<Section> sections{{.heading = "Parameters", .seen = Seen::always}};
   const auto add = [&](const char* caption, const auto& variant) {

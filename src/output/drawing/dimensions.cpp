@@ -28,8 +28,7 @@ double label_height(const Dimension& dimension) { return dimension.word.empty() 
 /// A slanted stroke where a dimension ends.
 std::string tick(double x, double y) { return line_element("dd-tick", {x - 4, y + 4}, {x + 4, y - 4}); }
 
-/// A column of dimension lines at x with labels on one side, which keep clear of each other and within the
-/// pictures.
+/// A column of dimension lines at x with labels on one side that keep clear of each other.
 std::string dimension_column(const Scene& scene, double column, bool labels_left,
                              const std::vector<Dimension>& dimensions) {
   std::vector<double> wanted, distance;

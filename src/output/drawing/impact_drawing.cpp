@@ -48,8 +48,7 @@ std::string whole_drawing(const Scene& scene) {
   return text + "</svg>\n";
 }
 
-/// A name that depends on the drawing alone (FNV-1a, 32 bits), so that the ids of two drawings in one page
-/// differ.
+/// A name that depends on the drawing alone (FNV-1a, 32 bits): ids of two drawings in a page differ.
 std::string name_from(const std::string& text) {
   std::uint32_t hash = 2166136261U;
   for (const char character : text) hash = (hash ^ static_cast<unsigned char>(character)) * 16777619U;

@@ -82,8 +82,7 @@ std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_v
     right.push_back({half_width, frame.tip - depth * frame.scale});
   }
   const double top = frame.tip - frame.height - outside_frame;
-  // If half of a ball is visible, the other half is its mirror image. The other half of a larger ball is out
-  // of sight.
+  // If half of a ball is visible, its other half is the mirror image; that of a larger ball is out of sight.
   const double seen = right.front().y - right.back().y;
   if (is_ball(nose) && !frame.is_buried && seen >= outline.depth * frame.scale * (1 - 1e-9)) {
     const double middle = frame.tip - outline.depth * frame.scale;

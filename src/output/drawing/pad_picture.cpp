@@ -56,8 +56,7 @@ class PadPicture {
     return text + "</g>\n";
   }
 
-  /// Data for scripts that move the pad, px: the original thickness behind a layer and its shortening on the
-  /// axis.
+  /// Data for scripts, px: the original thickness behind a layer and its shortening on the axis.
   [[nodiscard]] std::string data_of_back(std::size_t layer) const {
     double behind = 0, shortened = 0;
     for (std::size_t j = layer + 1; j < moments_.layers.size(); ++j) {

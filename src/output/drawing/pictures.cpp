@@ -58,8 +58,7 @@ NoseFrame nose_frame(const Scene& scene, const Picture& picture) {
           .is_buried = scene.moments.penetration > scene.outline.depth};
 }
 
-/// A sheet on the pad: a band along its face and around the nose. It is a symbol, since its thickness is not
-/// known.
+/// A sheet on the pad, a band along its face and the nose. Its thickness is a symbol, since it is not known.
 std::string sheet_picture(const Scene& scene, const Picture& picture) {
   if (!(scene.impact.pad.sheet > 0)) return "";
   const double half = scene.pad_half_width(), face = scene.face(picture);

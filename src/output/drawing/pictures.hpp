@@ -39,8 +39,8 @@ std::vector<Place> both_halves(const std::vector<Place>& right, double axis);
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style);
 
 /// The pad under the nose, columns shaded by strain, layers hatched. For several layers only the axis is
-/// computed; away from it the strain of each layer is taken to fall like the shortening of the whole column,
-/// which keeps their sum.
+/// computed; elsewhere the strain of each layer falls like the shortening of the whole column, which keeps
+/// their sum.
 std::string pad_picture(const Scene& scene, const Picture& picture);
 
 /// The support below the pad as symbols: panel, gap, springs, damper, ground or a free body.
@@ -51,8 +51,7 @@ inline constexpr int shades_of_strain = 20;
 /// The class of a shade, from 0 up: "dd-s0".
 std::string shade_class(int shade);
 
-/// The scale of strains from 0 to 1, `width` px wide, with the tested strains and those on the axis at
-/// greatest penetration.
+/// The scale of strains from 0 to 1, `width` px wide, with the tested and the greatest strains on the axis.
 std::string strain_legend(const DrawnMoments& moments, Place corner, double width);
 /// px, of the legend.
 inline constexpr double strain_legend_height = 80;

@@ -17,8 +17,7 @@ double within(double value, double lowest, double highest) {
   return std::isfinite(value) ? std::clamp(value, lowest, highest) : lowest;
 }
 
-/// The entry of greatest penetration. If a closed pad moves on with its support, it is the one of greatest
-/// motion.
+/// The entry of greatest penetration, or of greatest motion if a closed pad moves on with its support.
 std::optional<std::size_t> deepest_entry(const History& history) {
   double deepest = -1;
   for (const double penetration : history.penetration)

@@ -25,8 +25,7 @@ inline constexpr double beside_picture = 120;
 /// Upper edge of both pictures, below their headings and what is written beside the arrow.
 inline constexpr double picture_top = 70;
 
-/// A placeholder for the name of the drawing in its ids, replaced by impact_drawing(); no readable text
-/// contains it.
+/// A placeholder for the name of the drawing in its ids; no readable text contains it.
 inline constexpr std::string_view own_name = "\x01";
 
 /// Sections of the round nose with the same outline in side view: their radius is half the width at a depth,
@@ -94,8 +93,7 @@ struct Layout {
   SupportHeights support;
   double bottom = 0;  ///< lower edge of both pictures
 
-  /// The depth below the face of the new pad, px, at which a depth in a pad of that thickness is drawn;
-  /// arguments in m.
+  /// The drawn depth below the face of the new pad, px, for a depth in a pad of that thickness, m.
   [[nodiscard]] double below_face(double depth, double thickness) const;
   /// Half the width of the pad in m to px; more than the picture where it goes on.
   [[nodiscard]] double pad_half_width(const DrawnMoments& moments) const;

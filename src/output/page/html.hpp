@@ -23,8 +23,7 @@ struct PageHtml {
   std::string body;
 };
 
-/// The HTML file. Its content security policy allows only its own script and styles, by their hashes: no
-/// injected script can run.
+/// The HTML file. Its security policy allows only its own script and styles, by their hashes.
 std::string framed(const PageHtml& html);
 
 /// Throws std::invalid_argument if the columns of a series or the rows of a table differ in length, an axis

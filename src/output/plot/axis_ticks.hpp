@@ -43,8 +43,7 @@ std::vector<PlotRun> drawable_runs(const Series& series, const Axis& x, const Ax
 /// lowest and highest stay. `span` is what the x axis shows.
 PlotRun thinned_line(const PlotRun& run, const Axis& x, const Span& span);
 
-/// Thins points that cover each other: of all points within a square of one and a half pixels, the first
-/// stays.
+/// Thins points that cover each other: the first within each square of one and a half pixels stays.
 PlotRun thinned_points(const PlotRun& run, const Axis& x, const Span& x_span, const Axis& y,
                        const Span& y_span);
 

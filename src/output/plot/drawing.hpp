@@ -10,8 +10,7 @@
 
 namespace dashpad::output {
 
-/// The numbers of colours, dashes and shapes, which repeat. The number of colours shares no factor with the
-/// others.
+/// The numbers of colours, dashes and shapes. The number of colours shares no factor with the others.
 inline constexpr std::size_t colours_by_turn = 7, dashes_by_turn = 6, shapes_by_turn = 6;
 
 /// Whether it is a line across the whole panel.

@@ -26,8 +26,7 @@ std::optional<Series> line_of_range(const Material& material);
 // The panels of a material test: one curve a rate, in the colour of its turn everywhere.
 
 Panel stress_over_strain(const laboratory::MaterialTestReport& report, const UnitSystem& units);
-/// Stress over time. The time axis is logarithmic for relaxation and creep, and for runs of very different
-/// durations.
+/// Stress over time, logarithmic for relaxation, for creep, and for runs of very different durations.
 Panel stress_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 Panel strain_over_time(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 /// This panel and the following ones show the first loading.

@@ -102,8 +102,7 @@ std::vector<PlaceLine> line_inside(const PlaceLine& line, const PlotSize& size) 
 }
 
 PlaceLine area_inside(PlaceLine outline, const PlotSize& size) {
-  // Clipping side by side (Sutherland and Hodgman 1974) connects separate parts along the sides, which a
-  // filling does not show.
+  // Clipping (Sutherland and Hodgman 1974) connects separate parts along the sides, unseen in a filling.
   for (const Side& side : sides_of(size)) {
     PlaceLine kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {

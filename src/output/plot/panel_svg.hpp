@@ -1,6 +1,5 @@
 #pragma once
-/// Panels as SVG: axes, marks, series, and the names in and beside them. Places are in px from the upper left
-/// corner of the axes.
+/// Panels as SVG: axes, marks, series and names. Places are in px from the upper left corner of the axes.
 
 #include <cstddef>
 #include <string>
@@ -44,8 +43,7 @@ struct TextPlace {
   TextAnchor anchor = TextAnchor::start;
 };
 
-/// The name of a line across, a bracket, a contour, a single point or a line that ends early, beside it
-/// within the axes.
+/// A name beside a line across, a bracket, a contour, a single point or a line that ends early.
 struct MarkLabel {
   const SeriesDrawing* series;
   TextPlace place;

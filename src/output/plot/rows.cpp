@@ -25,8 +25,7 @@ constexpr std::size_t few_points = 20'000;
 double on_scale(double value, const Axis& axis) { return axis.logarithmic ? std::log10(value) : value; }
 double from_scale(double place, const Axis& axis) { return axis.logarithmic ? std::pow(10, place) : place; }
 
-/// Divides an axis into `count` cells. Cell -1 is everything before the axis, cell `count` everything behind
-/// it.
+/// Divides an axis into `count` cells. Cell -1 is everything before it, cell `count` everything behind it.
 class AxisCells {
  public:
   AxisCells(const Axis& axis, const Span& span, int count)
@@ -62,8 +61,7 @@ bool is_beyond(const PlotRun& run, const Axis& x_axis, const Axis& y_axis) {
   return is_beyond(x, x_axis) || is_beyond(y, y_axis);
 }
 
-/// Adds points where the line crosses the ends of the x axis, since the ends of the y axis depend on the
-/// points shown.
+/// Adds points at the ends of the x axis, since the ends of the y axis depend on the points shown.
 PlotRun with_crossings(const PlotRun& run, const Axis& x, const Axis& y) {
   PlotRun result;
   for (const PlotRow& row : run) {

@@ -125,8 +125,7 @@ const char* word_of(const SeriesDrawing& series) {
 /// The path of an arrow; empty for lines shorter than two arrows.
 std::string arrow_path(const std::vector<PlaceLine>& parts) {
   constexpr double half_length = 5.5, half_width = 4;  // px
-  // The place of the arrow as a share of the line: there, a loop that begins and ends at zero is on its way
-  // back.
+  // The place of the arrow as a share of the line; a loop is on its way back there.
   constexpr double share_before = 0.7;
   if (parts.empty()) return {};
   const PlaceLine& line = *std::ranges::max_element(parts, {}, length_of);

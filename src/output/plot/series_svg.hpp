@@ -1,6 +1,5 @@
 #pragma once
-/// Series as SVG, and lines within the rectangle of a panel. Places and lengths are in px from its upper left
-/// corner.
+/// Series as SVG, and lines within a panel. Places and lengths are in px from its upper left corner.
 
 #include <string>
 #include <vector>
@@ -28,8 +27,7 @@ double length_of(const PlaceLine& line);
 /// The place at that length along a line with at least one place; the end of a shorter line.
 Place place_on(const PlaceLine& line, double length);
 
-/// Removes places closer than a twentieth of a px to the line between two that stay. The first, the last and
-/// turning points stay.
+/// Removes places within a twentieth of a px of the line between two that stay, but no turning points.
 PlaceLine simplified(const PlaceLine& line);
 
 /// The scale of a panel: its coordinates are px from the upper left corner of its rectangle.

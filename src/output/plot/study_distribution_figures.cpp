@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t max_steps = 400;        ///< points of a distribution function
 constexpr std::size_t max_plain_dots = 1000;  ///< dots of a scatter plot
 
-/// The share of rows at or below each value. Rows without a value or bottomed out on a rigid support count as
-/// above all.
+/// The share of rows at or below each value; rows without a finite value count as above all.
 Series distribution_function(std::vector<double> values, double scale) {
   const auto all = static_cast<double>(values.size());
   std::erase_if(values, [](double value) { return !std::isfinite(value); });

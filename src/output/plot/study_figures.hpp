@@ -56,8 +56,7 @@ struct GridPlane {
   bool is_median = false;  ///< whether the values are medians of draws, not of single rows
 };
 
-/// The plane of a response, an index in StudyAnswers::responses. Absent if no numeric factor has at least two
-/// levels.
+/// The plane of a response (index in StudyAnswers::responses). Absent without a numeric factor of two levels.
 std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units);
 
@@ -81,8 +80,7 @@ std::vector<Series> lone_dots(const std::vector<double>& across, const std::vect
                               const std::vector<std::vector<double>>& values,
                               const std::vector<double>& levels, const std::string& unit);
 
-/// The contour of a level: lines with pale edges, separated by gaps. Empty if the values do not cross the
-/// level.
+/// The contour of a level: lines with pale edges and gaps between. Empty if no value crosses it.
 Series contour(const std::vector<double>& across, const std::vector<double>& up,
                const std::vector<std::vector<double>>& values, double level);
 

@@ -16,8 +16,7 @@ namespace {
 constexpr double title_line = 26, below_title = 6, source_line = 16;
 constexpr double min_right_margin = 24;
 
-/// Gives the axes of all panels the same left and right ends, places the names in them, and returns the left
-/// end.
+/// Gives the axes of all panels the same ends, places the names in them, and returns the left end.
 double set_widths(std::vector<PanelFrame>& frames, double plot_width) {
   double left = 0, right = min_right_margin;
   for (const PanelFrame& frame : frames) {

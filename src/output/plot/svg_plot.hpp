@@ -8,8 +8,7 @@
 
 namespace dashpad::output {
 
-/// Sizes of the texts of a plot, px. On a phone a plot is shown smaller than its layout, and pages with more
-/// room set smaller texts.
+/// Sizes of the texts of a plot, px. Phones show plots smaller; pages with more room set smaller texts.
 inline constexpr double title_text = 18, panel_title_text = 16, axis_text = 15.2,
                         label_text = 14.8,  ///< names beside what they name, and numbers
     source_text = 12.5;

@@ -40,8 +40,7 @@ std::vector<std::string> lines_within(std::string_view text, double size, double
 
 /// Red, green and blue, from 0 to 255.
 using Colour = std::array<double, 3>;
-/// A colour, "#rrggbb", on a scale of two or more colours at equal distances; `share` is 0 at the first, 1 at
-/// the last.
+/// A colour, "#rrggbb", on a scale of two or more equidistant colours; `share` runs from 0 to 1.
 std::string colour_on_scale(std::span<const Colour> stops, double share);
 
 // Elements, each with its class and in a line of its own.
@@ -61,8 +60,7 @@ std::string text_elements(std::string_view style, Place first, double distance,
 /// `anchor`: "start", "middle" or "end".
 std::string text_element(std::string_view style, Place place, std::string_view anchor, std::string_view text);
 
-// Conversions by librsvg and cairo. They throw std::runtime_error with the message of the library that
-// failed.
+// Conversions by librsvg and cairo. They throw std::runtime_error with the message of the library.
 
 /// A PNG with two pixels to one px.
 std::string png_of(std::string_view svg);

@@ -51,8 +51,7 @@ std::string profile_toml(const Profile& profile) {
 /// `prefix`: of the tables of the law.
 std::string material_toml(const Material& material, const PadCondition& condition,
                           const std::string& prefix) {
-  // A case file has no card whose density or temperature could change the law: its stresses are written as
-  // used.
+  // A case file has no card with a density or temperature: its stresses are written as used.
   Material as_used = material;
   as_used.law = scaled(material.law, stress_factor(condition, material));
   return comment_line("material", material.name) + comment_line("title", material.title) +

@@ -28,8 +28,7 @@ struct ExtremeGroups {
   const study::StudyAnswers::OfGroup* greatest = nullptr;
 };
 
-/// The combinations of levels with the least and the greatest median of a response, an index in
-/// StudyAnswers::responses.
+/// The combinations with the least and the greatest median of a response (index in StudyAnswers::responses).
 ExtremeGroups extreme_medians(const study::StudyAnswers& answers, std::size_t response);
 
 /// Rows of all groups, by one of the limits of the study.

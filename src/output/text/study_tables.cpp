@@ -17,8 +17,7 @@ constexpr double shown_quantiles[] = {0.05, 0.5, 0.95};
 /// The only quantile of a grid that is shown: the others depend on the choice of its levels.
 constexpr double median = 0.5;
 
-/// The number of rows that bottomed out, with its share: "229 (22.9 %)"; "-" for responses that stay finite
-/// then.
+/// The number of rows that bottomed out, "229 (22.9 %)"; "-" for responses that stay finite then.
 std::string struck_through(const std::string& response, std::uint64_t count, std::uint64_t rows) {
   const ResultQuantity* kind = study::find_response_kind(response);
   if (kind == nullptr || kind->role.growth != Growth::with_force) return "-";

@@ -49,8 +49,7 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units);
 
-/// The words for a key: "plateau stress of the foam" for pad.curve.plateau_stress; other keys stay as they
-/// are.
+/// The words for a key, "plateau stress of the foam" for pad.curve.plateau_stress; other keys unchanged.
 std::string factor_words(const std::string& key);
 
 /// The same, to begin a text with: "Thickness of the pad".

@@ -40,8 +40,7 @@ struct Series {
   std::optional<std::size_t> palette_index = {};
   /// A place on a scale of colours from 0 (dark blue) to 1 (yellow), instead of the colour of the turn.
   std::optional<double> shade = {};
-  /// A label at the right of the panel, beside the end of the line, instead of `label`. Such labels make room
-  /// for each other.
+  /// A label beside the end of the line, right of the panel, instead of `label`. Such labels make room.
   std::string end_label = {};
   LabelPlace label_place = LabelPlace::by_style;
   bool is_cased = false;   ///< a line with pale edges, visible on areas of any colour
@@ -68,8 +67,7 @@ struct Axis {
   std::optional<double> high = {};  ///< upper end; by default at or after the end of the data
 };
 
-/// A pair of axes. Series are drawn in their order, after bands and areas; series without a point are left
-/// out.
+/// A pair of axes. Bands and areas are drawn first; series without a point are left out.
 struct Panel {
   std::string title = {};
   Axis x = {};
