@@ -128,8 +128,7 @@ void round_stresses(Of& owner) {
         parameter.set(owner, rounded_to(parameter.of(owner), card_digits));
 }
 
-/// The law with its stresses rounded to card_digits; unchanged if the rounded law would break a rule, as a
-/// table with nearly equal neighbours might.
+/// The law with stresses rounded to card_digits; unchanged if that would break a rule.
 PadLaw rounded(const PadLaw& exact) {
   PadLaw result = exact;
   std::visit(

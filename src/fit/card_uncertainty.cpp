@@ -53,8 +53,7 @@ std::vector<Axis> axes_of(const Solved& solved, const std::vector<std::size_t>& 
   return axes;
 }
 
-/// Peak, HIC and rebound of the fitted impacts, or else the stresses of the fitted tests, each over its size.
-/// Empty if they cannot be computed.
+/// Peak, HIC and rebound of fitted impacts, or else stresses of fitted tests, each over its size.
 std::vector<double> fitted_figures(const Fit& fit, std::span<const double> values) {
   std::vector<double> all;
   for (const ImpactMeasurement& impact : fitted(fit.impacts)) {

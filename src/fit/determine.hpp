@@ -28,11 +28,9 @@ struct LeastSquares {
   std::size_t residuals = 0;
   double step = 1e-4;  ///< step of a coordinate for derivatives
   std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate;
-  /// Whether residuals need impacts, exact to some 1e-4: then differences use threads, and searches end
-  /// earlier.
+  /// Whether residuals need impacts, exact to some 1e-4: searches end earlier and use threads.
   bool takes_impacts = false;
-  /// Coordinates that settle() sets to their best values at no cost, unless they are held. They are not
-  /// searched for. Empty if there are none.
+  /// Coordinates that settle() sets to their best values unless held, instead of a search. May be empty.
   std::vector<bool> settles = {};
   std::function<bool(std::span<double> x, const std::vector<bool>& held, std::span<double> residuals)>
       settle = {};
@@ -55,8 +53,7 @@ struct Minimum {
 inline constexpr double coarse = 1e-6, fine = 1e-10;
 inline constexpr int max_iterations = 300;
 
-/// Searches from a start by the method of Levenberg and Marquardt, within [0, 1]. Coordinates that are `held`
-/// stay; if it is empty, none is.
+/// Searches from a start by the method of Levenberg and Marquardt in [0, 1]; `held` coordinates stay.
 Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = fine,
                  const std::vector<bool>& held = {}, int iterations = max_iterations);
 

@@ -16,8 +16,7 @@ namespace {
 constexpr double min_change_of_place = 1e-9;
 /// The same with impacts, and changes of the misfit towards a coarse and towards a fine minimum.
 constexpr double min_change_with_impacts = 1e-5, coarse_with_impacts = 1e-4, fine_with_impacts = 1e-5;
-/// The largest step for one-sided differences. With such steps, and with impacts, they suffice on the way to
-/// a coarse minimum, at half the evaluations.
+/// The largest step for one-sided differences, which suffice towards a coarse minimum, as with impacts.
 constexpr double longest_one_sided = 1e-3;
 
 using ResidualsAt = std::function<bool(std::span<double> x, std::span<double> residuals)>;

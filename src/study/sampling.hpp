@@ -186,8 +186,7 @@ CheckedRange checked_range(const Factor& factor);
 
 using Matrix = std::vector<std::vector<double>>;
 
-/// The matrix L with L L^T = C for the correlations C between the sampled factors, in their order. Absent if
-/// C is not positive definite.
+/// L with L L^T = C, the correlations of the sampled factors. Absent if C is not positive definite.
 std::optional<Matrix> root_of_correlations(const Study& study);
 
 }  // namespace dashpad::study

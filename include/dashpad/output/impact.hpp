@@ -1,6 +1,5 @@
 #pragma once
-/// The output of one impact, or of the last of a series of blows: a document, a page, a still and a drawing
-/// for people, JSON and CSV for programs.
+/// The output of an impact, or of the last of several blows: documents and pictures, JSON and CSV.
 
 #include <optional>
 #include <span>

@@ -45,8 +45,7 @@ const UnitSystem& plain_si();
 /// The units for a file that goes with a summary in `shown`: plain SI where people see SI.
 const UnitSystem& units_of_files(const UnitSystem& shown);
 
-/// The unit of a system for an SI unit: "m/s" gives "mph". An SI unit without another unit in the system
-/// ("1", "1/s") is returned unchanged.
+/// The unit of a system for an SI unit: "m/s" gives "mph". Others ("1", "1/s") are returned unchanged.
 std::string unit_for(const UnitSystem& units, const std::string& si_unit);
 
 /// An SI value in the unit that the system has for it.

@@ -49,8 +49,7 @@ struct Outcome {
 
 class PulseFigures;
 
-/// Fills outcomes with the responses of these names, and computes only these. It reuses its memory for many
-/// rows; each thread needs its own.
+/// Fills outcomes with the responses of these names only. It reuses its memory; each thread needs its own.
 class ResponseReader {
  public:
   /// Throws std::invalid_argument for a name that is none of response_kinds().

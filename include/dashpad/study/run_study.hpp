@@ -12,8 +12,7 @@
 
 namespace dashpad::study {
 
-/// The memory of a worker: a solver and a case, used again for every row. Each thread needs its own. Study
-/// and design must outlive it.
+/// A worker with its solver and case, one for each thread. Study and design must outlive it.
 class Worker {
  public:
   Worker(const Study& study, const Design& design);

@@ -112,8 +112,7 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
   return of == assessment.results.end() ? next : *of;
 }
 
-/// The reason to doubt a pass in spite of its interval, to be appended to the answer: the pad is struck
-/// through. Empty where there is none.
+/// The reason to doubt a pass beside its interval, the pad that is struck through; empty without one.
 std::string doubt_about_pass(const AssessmentReport& report) {
   const Summary& summary = report.solution.summary;
   if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||

@@ -64,8 +64,7 @@ bool is_unverified(const std::optional<injury::StandardValue>& value) {
   return value && !value->origin.verified;
 }
 
-/// Counts the unverified values in force. Where no variant is chosen, those of all variants count, since any
-/// of them may come into force.
+/// Counts the unverified values in force; without a chosen variant, those of all variants.
 std::size_t count_unverified(const injury::Standard& standard) {
   const auto bad_value = [](const NamedValue& entry) { return !entry.value->origin.verified; };
   const auto bad_limit = [](const injury::Criterion& criterion) { return !criterion.origin.verified; };

@@ -28,8 +28,7 @@ struct NoseFrame {
   bool is_buried = false;  ///< deeper than its widest section: its side goes on, as in the model
 };
 
-/// Depths behind the tip at which the outline has corners, m, increasing from 0 to the widest section or the
-/// edge of the picture, enough for a smooth curve.
+/// Depths of the corners of an outline behind its tip, m, rising from 0, as dense as a smooth curve needs.
 std::vector<double> outline_depths(const Sections& outline, const NoseFrame& frame);
 
 /// The right half of an outline, x from the axis on, with its mirror image before it.
@@ -77,8 +76,7 @@ std::string names_on_pad(const Scene& scene);
 /// Nose, pad and support in words, for below the left picture.
 std::vector<std::string> caption_lines(const Scene& scene);
 
-/// Places near the wanted ones, from above to below, each at least its distance below the one before, within
-/// [lowest, highest] if they have room there.
+/// Places near the wanted ones, each at least its distance below the one before, if possible in the range.
 std::vector<double> kept_apart(std::vector<double> wanted, const std::vector<double>& distance, double lowest,
                                double highest);
 

@@ -33,8 +33,7 @@ inline constexpr std::string_view own_name = "\x01";
 Sections outline_of(const Nose& nose);
 /// Whether it is narrower again behind its widest section, rather than going on along the motion.
 bool is_ball(const Nose& nose);
-/// Half the width in the same view of a pad with this face, m2. As in the model (theory.md, section 1), the
-/// pad has the outline of the nose's sections.
+/// Half the width in that view of a pad with this face, m2: it has the outline of the nose (theory.md, 1).
 double half_width_of_face(const Nose& nose, double area);
 
 /// A layer of the pad; a pad of one foam has one.

@@ -15,8 +15,7 @@ namespace {
 
 /// A logarithmic axis that spans fewer decades than this has the marks of a linear one.
 constexpr double few_decades = 0.7;
-/// An axis with more decades than this has marks at powers of ten only; with labels farther apart than
-/// that many decades, at labels only.
+/// An axis with more decades has marks at powers of ten only; with labels farther apart, at labels only.
 constexpr int max_decades_with_digits = 6;
 /// The relative rounding error with which a mark still counts as the end of an axis.
 constexpr double off_a_mark = 1e-9;

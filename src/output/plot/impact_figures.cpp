@@ -98,8 +98,7 @@ double highest_stress(const std::vector<ContactSnapshot>& snapshots) {
   return highest;
 }
 
-/// The largest relative difference between the integral of these stresses and the force, among the stresses
-/// that the law determines; 0 without any.
+/// The largest relative difference between the force and the integral of stresses that the law determines.
 double deviation_of_stress(const std::vector<ContactSnapshot>& snapshots) {
   double deviation = 0;
   for (const ContactSnapshot& snapshot : snapshots)

@@ -37,8 +37,7 @@ std::string peak_words(const injury::InjuryFigures& figures);
 Series hic_bracket(const char* key, const injury::Hic& hic, const std::string& value, double peak,
                    std::size_t palette_index, const UnitSystem& units, int row = 0);
 
-/// Adds a line across at the level of the 3 ms clip, g, with its value as it is shown. Level 0 adds nothing:
-/// the pulse is shorter than the clip.
+/// Adds a line across at the level of the 3 ms clip, g, with its shown value; none for level 0, without clip.
 void add_clip(Panel& panel, double level, const std::string& value);
 
 /// Limits the axis of a force, or of a quantity proportional to it, if the pad bottomed out on a rigid

@@ -28,8 +28,7 @@ Place between(const Place& from, const Place& to, double part) {
   return {std::lerp(from.x, to.x, part), std::lerp(from.y, to.y, part)};
 }
 
-/// The part of a segment inside the rectangle, as shares of its length (Liang and Barsky 1984). The first is
-/// not below the second if no part is.
+/// The shares of a segment between which it is inside; not rising if no part is (Liang and Barsky 1984).
 std::pair<double, double> share_inside(const Place& from, const Place& to, const PlotSize& size) {
   double begin = 0, end = 1;
   for (const Side& side : sides_of(size)) {
@@ -45,8 +44,7 @@ double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a
 
 constexpr double unseen = 0.05;  // px
 
-/// The directions in which a line may continue from a place so that it passes all later places closely enough
-/// (the wedges of Williams, 1978).
+/// The directions in which a line passes all later places closely enough (wedges of Williams, 1978).
 class Wedge {
  public:
   explicit Wedge(const Place& tip) : tip_(tip) {}

@@ -30,8 +30,7 @@ constexpr int places_of_curve = 196;  // steps of 0.005
 /// The range of a plot that compares foams.
 constexpr double last_compared_strain = 0.8;
 constexpr int places_of_compared = 400;  // steps of 0.002
-/// The largest stress in a plot, as a multiple of the stress at half the strain: that of a pad pressed flat
-/// would hide the rest of the curve.
+/// The largest stress in a plot over that at half the strain: a pad pressed flat would hide the rest.
 constexpr double steepest = 10;
 
 /// The stress at a strain between those of the curve.

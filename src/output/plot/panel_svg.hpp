@@ -20,8 +20,7 @@ struct EndLabel {
   double height = 0;               ///< y of the middle of the text
 };
 
-/// The labels at the right of a panel, not placed yet: those that series ask for, and those of lines if they
-/// are few and short enough for a plot of that width.
+/// The labels at the right of a panel, not placed yet: those of series, and few and short ones of lines.
 std::vector<EndLabel> end_labels_of(const PanelDrawing& panel, double plot_width);
 
 /// Sets all places.

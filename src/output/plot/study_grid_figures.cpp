@@ -36,8 +36,7 @@ std::size_t rows_in(const std::vector<Series>& lines) {
   return rows;
 }
 
-/// Marks above all values for rows that bottomed out: one row of marks for each line that has any, in its
-/// colour if there are several lines.
+/// Rows of marks above all values, one for each line with rows that bottomed out, in its colour.
 std::vector<Series> struck_through_above(const std::vector<Series>& series) {
   constexpr double between_rows = 0.05;
   const double above = above_all(series);

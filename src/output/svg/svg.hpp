@@ -1,6 +1,5 @@
 #pragma once
-/// The parts of all SVGs that Dashpad writes: numbers, texts and their widths, colours and elements; and the
-/// conversion of an SVG to other picture formats.
+/// The parts of SVGs: numbers, texts and their widths, colours, elements; and conversions to pictures.
 
 #include <array>
 #include <cstddef>

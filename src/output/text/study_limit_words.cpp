@@ -18,8 +18,7 @@ namespace {
 /// A level of a factor, and whether the limit is exceeded there.
 using LevelRow = std::pair<double, bool>;
 
-/// The index of the only row, in the order of the levels, at which exceeding starts or ends; none if there
-/// are several such rows or none.
+/// The index of the only row, by levels, at which exceeding starts or ends; none without a single one.
 std::optional<std::size_t> only_change(const std::vector<LevelRow>& rows) {
   std::optional<std::size_t> change;
   for (std::size_t i = 1; i < rows.size(); ++i) {
