@@ -56,10 +56,10 @@ Variant form_of(const Json& json) {
   if (!form) throw std::runtime_error("no such form of a curve");
   const Json& values = json.at("parameters");
   std::visit(
-      [&]<class Form>(Form& form) {
+      [&]<class Form>(Form& held) {
         if constexpr (requires { Form::parameters; })
           for (const auto& parameter : Form::parameters)
-            parameter.set(form, values.at(parameter.key).template get<double>());
+            parameter.set(held, values.at(parameter.key).template get<double>());
       },
       *form);
   return *std::move(form);
@@ -97,11 +97,11 @@ Json curves_json(const PadLaw& law) {
 
 void set_curves(PadLaw& law, const Json& json) {
   std::visit(
-      [&]<class Law>(Law& law) {
+      [&]<class Law>(Law& held) {
         if constexpr (SharesSlip<Law>) {
-          law.curves = curves_of(json);
-          if constexpr (requires { law.unloading_curve; })
-            if (!json.at("unloading").is_null()) law.unloading_curve = points_of(json["unloading"]);
+          held.curves = curves_of(json);
+          if constexpr (requires { held.unloading_curve; })
+            if (!json.at("unloading").is_null()) held.unloading_curve = points_of(json["unloading"]);
         }
       },
       law);
