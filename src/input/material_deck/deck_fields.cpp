@@ -127,6 +127,12 @@ std::string others_listed(const std::vector<std::string>& other_materials) {
   return other_materials.empty() ? "" : "; there are " + listing(other_materials);
 }
 
+std::string missing(const std::string& block, bool includes_files, const char* include) {
+  return fmt::format(
+      "there is no {}{}", block,
+      includes_files ? fmt::format("; files of {} are not read: put it into this deck", include) : "");
+}
+
 std::string too_many_points(std::size_t count) {
   return fmt::format("has {} points; {} are the most", count, TableCurve::max_points);
 }

@@ -190,14 +190,11 @@ bool LawLines::rows(long count, std::vector<DeckRateCurve>& rows) {
 std::optional<DeckCurve> LawLines::function(long id, double scale, const char* field, std::size_t asked) {
   const DeckBlock* const block = from_.deck.functions.find(id);
   if (block == nullptr) {
-    from_.faults.add(
-        asked, key(field), fmt::format("{}", id),
-        fmt::format(
-            "there is no /FUNCT/{}{}", id,
-            from_.deck.includes_files ? "; files of #include are not read: put it into this deck" : ""));
+    from_.faults.add(asked, key(field), fmt::format("{}", id),
+                     missing(fmt::format("/FUNCT/{}", id), from_.deck.includes_files, "#include"));
     return std::nullopt;
   }
-  DeckCurve curve{fmt::format("function {}", id), block->head.number, {}, {}, {}};
+  DeckCurve curve{fmt::format("function {}", id), block->head.number};
   if (block->lines.size() > max_lines_of_curve) {
     from_.faults.add(curve.line, curve.name, "", too_many_points(block->lines.size() - 1));
     return std::nullopt;
@@ -205,10 +202,9 @@ std::optional<DeckCurve> LawLines::function(long id, double scale, const char* f
   if (scale == 0) scale = 1;
   for (std::size_t i = 1; i < block->lines.size(); ++i) {
     DeckFields point(block->lines[i], {20, 20}, false, from_.faults);
-    curve.strain.push_back(point.number(0, curve.name + ": X" + std::to_string(i)));
+    const double strain = point.number(0, curve.name + ": X" + std::to_string(i));
     const double stress = point.number(1, curve.name + ": Y" + std::to_string(i), from_.units.stress);
-    curve.stress.push_back(scale == 1 ? stress : scale * stress);
-    curve.lines.push_back(point.line());
+    curve.add(strain, scale == 1 ? stress : scale * stress, point.line());
   }
   return curve;
 }

@@ -59,12 +59,10 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
 /// Points of |A + B (1 + C gamma)| at gamma = -strain, until almost no air is left.
 DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t line) {
   constexpr int count = 40;
-  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line, {}, {}, {}};
+  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line};
   for (int i = 0; i <= count; ++i) {
     const double e = 0.95 * (1 - phi) * i / count;
-    curve.strain.push_back(e);
-    curve.stress.push_back(std::abs(a + b * (1 - c * e)));
-    curve.lines.push_back(line);
+    curve.add(e, std::abs(a + b * (1 - c * e)), line);
   }
   return curve;
 }
