@@ -100,9 +100,9 @@ void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
     foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
 }
 
-double or_one(double given, const std::string& solver_takes, DeckFoam& foam) {
+double or_one(double given, const char* name, DeckFoam& foam, const char* consequence) {
   if (given != 0) return given;
-  foam.assumptions.push_back(solver_takes);
+  foam.assumptions.push_back(fmt::format("{} is blank or 0{}.", name, consequence));
   return 1;
 }
 

@@ -137,8 +137,9 @@ std::string name_for_card(const std::string& title, long id);
 /// Reports the meaning of a field that is set but has no counterpart here.
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam);
 
-/// The given value, or 1 for a blank or 0, as the solver does; then adds an assumption.
-double or_one(double given, const std::string& solver_takes, DeckFoam& foam);
+/// The given value, or 1 for a blank or 0; then adds an assumption that ends in `consequence`.
+double or_one(double given, const char* name, DeckFoam& foam,
+              const char* consequence = ", which the solver takes for 1");
 
 /// Reports an exponent of the unloading that is not 1.
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
