@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -62,8 +63,8 @@ void tell_of_cuts(const DeckCurve& curve, std::size_t tension, std::size_t slack
                   std::vector<std::string>& differences) {
   const auto tell = [&](std::size_t count, const char* which) {
     if (count > 0)
-      differences.push_back(fmt::format("{}: {} {} {} {} left out.", curve.name, count,
-                                        count == 1 ? "point" : "points", which, count == 1 ? "was" : "were"));
+      differences.push_back(fmt::format("{}: {} {} {} left out.", curve.name, plural(count, "point"), which,
+                                        count == 1 ? "was" : "were"));
   };
   tell(tension, "of tension");
   tell(slack, "without stress at its beginning");

@@ -14,6 +14,7 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/material_deck/radioss.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -138,9 +139,7 @@ bool CardNumbers::are_sound() const {
 std::optional<DeckFields> LawLines::next(const Widths& widths) {
   if (taken_ + 1 < block_.lines.size())
     return DeckFields(block_.lines[++taken_], widths, false, from_.faults);
-  if (!told_)
-    from_.faults.add(block_.head.number, name_, "",
-                     fmt::format("ends after {} {}", taken_, taken_ == 1 ? "line" : "lines"));
+  if (!told_) from_.faults.add(block_.head.number, name_, "", "ends after " + plural(taken_, "line"));
   told_ = true;
   return std::nullopt;
 }
