@@ -94,7 +94,7 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   const std::vector<std::string> lines = input::abridged(complaints);
   for (std::size_t i = 0; i < lines.size() && i < max_lines; ++i) text += shown(lines[i]) + "\n";
   if (lines.size() > max_lines) text += "...\n";
-  text += std::to_string(count) + (count == 1 ? " fault" : " faults");
+  text += plural(count, "fault");
   const bool would_run = std::ranges::none_of(app.get_subcommands(), [](const CLI::App* sub) {
     const auto* const named = std::ranges::find(commands, sub->get_name(), &Command::name);
     return named != std::end(commands) && named->only_looks;

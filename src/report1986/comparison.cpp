@@ -53,9 +53,8 @@ std::string remark_on(const spit1984::Run& run, double tolerance) {
                          text_of(run.abend).message, run.duration_ms);
   if (run.precision_stops.empty()) return remark;
   if (!remark.empty()) remark += "; ";
-  const std::size_t stops = run.precision_stops.size();
-  return remark + fmt::format("PRECISION LIMIT: {} {} out of equilibrium by more than {:.2g} of the force",
-                              stops, stops == 1 ? "step" : "steps", tolerance);
+  return remark + fmt::format("PRECISION LIMIT: {} out of equilibrium by more than {:.2g} of the force",
+                              plural(run.precision_stops.size(), "step"), tolerance);
 }
 
 ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings,

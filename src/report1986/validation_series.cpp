@@ -146,8 +146,8 @@ std::string lost_readings(const Study& study, const std::string& column, const s
   for (const UnplacedReadings& group : study.data.measured.unplaced)
     if (group.column == column) count += group.readings.size();
   if (count == 0) return "";
-  return fmt::format("{} {} of {} whose test the scan lost {} left out. ", count,
-                     count == 1 ? "reading" : "readings", what, count == 1 ? "is" : "are");
+  return fmt::format("{} of {} whose test the scan lost {} left out. ", plural(count, "reading"), what,
+                     count == 1 ? "is" : "are");
 }
 
 std::string radius_note(const Study& study) {

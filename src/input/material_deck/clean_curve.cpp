@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -60,14 +61,13 @@ bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean
 
 void tell_of_cuts(const DeckCurve& curve, std::size_t tension, std::size_t slack, const CleanCurve& clean,
                   std::vector<std::string>& differences) {
-  if (tension > 0)
-    differences.push_back(fmt::format("{}: {} of tension {} left out.", curve.name,
-                                      tension == 1 ? "1 point" : fmt::format("{} points", tension),
-                                      tension == 1 ? "was" : "were"));
-  if (slack > 0)
-    differences.push_back(fmt::format("{}: {} without stress at its beginning {} left out.", curve.name,
-                                      slack == 1 ? "1 point" : fmt::format("{} points", slack),
-                                      slack == 1 ? "was" : "were"));
+  const auto tell = [&](std::size_t count, const char* which) {
+    if (count > 0)
+      differences.push_back(fmt::format("{}: {} {} {} left out.", curve.name, plural(count, "point"), which,
+                                        count == 1 ? "was" : "were"));
+  };
+  tell(tension, "of tension");
+  tell(slack, "without stress at its beginning");
   if (clean.stress_at_zero && *clean.stress_at_zero < 0)
     differences.push_back(fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out.", curve.name,
                                       *clean.stress_at_zero));

@@ -100,9 +100,9 @@ void tell_if_set(double value, const DeckField& field, DeckFoam& foam) {
     foam.differences.push_back(fmt::format("{} = {:g}: {}.", field.name, value, field.lost));
 }
 
-double or_one(double given, const std::string& solver_takes, DeckFoam& foam) {
+double or_one(double given, const char* name, DeckFoam& foam, const char* consequence) {
   if (given != 0) return given;
-  foam.assumptions.push_back(solver_takes);
+  foam.assumptions.push_back(fmt::format("{} is blank or 0{}.", name, consequence));
   return 1;
 }
 
@@ -125,6 +125,12 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
 
 std::string others_listed(const std::vector<std::string>& other_materials) {
   return other_materials.empty() ? "" : "; there are " + listing(other_materials);
+}
+
+std::string missing(const std::string& block, bool includes_files, const char* include) {
+  return fmt::format(
+      "there is no {}{}", block,
+      includes_files ? fmt::format("; files of {} are not read: put it into this deck", include) : "");
 }
 
 std::string too_many_points(std::size_t count) {

@@ -81,8 +81,14 @@ class NumberedBlocks {
 struct DeckCurve {
   std::string name;      ///< "curve 12", "function 3", for messages
   std::size_t line = 0;  ///< where it begins
-  std::vector<double> strain, stress;
-  std::vector<std::size_t> lines;
+  std::vector<double> strain = {}, stress = {};
+  std::vector<std::size_t> lines = {};
+
+  void add(double of_strain, double of_stress, std::size_t of_line) {
+    strain.push_back(of_strain);
+    stress.push_back(of_stress);
+    lines.push_back(of_line);
+  }
 };
 
 struct DeckRateCurve {
@@ -131,8 +137,9 @@ std::string name_for_card(const std::string& title, long id);
 /// Reports the meaning of a field that is set but has no counterpart here.
 void tell_if_set(double value, const DeckField& field, DeckFoam& foam);
 
-/// The given value, or 1 for a blank or 0, as the solver does; then adds an assumption.
-double or_one(double given, const std::string& solver_takes, DeckFoam& foam);
+/// The given value, or 1 for a blank or 0; then adds an assumption that ends in `consequence`.
+double or_one(double given, const char* name, DeckFoam& foam,
+              const char* consequence = ", which the solver takes for 1");
 
 /// Reports an exponent of the unloading that is not 1.
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
@@ -142,6 +149,9 @@ std::vector<std::string> split_at(std::string_view text, char separator);
 
 /// "; there are *MAT_001, *MAT_002", for materials that are not read.
 std::string others_listed(const std::vector<std::string>& other_materials);
+
+/// The rule for a block that is not in the deck; it may be in a file that `include` names.
+std::string missing(const std::string& block, bool includes_files, const char* include);
 
 /// The rule for a curve with too many points.
 std::string too_many_points(std::size_t count);

@@ -69,13 +69,10 @@ bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   if (name == "TBID" || name == "TID") take_table(field, from, foam);
   if (name == "HU")
     foam.unloading_factor =
-        or_one(field.number(),
-               foam.card == "*MAT_083"
-                   ? "HU is blank or 0: the unloading follows the slowest curve, without loss on it."
-                   : "HU is blank or 0, which the solver takes for 1: no loss.",
-               foam);
-  if (name == "SHAPE")
-    foam.unloading_shape = or_one(field.number(), "SHAPE is blank or 0, which the solver takes for 1.", foam);
+        or_one(field.number(), "HU", foam,
+               foam.card == "*MAT_083" ? ": the unloading follows the slowest curve, without loss on it"
+                                       : ", which the solver takes for 1: no loss");
+  if (name == "SHAPE") foam.unloading_shape = or_one(field.number(), "SHAPE", foam);
   if (name == "EXPON") tell_of_exponent(field.number(), "EXPON", foam);
   if (name == "SFLAG" && field.number() == 0 && foam.loading.size() > 1)
     foam.differences.emplace_back(

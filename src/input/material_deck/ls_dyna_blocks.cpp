@@ -70,11 +70,6 @@ Shift read_shift(DeckFields& fields, std::size_t scale_field, std::size_t offset
   return shift;
 }
 
-std::string missing(const LsDynaBlocks& deck, const char* keyword, long id) {
-  return fmt::format("there is no {} {}{}", keyword, id,
-                     deck.includes_files ? "; files of *INCLUDE are not read: put it into this deck" : "");
-}
-
 }  // namespace
 
 std::vector<DeckLine> lines_behind_title(const DeckBlock& block) {
@@ -147,7 +142,8 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
   const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.curves.find(id);
   if (block == nullptr) {
-    faults.add(asked, key, fmt::format("{}", id), missing(deck, "*DEFINE_CURVE", id));
+    faults.add(asked, key, fmt::format("{}", id),
+               missing(fmt::format("*DEFINE_CURVE {}", id), deck.includes_files, "*INCLUDE"));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);
@@ -160,14 +156,12 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
   constexpr const char* keys_of_stress[]{"SFO", "OFFO"};
   const Shift of_strain = read_shift(head, 2, 4, keys_of_strain);
   const Shift of_stress = read_shift(head, 3, 5, keys_of_stress, units.stress);
-  DeckCurve curve{fmt::format("curve {}", id), block->head.number, {}, {}, {}};
+  DeckCurve curve{fmt::format("curve {}", id), block->head.number};
   for (std::size_t i = 1; i < lines.size(); ++i) {
     DeckFields point(lines[i], pair_of_twenty, true, faults);
     const double strain = point.number(0, curve.name + ": A" + std::to_string(i));
     const double stress = point.number(1, curve.name + ": O" + std::to_string(i), units.stress);
-    curve.strain.push_back(of_strain.of(strain));
-    curve.stress.push_back(of_stress.of(stress));
-    curve.lines.push_back(lines[i].number);
+    curve.add(of_strain.of(strain), of_stress.of(stress), lines[i].number);
     if (std::isinf(curve.strain.back()) || std::isinf(curve.stress.back())) {
       faults.add(lines[i].number, curve.name, "", "is too large a number once it is scaled");
       return std::nullopt;
@@ -182,8 +176,9 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
   const DeckBlock* const block = deck.tables.find(id);
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id),
-               deck.curves.find(id) != nullptr ? "is a curve; a table of curves over rates is needed"
-                                               : missing(deck, "*DEFINE_TABLE", id));
+               deck.curves.find(id) != nullptr
+                   ? "is a curve; a table of curves over rates is needed"
+                   : missing(fmt::format("*DEFINE_TABLE {}", id), deck.includes_files, "*INCLUDE"));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);

@@ -14,6 +14,7 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "input/material_deck/radioss.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -138,9 +139,7 @@ bool CardNumbers::are_sound() const {
 std::optional<DeckFields> LawLines::next(const Widths& widths) {
   if (taken_ + 1 < block_.lines.size())
     return DeckFields(block_.lines[++taken_], widths, false, from_.faults);
-  if (!told_)
-    from_.faults.add(block_.head.number, name_, "",
-                     fmt::format("ends after {} {}", taken_, taken_ == 1 ? "line" : "lines"));
+  if (!told_) from_.faults.add(block_.head.number, name_, "", "ends after " + plural(taken_, "line"));
   told_ = true;
   return std::nullopt;
 }
@@ -190,14 +189,11 @@ bool LawLines::rows(long count, std::vector<DeckRateCurve>& rows) {
 std::optional<DeckCurve> LawLines::function(long id, double scale, const char* field, std::size_t asked) {
   const DeckBlock* const block = from_.deck.functions.find(id);
   if (block == nullptr) {
-    from_.faults.add(
-        asked, key(field), fmt::format("{}", id),
-        fmt::format(
-            "there is no /FUNCT/{}{}", id,
-            from_.deck.includes_files ? "; files of #include are not read: put it into this deck" : ""));
+    from_.faults.add(asked, key(field), fmt::format("{}", id),
+                     missing(fmt::format("/FUNCT/{}", id), from_.deck.includes_files, "#include"));
     return std::nullopt;
   }
-  DeckCurve curve{fmt::format("function {}", id), block->head.number, {}, {}, {}};
+  DeckCurve curve{fmt::format("function {}", id), block->head.number};
   if (block->lines.size() > max_lines_of_curve) {
     from_.faults.add(curve.line, curve.name, "", too_many_points(block->lines.size() - 1));
     return std::nullopt;
@@ -205,10 +201,9 @@ std::optional<DeckCurve> LawLines::function(long id, double scale, const char* f
   if (scale == 0) scale = 1;
   for (std::size_t i = 1; i < block->lines.size(); ++i) {
     DeckFields point(block->lines[i], {20, 20}, false, from_.faults);
-    curve.strain.push_back(point.number(0, curve.name + ": X" + std::to_string(i)));
+    const double strain = point.number(0, curve.name + ": X" + std::to_string(i));
     const double stress = point.number(1, curve.name + ": Y" + std::to_string(i), from_.units.stress);
-    curve.stress.push_back(scale == 1 ? stress : scale * stress);
-    curve.lines.push_back(point.line());
+    curve.add(strain, scale == 1 ? stress : scale * stress, point.line());
   }
   return curve;
 }

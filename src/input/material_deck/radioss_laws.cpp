@@ -59,12 +59,10 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
 /// Points of |A + B (1 + C gamma)| at gamma = -strain, until almost no air is left.
 DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t line) {
   constexpr int count = 40;
-  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line, {}, {}, {}};
+  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line};
   for (int i = 0; i <= count; ++i) {
     const double e = 0.95 * (1 - phi) * i / count;
-    curve.strain.push_back(e);
-    curve.stress.push_back(std::abs(a + b * (1 - c * e)));
-    curve.lines.push_back(line);
+    curve.add(e, std::abs(a + b * (1 - c * e)), line);
   }
   return curve;
 }
@@ -77,12 +75,12 @@ void mirror(DeckCurve& curve) {
   std::ranges::reverse(curve.lines);
 }
 
-/// Sets the unloading by Iflag.
-void settle_unloading_70(long flag, double shape, double factor, std::vector<DeckRateCurve> ways_back,
-                         DeckFoam& foam) {
+/// Sets the unloading by Iflag: at 4, as in LAW90, Shape and Hys lessen the whole stress.
+void settle_unloading(long flag, double shape, double factor, std::vector<DeckRateCurve> ways_back,
+                      DeckFoam& foam) {
   if (flag >= 3) {
-    foam.unloading_shape = or_one(shape, "Shape is blank or 0, which the solver takes for 1.", foam);
-    foam.unloading_factor = or_one(factor, "Hys is blank or 0, which the solver takes for 1: no loss.", foam);
+    foam.unloading_shape = or_one(shape, "Shape", foam);
+    foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver takes for 1: no loss");
     if (flag == 3)
       foam.differences.emplace_back("Iflag = 3 lessens shear stresses only; here the whole stress.");
   } else if (ways_back.empty()) {
@@ -117,8 +115,7 @@ bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   if (!read_terms(*terms, "mu", from.units.stress, lines, mu) ||
       !read_terms(*terms, "alpha", {}, lines, alpha))
     return false;
-  for (double& exponent : alpha)
-    exponent = or_one(exponent, "An alpha_i is blank or 0, which the solver takes for 1.", foam);
+  for (double& exponent : alpha) exponent = or_one(exponent, "An alpha_i", foam);
   double lasting = 1;
   if (*branches > 0) {
     const auto line = read_terms(*branches, "gamma", {}, lines, gamma);
@@ -208,7 +205,7 @@ bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   }
   std::vector<DeckRateCurve> ways_back;
   if (!lines.rows(*count, foam.loading) || !lines.rows(*count_back, ways_back)) return false;
-  settle_unloading_70(flag, (*flags)("Shape"), (*flags)("Hys"), std::move(ways_back), foam);
+  settle_unloading(flag, (*flags)("Shape"), (*flags)("Hys"), std::move(ways_back), foam);
   return true;
 }
 
@@ -216,10 +213,7 @@ bool read_law_90(LawLines& lines, const RadiossSource&, DeckFoam& foam) {
   const auto elastic = lines.next(deck::law_90_elastic), flags = lines.next(deck::law_90_flags);
   if (!elastic || !flags) return false;
   foam.modulus = (*elastic)("E0");
-  foam.unloading_shape =
-      or_one((*flags)("Shape"), "Shape is blank or 0, which the solver takes for 1.", foam);
-  foam.unloading_factor =
-      or_one((*flags)("Hys"), "Hys is blank or 0, which the solver takes for 1: no loss.", foam);
+  settle_unloading(4, (*flags)("Shape"), (*flags)("Hys"), {}, foam);
   tell_of_exponent((*flags)("Alpha"), "Alpha", foam);
   const auto count = lines.count(*flags, "NL", 1);
   return count && lines.rows(*count, foam.loading);

@@ -141,11 +141,8 @@ void take_row(const CsvRow& row, const StressColumns& columns, char separator, s
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const injury::MeasuredColumn& column = columns.stresses[i].of;
     if (field_in(row, column).empty() && curves.size() > 1) continue;
-    const auto stress = number_in(row, column, separator, faults);
-    if (!stress) continue;
-    curves[i].strain.push_back(strain.value / columns.strains_in_one);
-    curves[i].stress.push_back(*stress);
-    curves[i].lines.push_back(row.line);
+    if (const auto stress = number_in(row, column, separator, faults))
+      curves[i].add(strain.value / columns.strains_in_one, *stress, row.line);
   }
 }
 
@@ -161,8 +158,7 @@ Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::
     faults.throw_if_any();
 
     std::vector<DeckCurve> curves;
-    for (const StressColumn& column : columns.stresses)
-      curves.push_back({column.of.name, columns.line, {}, {}, {}});
+    for (const StressColumn& column : columns.stresses) curves.push_back({column.of.name, columns.line});
     std::size_t count = 0;
     each_row(csv, faults, [&](const CsvRow& row) {
       if (count++ == max_rows_of_stresses)

@@ -192,8 +192,8 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
 }
 
 std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations) {
-  return fmt::format("{} sensitivities were given for {} {}; give one for all, or one for each", given,
-                     accelerations, accelerations == 1 ? "acceleration" : "accelerations");
+  return fmt::format("{} sensitivities were given for {}; give one for all, or one for each", given,
+                     plural(accelerations, "acceleration"));
 }
 
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {

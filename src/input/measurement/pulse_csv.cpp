@@ -184,7 +184,7 @@ std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& row
   if (has_mark) remarks.emplace_back("a byte order mark at the beginning was left out");
   if (rows.lines().kinds_of_ends() > 1) remarks.emplace_back("the lines end in different ways");
   if (rows.blank_lines() > 0)
-    remarks.push_back(fmt::format("{} left out", plural(rows.blank_lines(), "line") + " without content"));
+    remarks.push_back(plural(rows.blank_lines(), "line") + " without content left out");
   if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");
   if (findings.empty_columns > 0) remarks.emplace_back("empty columns at the end were left out");
   const auto left_out = [&](std::size_t count, std::string_view one, std::string_view several,
