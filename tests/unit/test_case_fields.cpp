@@ -28,7 +28,8 @@ std::string in_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
 std::string words_if_left_out(const CaseField& field) {
   switch (field.left_out) {
     case LeftOut::refused: return "must be given";
-    case LeftOut::none: return "none";
+    case LeftOut::none:
+    case LeftOut::zero: return "none";
     case LeftOut::computed: return "see above";
     case LeftOut::as_default: break;
   }
