@@ -1,6 +1,8 @@
 #include "dashpad/injury/figures.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -12,8 +14,11 @@
 namespace dashpad::injury {
 namespace {
 
-constexpr InjuryFigures::Errors all_unknown{infinite, infinite, infinite, infinite, infinite,
-                                            infinite, infinite, infinite, infinite};
+constexpr InjuryFigures::Errors all_unknown = [] {
+  std::array<double, sizeof(InjuryFigures::Errors) / sizeof(double)> each{};
+  each.fill(infinite);
+  return std::bit_cast<InjuryFigures::Errors>(each);
+}();
 
 }  // namespace
 
