@@ -1,8 +1,6 @@
 #include "dashpad/injury/figures.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -14,11 +12,9 @@
 namespace dashpad::injury {
 namespace {
 
-constexpr InjuryFigures::Errors all_unknown = [] {
-  std::array<double, sizeof(InjuryFigures::Errors) / sizeof(double)> each{};
-  each.fill(infinite);
-  return std::bit_cast<InjuryFigures::Errors>(each);
-}();
+constexpr InjuryFigures::Errors all_unknown{infinite, infinite, infinite, infinite, infinite,
+                                            infinite, infinite, infinite, infinite};
+static_assert(sizeof(all_unknown) == 9 * sizeof(double), "an infinity for each error");
 
 }  // namespace
 
