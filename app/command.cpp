@@ -43,11 +43,11 @@ void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
 
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
-  constexpr double lowest = 1e-8, highest = 1e-2;
+  constexpr Bounds bounds = Options::parameters[0].bounds;
   const auto value = parsed<double>(*text);
-  if (value && *value >= lowest && *value <= highest) return value;
-  errors.push_back(
-      fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text, lowest, highest));
+  if (value && bounds.contain(*value)) return value;
+  errors.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text,
+                               bounds.lowest, bounds.highest));
   return std::nullopt;
 }
 

@@ -89,14 +89,16 @@ void add_material(const ImpactCase& base, const std::string& prefix, Of owner,
 
 void add_layer(const ImpactCase& base, std::size_t i, std::vector<CaseQuantity>& into) {
   const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
-  into.push_back({.key = prefix + "thickness",
-                  .unit = "m",
-                  .get = [i](const ImpactCase& impact) { return impact.pad.layers.at(i).thickness; },
-                  .set =
-                      [i](ImpactCase& impact, double value) {
-                        impact.pad.layers.at(i).thickness = value;
-                        set_layers(impact.pad, std::move(impact.pad.layers));
-                      }});
+  for (const Parameter<PadLayer>& parameter : PadLayer::parameters)
+    into.push_back(
+        {.key = prefix + parameter.key,
+         .unit = parameter.unit,
+         .get = [i, &parameter](const ImpactCase& impact) { return parameter.of(impact.pad.layers.at(i)); },
+         .set =
+             [i, &parameter](ImpactCase& impact, double value) {
+               parameter.set(impact.pad.layers.at(i), value);
+               set_layers(impact.pad, std::move(impact.pad.layers));  // whose thickness is their sum
+             }});
   add_material(
       base, prefix, [i](auto& impact) -> auto& { return impact.pad.layers.at(i); }, into);
 }
@@ -153,9 +155,11 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
      .meaning = "weight of the impactor",
      .what_follows = "the mass",
      .get = [](const ImpactCase& impact) { return impact.impactor.mass * standard_gravity; },
-     .set = [](ImpactCase& impact, double value) { impact.impactor.mass = value / standard_gravity; }},
+     .set = [](ImpactCase& impact, double value) { impact.impactor.mass = value / standard_gravity; },
+     .rule_if_missing = "is missing; give a mass, such as \"4.5 kg\", or a weight, such as \"10 lbf\""},
     {.key = "impactor.drop_height",
      .unit = "m",
+     .bounds = in_words(0, infinite, "more than 0", false),
      .instead_of = "impactor.speed",
      .meaning = "drop height",
      .what_follows = "the speed of the fall",

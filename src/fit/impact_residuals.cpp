@@ -99,7 +99,8 @@ double figure_in(const Solution& solution, ImpactFigure figure) {
     case ImpactFigure::hic_unlimited: return injury::hic(*pulse, injury::unlimited_window).value;
     case ImpactFigure::clip_3ms: return injury::contiguous_clip(*pulse, injury::usual_clip).level;
     case ImpactFigure::cumulative_3ms: return injury::cumulative_clip(*pulse, injury::usual_clip).level;
-    default: return injury::velocity_change(*pulse);
+    case ImpactFigure::velocity_change: return injury::velocity_change(*pulse);
+    default: return no_figure;
   }
 }
 

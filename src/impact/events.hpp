@@ -191,7 +191,8 @@ inline FirstEvent first_event(const Sight& sight) {
 }
 
 // The phase that follows an event (theory.md, section 4). Together with `is_driven` and `has_unloading_step`,
-// the ends of branches, these are all rules about branches.
+// the ends of branches, these are the rules about branches. The first phase, the end at rest and the phase
+// after a pad was held for a moment are set by March.
 //
 // Up to three rates satisfy equilibrium; the drive selects that of a vanishing dashpot (Eq. 26).
 

@@ -38,6 +38,7 @@ struct Track {
 
  private:
   std::array<std::vector<double>*, 12> columns() {
+    static_assert(sizeof(History) == 13 * sizeof(std::vector<double>), "all but the strains of layers");
     History& h = history;
     return {&h.time,           &h.force,       &h.pad_force,         &h.acceleration,
             &h.velocity,       &h.motion,      &h.penetration,       &h.support_deflection,

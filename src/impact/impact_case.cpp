@@ -178,6 +178,8 @@ void check_layers(std::vector<Violation>& broken, const Pad& pad) {
     const PadLayer& layer = pad.layers[i];
     const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
     const std::size_t before = broken.size();
+    for (const Parameter<PadLayer>& parameter : PadLayer::parameters)
+      if (parameter.member != &PadLayer::thickness) check_bounds(layer, parameter, prefix, broken);
     if (!(layer.thickness > 0) || layer.thickness < min_share * sum)
       broken.push_back({prefix + "thickness", layer.thickness,
                         fmt::format("must be more than 0 and at least {} of the pad", min_share)});

@@ -44,6 +44,7 @@ bool is_finite(const Figures& run) {
 }
 
 std::array<double*, 10> all(ErrorEstimates& e) {
+  static_assert(sizeof(ErrorEstimates) == 10 * sizeof(double), "each has its entry here");
   return {&e.peak_force,  &e.time_of_peak_force, &e.peak_motion, &e.peak_penetration, &e.rebound_speed,
           &e.contact_end, &e.force_below_weight, &e.bottomed,    &e.energy_absorbed,  &e.support};
 }

@@ -16,6 +16,7 @@
 #include "impact/march.hpp"
 #include "impact/numerics.hpp"
 #include "impact/refinement.hpp"
+#include "model/parameter_values.hpp"
 
 namespace dashpad {
 
@@ -23,10 +24,7 @@ namespace {
 
 void refuse_unsound(const ImpactCase& impact, bool law_is_sound, const Options& options) {
   auto broken = law_is_sound ? violations_beside_law(impact) : violations(impact);
-  if (!(options.tolerance >= 1e-8 && options.tolerance <= 1e-2))
-    broken.push_back({"tolerance", options.tolerance, "must be from 1e-8 to 1e-2"});
-  if (!(options.time_limit > 0 && std::isfinite(options.time_limit)))
-    broken.push_back({"time_limit", options.time_limit, "must be greater than 0"});
+  check_bounds(options, "", broken);
   if (options.fixed_runs < 0 || options.fixed_runs > numerics.max_fixed_runs)
     broken.push_back({"fixed_runs", double(options.fixed_runs), "must be from 0 to 10"});
   if (broken.empty()) return;

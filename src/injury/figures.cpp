@@ -14,6 +14,7 @@ namespace {
 
 constexpr InjuryFigures::Errors all_unknown{infinite, infinite, infinite, infinite, infinite,
                                             infinite, infinite, infinite, infinite};
+static_assert(sizeof(all_unknown) == 9 * sizeof(double), "an infinity for each error");
 
 }  // namespace
 

@@ -27,6 +27,7 @@ constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::
 constexpr const char* keys_of_metrics[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
                                         "dwell_time",        "hic15",    "hic36",
                                         "hic_unlimited",     "hic_d",    "severity_index"};
+static_assert(std::size(keys_of_metrics) == std::size_t{1} + std::size_t(Metric::severity_index));
 
 const StandardVariant& find_variant(const Standard& standard, const std::string& name) {
   std::string names;

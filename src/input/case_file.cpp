@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,47 +18,45 @@
 namespace dashpad::input {
 namespace {
 
-double read_mass(TableReader& table) {
-  const bool has_mass = table.has("mass");
-  const bool has_weight = table.has("weight");
-  if (has_mass && has_weight) table.fault("weight", "give mass or weight, not both");
-  if (!has_mass && !has_weight)
-    table.fault("mass", "is missing; give a mass, such as \"4.5 kg\", or a weight, such as \"10 lbf\"");
-  if (has_mass == has_weight) return no_value;
-  return has_mass ? table.quantity("mass", "kg") : table.quantity("weight", "N") / standard_gravity;
-}
+/// Numbers of a case that it states in another way, such as a mass by a weight.
+using OtherValues = std::vector<std::pair<const OtherWay*, double>>;
 
-/// An impactor that falls also presses on the pad by its weight.
-double read_gravity(TableReader& table) {
-  if (table.has("gravity")) return table.quantity("gravity", "m/s2");
-  return table.has("drop_height") ? standard_gravity : 0;
-}
-
-double read_speed(TableReader& table) {
-  const bool has_speed = table.has("speed");
-  if (!table.has("drop_height")) return table.quantity("speed", "m/s");
-  if (has_speed) {
-    table.fault("drop_height", "give speed or drop_height, not both");
-    return no_value;
+/// Whether a table states the number `key` in another way, which is then added to `others`; true as well if
+/// it states both ways or neither, which is at fault.
+bool states_otherwise(TableReader& table, const std::string& key, OtherValues& others) {
+  const auto way = std::ranges::find(other_ways(), table.full_key(key), &OtherWay::instead_of);
+  if (way == other_ways().end()) return false;
+  const std::string other = std::string(way->key).substr(table.full_key("").size());
+  const bool is_given = table.has(key);
+  if (!table.has(other)) {
+    if (!is_given) table.fault(key, way->rule_if_missing);
+    return !is_given;
   }
-  const double height = table.quantity("drop_height", "m");
-  if (height <= 0) {
-    table.fault("drop_height", "must be more than 0");
-    return no_value;
-  }
-  const double gravity = read_gravity(table);
-  if (gravity == 0) table.fault("drop_height", "without gravity nothing falls; give a speed");
-  return std::sqrt(2 * gravity * height);
+  const double value = is_given ? no_value : table.value(other, way->unit);
+  if (is_given)
+    table.fault(other, fmt::format("give {} or {}, not both", key, other));
+  else if (!std::isnan(value) && !way->bounds.contain(value))
+    table.fault(other, rule_of(way->bounds, way->unit));
+  else
+    others.emplace_back(&*way, value);
+  return true;
 }
 
-Impactor read_impactor(TableReader& table, const std::filesystem::path& folder,
-                       std::vector<InputFile>& files) {
-  const Impactor impactor{.mass = read_mass(table),
-                          .nose = read_nose(table, folder, files),
-                          .speed = read_speed(table),
-                          .gravity = read_gravity(table)};
+void read_impactor(TableReader& table, const std::filesystem::path& folder, std::vector<InputFile>& files,
+                   ImpactCase& impact) {
+  Impactor& impactor = impact.impactor;
+  OtherValues others;
+  for (const Parameter<Impactor>& parameter : Impactor::parameters) {
+    if (!states_otherwise(table, parameter.key, others)) read_parameter(table, parameter, impactor);
+    // Messages name the keys in this order.
+    if (parameter.member == &Impactor::mass) impactor.nose = read_nose(table, folder, files);
+  }
+  // An impactor that falls also presses on the pad by its weight.
+  if (table.has("drop_height") && !table.has("gravity")) impactor.gravity = standard_gravity;
+  if (table.has("drop_height") && impactor.gravity == 0)
+    table.fault("drop_height", "without gravity nothing falls; give a speed");
+  for (const auto& [way, value] : others) way->set(impact, value);
   table.refuse_others();
-  return impactor;
 }
 
 bool is_card_name(std::string_view name) {
@@ -143,10 +142,11 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
   }
   std::vector<PadLayer> layers;
   table.each_table("layers", *nodes, [&](TableReader& layer) {
-    const double thickness = layer.quantity("thickness", "m");
+    layers.push_back(read_parameters<PadLayer>(layer));
     into.materials.push_back(read_material_entry(layer, folders, into.cards));
     layer.refuse_others();
-    layers.push_back({thickness, into.materials.back().material, into.materials.back().condition});
+    layers.back().material = into.materials.back().material;
+    layers.back().condition = into.materials.back().condition;
   });
   set_layers(into.pad, std::move(layers));
 }
@@ -160,16 +160,12 @@ Floor read_floor(TableReader& table) {
 PadEntry read_pad(TableReader& table, const Folders& folders) {
   PadEntry entry;
   for (const Parameter<Pad>& parameter : Pad::parameters)
-    if (parameter.may_be_left_out() && table.has(parameter.key)) {
-      read_parameter(table, parameter, entry.pad);
-      if (parameter.left_out == LeftOut::none && parameter.is_none(entry.pad))
-        table.fault(parameter.key, "must be more than 0; if there is none, leave the key out");
-    }
+    if (parameter.member != &Pad::thickness) read_parameter(table, parameter, entry.pad);
   if (table.has("floor")) entry.pad.floor = read_floor(table);
   if (table.has("layers")) {
     read_layers(table, folders, entry);
   } else {
-    entry.pad.thickness = table.quantity("thickness", "m");
+    read_parameter(table, Pad::parameters[0], entry.pad);
     entry.materials = {read_material_entry(table, folders, entry.cards)};
     entry.pad.material = entry.materials.front().material;
     entry.pad.condition = entry.materials.front().condition;
@@ -180,15 +176,8 @@ PadEntry read_pad(TableReader& table, const Folders& folders) {
   return entry;
 }
 
-Blows read_blows(TableReader& table) {
-  const double count = table.whole_number("count", 2, 100).value_or(2);
-  const Blows blows{.count = static_cast<int>(count), .recovery = table.number("recovery")};
-  table.refuse_others();
-  return blows;
-}
-
 Options read_options(TableReader& table) {
-  const Options options = read_parameters<Options>(table);
+  const auto options = read_parameters<Options>(table);
   for (const Parameter<Options>& parameter : Options::parameters)
     if (const double value = parameter.of(options); !std::isnan(value) && !parameter.bounds.contain(value))
       table.fault(parameter.key, *broken_rule(value, parameter.bounds, parameter.unit));
@@ -233,8 +222,9 @@ std::vector<Violation> violations_in_terms_of(const TomlNode& root, const Impact
   // Faults of layers were reported when they were read.
   if (materials.empty())
     std::erase_if(broken, [](const Violation& violation) {
-      return violation.key.starts_with("pad.") && violation.key != "pad.area" &&
-             violation.key != "pad.sheet_mass_per_area" && violation.key != "pad.neighbours";
+      const std::string_view key = violation.key;
+      return key.starts_with("pad.") &&
+             (!is_of_case(key.substr(4)) || key == "pad.thickness" || key == "pad.earlier_penetration");
     });
   for (Violation& violation : broken)
     for (const OtherWay& way : other_ways())
@@ -257,8 +247,7 @@ Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
   ImpactCase& impact = result.impact;
   std::vector<MaterialEntry> materials_of_pad;
   impact.title = top.text("title", Presence::optional);
-  if (auto table = top.table("impactor"))
-    impact.impactor = read_impactor(*table, file.parent_path(), result.files);
+  if (auto table = top.table("impactor")) read_impactor(*table, file.parent_path(), result.files, impact);
   if (auto table = top.table("pad")) {
     PadEntry entry = read_pad(*table, {file.parent_path(), materials});
     impact.pad = std::move(entry.pad);
@@ -274,7 +263,10 @@ Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
     impact.backing = entry.backing;
     support_to_check = entry.is_known;
   }
-  if (auto table = top.table("blows", Presence::optional)) impact.blows = read_blows(*table);
+  if (auto table = top.table("blows", Presence::optional)) {
+    impact.blows = read_parameters<Blows>(*table);
+    table->refuse_others();
+  }
   if (auto table = top.table("solver", Presence::optional)) result.options = read_options(*table);
   top.refuse_others();
 

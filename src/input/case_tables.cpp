@@ -126,12 +126,7 @@ SupportEntry read_support(TableReader& table) {
   Support support = type == "linear"  ? read_linear(table)
                     : type == "curve" ? read_curve(table)
                                       : Support::rigid();
-  const Backing backing = read_parameters<Backing>(table);
-  for (const double Backing::*mass : {&Backing::mass, &Backing::body_mass}) {
-    const char* const key = mass == &Backing::mass ? "mass" : "body_mass";
-    if (table.has(key) && backing.*mass == 0)
-      table.fault(key, "must be more than 0; without one, leave the key out");
-  }
+  const auto backing = read_parameters<Backing>(table);
   table.refuse_others();
   return {std::move(support), backing, table.faults().size() == faults};
 }

@@ -152,18 +152,26 @@ std::optional<std::vector<double>> read_numbers(TableReader& table, const std::s
 std::optional<std::vector<double>> read_quantities(TableReader& table, const std::string& key,
                                                    const std::string& si_unit, std::size_t most);
 
-/// NaN after a fault.
+/// Reads a number into its owner, where it stays as it is if it is left out. After a fault a number is NaN,
+/// and a count as it was.
 template <class Owner>
 void read_parameter(TableReader& table, const Parameter<Owner>& parameter, Owner& into) {
-  parameter.set(into, table.value(parameter.key, parameter.unit));
+  if (parameter.may_be_left_out() && !table.has(parameter.key)) return;
+  const Bounds& bounds = parameter.bounds;
+  if (parameter.member.is_count())
+    parameter.set(
+        into, table.whole_number(parameter.key, bounds.lowest, bounds.highest).value_or(parameter.of(into)));
+  else
+    parameter.set(into, table.value(parameter.key, parameter.unit));
+  if (parameter.left_out == LeftOut::none && parameter.is_none(into))
+    table.fault(parameter.key, "must be more than 0; without one, leave the key out");
 }
 
 /// Numbers at fault are NaN.
 template <class Owner>
 Owner read_parameters(TableReader& table) {
   Owner result;
-  for (const Parameter<Owner>& parameter : Owner::parameters)
-    if (!parameter.may_be_left_out() || table.has(parameter.key)) read_parameter(table, parameter, result);
+  for (const Parameter<Owner>& parameter : Owner::parameters) read_parameter(table, parameter, result);
   return result;
 }
 

@@ -106,7 +106,7 @@ const std::vector<ResultQuantity>& result_quantities() {
            {.row = 5,
             .growth = Growth::with_force,
             .needs = Needs::support,
-            .estimate = "the largest of this and the next three, relative to it",
+            .estimate = "the largest of the errors of the support's four figures, relative to it",
             .absent =
                 "for an elastic support on the ground, whose force is that of the pad, and where the pad "
                 "bottoms out on a rigid one"})},

@@ -10,6 +10,7 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
+#include "model/parameter_values.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {
@@ -286,8 +287,7 @@ std::vector<Violation> violations(const Study& study) {
   check_correlations(study, broken);
   check_responses(study, broken);
   check_size(study, broken);
-  if (!(study.options.tolerance >= 1e-8 && study.options.tolerance <= 1e-2))
-    broken.push_back({"tolerance", study.options.tolerance, "must be at least 1e-8 and at most 1e-2"});
+  check_bounds(study.options, "", broken);
   if (broken.empty()) broken = Checker(study).all();
   return broken;
 }

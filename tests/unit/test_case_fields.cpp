@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
+#include "model/parameter_values.hpp"
 #include "shared/generated_text.hpp"
 
 namespace dashpad::test {
@@ -28,7 +30,8 @@ std::string in_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
 std::string words_if_left_out(const CaseField& field) {
   switch (field.left_out) {
     case LeftOut::refused: return "must be given";
-    case LeftOut::none: return "none";
+    case LeftOut::none:
+    case LeftOut::zero: return "none";
     case LeftOut::computed: return "see above";
     case LeftOut::as_default: break;
   }
@@ -76,6 +79,37 @@ TEST(CaseFields, AreInTheSchemaOfResults) {
     EXPECT_TRUE(required.contains(name)) << field.table << " " << name;
   }
   if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
+}
+
+/// Holds every list of choices that begins as `names` to all of them, and counts these lists. One that admits
+/// null still does.
+int hold_choices(Json& node, const std::vector<std::string>& names) {
+  int count = 0;
+  for (auto& [key, value] : node.items()) {
+    if (key == "enum" && value.front() == names.front()) {
+      Json expected = names;
+      if (value.back().is_null()) expected.push_back(nullptr);
+      if (is_regenerating()) value = expected;
+      EXPECT_EQ(value, expected);
+      ++count;
+    } else if (value.is_structured()) {
+      count += hold_choices(value, names);
+    }
+  }
+  return count;
+}
+
+TEST(CaseFields, SchemasHaveTheNamesOfAllLawsAndNoses) {
+  int laws = 0, noses = 0;
+  for (const char* name : {"summary", "fit"}) {
+    const fs::path file = root / "schema" / fmt::format("{}.schema.json", name);
+    Json schema = Json::parse(text_of(file));
+    laws += hold_choices(schema, names_of_alternatives<PadLaw>());
+    noses += hold_choices(schema, names_of_alternatives<Nose>());
+    if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
+  }
+  EXPECT_EQ(laws, 3);
+  EXPECT_EQ(noses, 1);
 }
 
 }  // namespace

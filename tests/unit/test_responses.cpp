@@ -1,5 +1,6 @@
 /// What a study keeps of an impact.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "dashpad/study/answers.hpp"
 #include "dashpad/study/responses.hpp"
 #include "sample_case.hpp"
+#include "shared/generated_text.hpp"
 
 namespace dashpad::study {
 namespace {
@@ -49,6 +51,12 @@ TEST(responses, are_the_figures_of_the_summary) {
     EXPECT_EQ(outcome.values.at(0), expected.at(name).first) << name;
     EXPECT_EQ(outcome.error, expected.at(name).second) << name;
   }
+}
+
+TEST(responses, are_all_in_the_documents) {
+  const std::string document = test::text_of(test::source / "docs" / "studies.md");
+  for (const ResultQuantity& kind : response_kinds())
+    EXPECT_NE(document.find(fmt::format("`{}`", kind.key)), std::string::npos) << kind.key;
 }
 
 /// At three speeds: the pulse is shorter than 15 ms, between 15 and 36 ms, and longer.

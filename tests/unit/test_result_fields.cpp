@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -100,9 +101,17 @@ std::string description_of(const ResultQuantity& result_quantity) {
                                                         : fmt::format(". Unit: {}.", unit));
 }
 
-/// The description of a property that has to be there.
-void expect_description(Json& properties, const std::string& key, const std::string& description) {
+/// The description of a property that has to be there, always. A new one is made after that of `pattern`.
+void expect_property(Json& object, const std::string& key, const std::string& description,
+                     const char* pattern) {
+  Json& properties = object["properties"];
+  if (is_regenerating() && !properties.contains(key)) {
+    const Json made = properties.at(pattern);
+    properties[key] = made;
+    object["required"].push_back(key);
+  }
   ASSERT_TRUE(properties.contains(key)) << key;
+  EXPECT_TRUE(std::set<std::string>(object["required"]).contains(key)) << key;
   if (is_regenerating())
     properties[key]["description"] = description;
   else
@@ -112,30 +121,34 @@ void expect_description(Json& properties, const std::string& key, const std::str
 TEST(ResultFields, AreInTheSchemaOfResults) {
   const fs::path file = root / "schema" / "summary.schema.json";
   Json schema = Json::parse(text_of(file));
-  Json& top = schema["properties"];
+  Json& parts = schema["properties"];
   for (const ResultQuantity& result_quantity : result_quantities()) {
     switch (result_quantity.part) {
       case Part::impact:
-        expect_description(top, key_with_unit(result_quantity), description_of(result_quantity));
+        expect_property(schema, key_with_unit(result_quantity), description_of(result_quantity),
+                        "peak_force_N");
         break;
-      case Part::moment: expect_description(top, result_quantity.key, description_of(result_quantity)); break;
+      case Part::moment:
+        expect_property(schema, result_quantity.key, description_of(result_quantity), "contact_end");
+        break;
       case Part::energy:
         if (std::string_view(result_quantity.key) != "total_energy")  // over time, on the page
-          expect_description(top["energy"]["properties"], key_with_unit(result_quantity),
-                             description_of(result_quantity));
+          expect_property(parts["energy"], key_with_unit(result_quantity), description_of(result_quantity),
+                          "impact_energy_J");
         break;
       case Part::pulse:
         if (result_quantity.role.in_studies)
-          expect_description(top["injury"]["properties"], result_quantity.key,
-                             description_of(result_quantity));
+          expect_property(parts["injury"], result_quantity.key, description_of(result_quantity),
+                          "severity_index");
         break;
       case Part::history: break;
     }
     if (result_quantity.has_estimate() &&
         (result_quantity.part == Part::impact || result_quantity.part == Part::moment))
-      expect_description(top["errors"]["properties"], result_quantity.key,
-                         fmt::format("Estimated error of {}: {}; null if that figure is absent. Unit: 1.",
-                                     result_quantity.key, result_quantity.role.estimate));
+      expect_property(parts["errors"], result_quantity.key,
+                      fmt::format("Estimated error of {}: {}; null if that figure is absent. Unit: 1.",
+                                  result_quantity.key, result_quantity.role.estimate),
+                      "peak_force");
   }
   if (is_regenerating()) write_text(file, schema.dump(2) + "\n");
 }

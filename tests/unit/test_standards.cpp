@@ -15,6 +15,7 @@
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
 #include "sample_case.hpp"
+#include "shared/generated_text.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {
@@ -76,6 +77,12 @@ TEST(standards, every_preset_names_a_source_for_every_value) {
     EXPECT_FALSE(standard.criteria.empty());
     for (const injury::Origin* origin : origins_of(standard)) EXPECT_FALSE(origin->source.empty());
   }
+}
+
+TEST(standards, every_preset_has_its_row_in_the_documents) {
+  const std::string document = test::text_of(test::source / "docs" / "standards.md");
+  for (const auto& file : input::list_standards(folder).value())
+    EXPECT_THAT(document, ContainsRegex("\n\\|[^|]*`" + file.stem().string() + "`[^|]*\\|"));
 }
 
 TEST(standards, every_preset_names_the_text_that_binds) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -122,6 +123,39 @@ TEST_F(StoredStudyTest, RepeatedBlowsOnAPadThatWasStruckBefore) {
   EXPECT_EQ(read.base.blows->count, 3);
   EXPECT_EQ(read.base.blows->recovery, 0.5);
   EXPECT_EQ(read.base.pad.earlier_penetration, 1e-3);
+}
+
+/// Changes each number of an owner, a part of a study, and looks for it in the text of the study.
+template <class Place>
+void expect_every_number(const Study& study, Place place) {
+  using Owner = std::remove_cvref_t<decltype(place(study))>;
+  for (const Parameter<Owner>& parameter : Owner::parameters) {
+    Study changed = study;
+    Owner& owner = place(changed);
+    parameter.set(owner, parameter.is_none(owner) ? 1 : 2 * parameter.of(owner) + 1);
+    EXPECT_NE(study::resolved_text(changed), study::resolved_text(study)) << parameter.key;
+  }
+}
+
+/// With a number that is written but not read a store counts as damaged.
+TEST_F(StoredStudyTest, TheTextOfAStudyHasEveryNumberOfItsCase) {
+  Study study = small_study(3);
+  study.base.blows = Blows{};
+  study.base.pad.layers.resize(1);
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.base.impactor; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.base.pad; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.base.pad.condition; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.base.pad.layers[0]; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.base.backing; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return *in.base.blows; });
+  expect_every_number(
+      study, [](auto& in) -> auto& { return in.options; });
 }
 
 TEST_F(StoredStudyTest, EveryCard) {

@@ -28,12 +28,14 @@ struct CaseQuantity {
 struct OtherWay {
   const char* key;           ///< "impactor.drop_height"
   const char* unit;          ///< SI
+  Bounds bounds = {};        ///< of the value itself; the number that follows has its own
   const char* instead_of;    ///< "impactor.speed"
   const char* meaning;       ///< "drop height"
   const char* what_follows;  ///< "the speed of the fall": subject of broken rules
   double (*get)(const ImpactCase&);
   void (*set)(ImpactCase&, double);
-  const char* since = "0.1.0";  ///< first version of the program that has it
+  const char* rule_if_missing = "is missing";  ///< for a case that states the number in neither way
+  const char* since = "0.1.0";                 ///< first version of the program that has it
 };
 
 /// The weight, M times standard gravity, and the drop height h, with the speed sqrt(2 g h); g is the gravity

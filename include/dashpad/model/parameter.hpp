@@ -84,7 +84,8 @@ class Member {
 enum class LeftOut {
   refused,     ///< it must be given
   as_default,  ///< it has the value of a default-constructed owner
-  none,        ///< the feature is absent: the value is 0, outside the bounds, and cannot be varied
+  none,        ///< the feature is absent: the value is 0, cannot be varied, and a case must not state it
+  zero,        ///< the same, but a case may also state 0
   computed     ///< follows from the rest of the case or an option; written cases always state it
 };
 
@@ -107,7 +108,7 @@ struct Parameter {
   [[nodiscard]] bool may_be_left_out() const { return left_out != LeftOut::refused; }
   /// Whether the number is absent, or 0 where that means that the feature is absent.
   [[nodiscard]] bool is_none(const Owner& owner) const {
-    return is_absent(owner) || (left_out == LeftOut::none && of(owner) == 0);
+    return is_absent(owner) || ((left_out == LeftOut::none || left_out == LeftOut::zero) && of(owner) == 0);
   }
   /// Whether leaving the number out gives the same case.
   [[nodiscard]] bool goes_without_saying(const Owner& owner) const {

@@ -22,6 +22,8 @@ namespace dashpad::output {
 
 namespace {
 
+constexpr const char* plots_heading = "Plots";
+
 bool strikes_through(const ImpactReport& report) {
   return is_struck_through(report.solution.summary.peak_penetration, report.impact.pad.thickness);
 }
@@ -129,7 +131,7 @@ void add_pictures(Document& document, const ImpactReport& report, const UnitSyst
     if (section.heading == basis_heading)
       if (std::optional<Plot> foam = foam_curve_plot(report.impact.pad, solution.summary, units))
         section.figures.push_back({.plot = *std::move(foam)});
-    if (section.heading != "Plots") continue;
+    if (section.heading != plots_heading) continue;
     section.figures = impact_figures(report.impact, solution, report.injury, units);
     for (CaptionedPlot& figure : contact_figures(report.snapshots, units))
       section.figures.push_back(std::move(figure));
@@ -174,7 +176,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
 }
 
 void add_case(Document& document, const ImpactReport& report) {
-  document.sections.push_back({.heading = "Plots", .seen = Seen::on_pages});
+  document.sections.push_back({.heading = plots_heading, .seen = Seen::on_pages});
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,

@@ -46,9 +46,11 @@ std::string nose_words(const Scene& scene) {
         else if constexpr (std::is_same_v<Shape, Cylinder>)
           return fmt::format("cylinder on its side, {} across, {} long", shown(2 * shape.radius),
                              shown(shape.length));
-        else
+        else if constexpr (std::is_same_v<Shape, Profile>)
           return fmt::format("shape through {} points, {} across", shape.points.size(),
                              shown(2 * shape.sections().radius(shape.sections().depth)));
+        else
+          return words_of(Nose(shape));
       },
       scene.impact.impactor.nose);
 }

@@ -31,17 +31,19 @@ void add_figures(Json& result, Json& errors, const Summary& summary) {
   }
 }
 
+/// The key in files of a quantity in the table of results.
+std::string in_table(const char* key) { return key_with_unit(result_quantity(key)); }
+
 Json energy(const EnergyLedger& ledger) {
-  const auto key = [](const char* given) { return key_with_unit(result_quantity(given)); };
-  return {{key("impact_energy"), number(ledger.impact)},
-          {key("weight_work"), number(ledger.weight)},
-          {key("kinetic_energy"), number(ledger.kinetic)},
-          {key("support_energy"), number(ledger.support)},
-          {key("support_loss"), number(ledger.support_loss)},
-          {key("moving_energy"), number(ledger.moving)},
-          {key("pad_energy"), number(ledger.pad)},
-          {key("sheet_energy"), number(ledger.sheet)},
-          {key("residual_energy"), number(ledger.residual)}};
+  return {{in_table("impact_energy"), number(ledger.impact)},
+          {in_table("weight_work"), number(ledger.weight)},
+          {in_table("kinetic_energy"), number(ledger.kinetic)},
+          {in_table("support_energy"), number(ledger.support)},
+          {in_table("support_loss"), number(ledger.support_loss)},
+          {in_table("moving_energy"), number(ledger.moving)},
+          {in_table("pad_energy"), number(ledger.pad)},
+          {in_table("sheet_energy"), number(ledger.sheet)},
+          {in_table("residual_energy"), number(ledger.residual)}};
 }
 
 Json solver(const Summary& summary) {
@@ -144,12 +146,12 @@ Json blow_json(const BlowResult& blow) {
   return {{"blow", summary.blow},
           {"status", to_string(summary.status)},
           {"earlier_penetration_m", number(blow.earlier_penetration)},
-          {"peak_acceleration_g", number(summary.peak_acceleration.value_or(NAN) / standard_gravity)},
-          {"hic15", number(blow.injury ? blow.injury->hic15.value : NAN)},
-          {"peak_force_N", number(summary.peak_force)},
-          {"peak_penetration_m", number(summary.peak_penetration)},
-          {"rebound_speed_m_per_s", number(summary.rebound_speed)},
-          {"energy_absorbed_fraction", number(summary.energy_absorbed_fraction)}};
+          {in_table("peak_acceleration"), number(summary.peak_acceleration.value_or(NAN) / standard_gravity)},
+          {in_table("hic15"), number(blow.injury ? blow.injury->hic15.value : NAN)},
+          {in_table("peak_force"), number(summary.peak_force)},
+          {in_table("peak_penetration"), number(summary.peak_penetration)},
+          {in_table("rebound_speed"), number(summary.rebound_speed)},
+          {in_table("energy_absorbed_fraction"), number(summary.energy_absorbed_fraction)}};
 }
 
 /// The sources of uncertainty, then the interval of each figure.

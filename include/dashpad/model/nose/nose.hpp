@@ -2,7 +2,7 @@
 /// The closed set of noses. A nose is rigid and acts on the pad by its sections only.
 ///
 /// A shape is a struct with its numbers, a parameter table, its name in case files, and sections(). A new
-/// shape needs its own file and one entry in `Nose`.
+/// shape needs its own file, one entry in `Nose`, and what docs/extending.md lists.
 
 #include <algorithm>
 #include <string>
