@@ -159,7 +159,7 @@ void add_no_intervals(CLI::App& app, bool& no_intervals) {
 
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
                                  std::span<const double> dwell_levels) {
-  const ProgressLine line{"Solving what is not known"};
+  const ProgressLine line{"Solving for the intervals"};
   uncertainty::add_intervals(impact, options, solution, dwell_levels);
 }
 

@@ -46,7 +46,7 @@ double read_speed(TableReader& table) {
     return no_value;
   }
   const double gravity = read_gravity(table);
-  if (gravity == 0) table.fault("drop_height", "without gravity nothing falls; give a speed");
+  if (gravity == 0) table.fault("drop_height", "a fall needs gravity; give a speed");
   return std::sqrt(2 * gravity * height);
 }
 

@@ -22,7 +22,7 @@ std::string bottomed_flag(const Summary& summary, const UnitSystem& units) {
   return fmt::format("BOTTOMED at {}, the impactor still moving at {}{}",
                      brief_quantity(moment.time, "s", units), brief_quantity(moment.velocity, "m/s", units),
                      bottomed_on_rigid_support(summary) ? "; figures are up to that moment"
-                                                        : "; while it stayed so, only the support gave way");
+                                                        : "; while it was, only the support yielded");
 }
 
 /// Close to full compression the rounded percentage would look like bottoming: there, what is left is said.

@@ -53,7 +53,7 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
   }
   for (const double value : levels->values)
     if (!(value >= 0 && value < static_cast<double>(study.materials.size()) && value == std::floor(value)))
-      broken.push_back({key, value, "is no number of a material"});
+      broken.push_back({key, value, "is not a numeric key of a material"});
   for (std::size_t i = 0; i < study.materials.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (study.materials[i].name == study.materials[j].name) {

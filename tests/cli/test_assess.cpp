@@ -77,7 +77,7 @@ TEST_F(AssessTest, APassWithoutAFittedRangeHasAReservation) {
   const Outcome outcome = assess({standard("mild", peak_standard("1000"))});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVAL for what the foam gives back: "),
+              AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVAL for the unloading of the foam: "),
                     HasSubstr("\nUNKNOWN RANGE: ")));
 }
 
@@ -85,7 +85,7 @@ TEST_F(AssessTest, APassOfAFoamWhoseScatterNobodyMeasuredHasAReservation) {
   write_file(case_file(), with(fitted_case(), "[pad.uncertainty]\nscatter = 0\n", ""));
   EXPECT_THAT(assess({standard("mild", peak_standard("1000"))}).out,
               AllOf(StartsWith("Passes: "), Not(HasSubstr("UNKNOWN RANGE")),
-                    HasSubstr("\nNO INTERVAL for how the foam scatters from sample to sample")));
+                    HasSubstr("\nNO INTERVAL for the scatter from sample to sample")));
 }
 
 TEST_F(AssessTest, WithoutIntervalsTheValuesAreJudgedAndItSaysSo) {
@@ -182,7 +182,7 @@ TEST_F(AssessTest, SeveralStandardsMakeATestPlan) {
   const std::size_t first = all.find(heading_of(assess({mild}).out));
   ASSERT_NE(first, std::string::npos);
   EXPECT_NE(all.find(heading_of(assess({harsh}).out), first), std::string::npos);
-  EXPECT_NE(all.find("How sure the figures are", first), all.rfind("How sure the figures are"));
+  EXPECT_NE(all.find("Uncertainty of the figures", first), all.rfind("Uncertainty of the figures"));
 }
 
 TEST_F(AssessTest, SeveralCasesAndStandardsStandOnOnePage) {

@@ -67,7 +67,7 @@ TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model misses"),
+              testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model deviates from"),
                              HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
                                        "data determine all of them. 2 of 2 starts")));
   const std::string with_card =
@@ -160,7 +160,8 @@ TEST_F(FitTest, FitsAWholePulse) {
   EXPECT_THAT(outcome.err, HasSubstr("drop.csv"));
   EXPECT_THAT(outcome.err, HasSubstr("1 unknown from"));
   const std::string page = read_file(file("fit.html"));
-  EXPECT_NE(page.find("The data determine the unknown; the model misses the pulses by"), std::string::npos);
+  EXPECT_NE(page.find("The data determine the unknown; the model deviates from the pulses by"),
+            std::string::npos);
 }
 
 TEST_F(FitTest, RefusesAPulseWithoutOnsetAndWritesNothing) {

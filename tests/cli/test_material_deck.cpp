@@ -132,14 +132,14 @@ TEST_F(MaterialCommandTest, BadDecksAreRefusedWithTheirLine) {
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4,0.01"), "bad.k:10: curve 1: stress = 10000");
   expect_refused_deck(with(foam_deck, "0.7,0.11", "70,0.11"), "bad.k:11: curve 1: strain = 70");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4   0.03"),
-                      "bad.k:10: curve 1: A3 = 0.4   0.03: is no number");
+                      "bad.k:10: curve 1: A3 = 0.4   0.03: is not a number");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "\xff,0.03"), "bad.k:10: curve 1: A3 = ");
   expect_refused_deck(with(foam_deck, "*DEFINE_CURVE\n1\n", "*DEFINE_CURVE\n2\n"),
                       "bad.k:4: *MAT_057: LCID = 1");
   expect_refused_deck(with(foam_deck, "2.5\n", ""), "bad.k:2: *MAT_057: ends after 1 of 2 lines");
   expect_refused_deck(foam_deck.substr(0, foam_deck.find("0.4,0.03")), "bad.k:6: curve 1: has 1 points");
   expect_refused_deck("*KEYWORD\n*END\n", "holds no *MAT_057");
-  expect_refused_deck("nothing\n", "is no deck");
+  expect_refused_deck("nothing\n", "is not a deck");
   expect_refused({file("absent.k"), "--units", "t-mm-s"}, "no such file");
   expect_refused({file(""), "--units", "t-mm-s"}, "is a folder");
 }

@@ -103,7 +103,7 @@ TEST_F(PulseOffsetTest, SaysWhatAnOffsetDoesToHic) {
                                  HasSubstr("samples from -8 to -"), HasSubstr(" ms; scatter 0 g\n")));
   EXPECT_THAT(unwrapped(outcome.out),
               AllOf(HasSubstr("REMARK: an offset of 1.2 g before the impact: HIC15 is " + two_digits(higher) +
-                              " % higher with it than without; --zero auto takes it off\n"),
+                              " % higher with it than without; --zero auto subtracts it\n"),
                     Not(HasSubstr("PULSE CUT"))));
   const json offset = result({drop}).at("offset");
   EXPECT_NEAR(offset.at("mean_g").at(0).get<double>(), 1.2, 1e-9);
@@ -210,8 +210,7 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
 /// Cut on either side, the rest of the pulse gives less.
 TEST_F(PulseOffsetTest, ACutPulseIsToldAndItsFiguresAreLowerBounds) {
   const std::string consequence =
-      "or the sensor has an offset; of a pulse that is not whole HIC, clips and velocity change are lower "
-      "bounds\n";
+      "or the sensor has an offset; HIC, clips and velocity change of an incomplete pulse are lower bounds\n";
   const Outcome end = pulse({written(table(0, -8, 5))});
   EXPECT_EQ(end.exit_code, 0);
   EXPECT_THAT(
@@ -275,8 +274,8 @@ TEST_F(PulseOffsetTest, ReadsALoggerFileOfOneColumnWithAnInterval) {
     volts += std::to_string(10 * acceleration(0.01 * i, 0)) + "\n";
   }
   const std::string advice =
-      "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
-      "tells the time between two samples\n  2 | ";
+      "has one column of numbers and no times; if that is the acceleration, give the sample interval, such "
+      "as --interval \"0.1 ms\"\n  2 | ";
   for (const std::string& each : {text, german}) {
     EXPECT_THAT(refused({written(each)}), HasSubstr(advice));
     EXPECT_NEAR(hic15({written(each), "--interval", "0.01 ms"}), exact_hic, 1e-5 * exact_hic);

@@ -106,7 +106,7 @@ TEST_F(PulsesTest, ACutPulseIsALowerBound) {
   EXPECT_EQ(judgement["criteria"][0]["lower_bound"], true);
   EXPECT_TRUE(judgement["criteria"][0]["margin"].is_null());  // what is left of the limit is none
   EXPECT_THAT(pulses({file("low.csv"), "--standard", file("limits.toml")}).out,
-              StartsWith("Undecided: the pulse is cut, and its figures can only grow\n"));
+              StartsWith("Undecided: the pulse is cut, and its figures are lower bounds\n"));
 }
 
 TEST_F(PulsesTest, SeveralStandOnOnePageWithMeanAndDeviation) {

@@ -94,7 +94,7 @@ class Archive {
   }
 
   static constexpr const char* no_archive =
-      "cannot be unpacked: it is no zip, tar or gzipped tar, or it is damaged, cut short or encrypted";
+      "cannot be unpacked: it is not a zip, tar or gzipped tar, or it is damaged, truncated or encrypted";
 
   void count_size() {
     const std::int64_t size = ::archive_entry_size_is_set(entry_) != 0 ? ::archive_entry_size(entry_) : 0;

@@ -134,7 +134,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::CriterionResult* const next = closest(assessment.results);
   if (next == nullptr)
     return is_cut(summary) ? "Undecided: the run ends before the impact does"
-                           : "Undecided: the pulse says too little";
+                           : "Undecided: the pulse is incomplete";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin = margin_words(*next, units, 3);
   switch (assessment.verdict) {
@@ -200,9 +200,9 @@ std::vector<std::string> interval_lines(const AssessmentReport& report, const Un
     if (!result.interval || !intervals || result.interval->sources.empty()) continue;
     const std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
     lines.push_back(
-        fmt::format("{} is {} at 95 %, by {}{}.", injury::title_of(result.criterion),
+        fmt::format("{} is {} at 95 %, due to {}{}.", injury::title_of(result.criterion),
                     interval_words(*result.interval, units), sources.front(),
-                    sources.size() == 1 ? "" : fmt::format(", and by {} more (--all)", sources.size() - 1)));
+                    sources.size() == 1 ? "" : fmt::format(", and to {} more (--all)", sources.size() - 1)));
   }
   return lines;
 }

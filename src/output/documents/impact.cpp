@@ -160,7 +160,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   document.sections.push_back(std::move(figures));
   if (summary.intervals && !summary.intervals->figures.empty()) {
     document.sections.push_back({.seen = Seen::in_brief, .paragraphs = interval_paragraphs(summary, units)});
-    document.sections.push_back({.heading = "How sure the figures are",
+    document.sections.push_back({.heading = "Uncertainty of the figures",
                                  .paragraphs = {source_paragraph(*summary.intervals)},
                                  .tables = {interval_table(summary, units)}});
   }

@@ -125,7 +125,7 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
-  if (next == nullptr) return "Undecided: the pulse is cut, and its figures can only grow";
+  if (next == nullptr) return "Undecided: the pulse is cut, and its figures are lower bounds";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin = margin_words(*next, units, 3);
   switch (verdict) {
