@@ -140,15 +140,14 @@ int compare(const CompareRequest& request) {
 
 /// Adds --pulse and its options as a group of the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
-  CLI::Option* pulse =
-      add_option(sub, "--pulse FILE", request.pulse.file,
-                 "A measured pulse to lay over the computed one: a table, or a test in ISO-MME")
-          ->excludes(time_step);
+  CLI::Option* pulse = add_option(sub, "--pulse FILE", request.pulse.file,
+                                  "Measured pulse to compare with: a table, or a test in ISO-MME")
+                           ->excludes(time_step);
   const std::vector<CLI::Option*> before = sub.get_options();
   std::vector<std::string> names;
   for (const injury::Alignment alignment : injury::all_alignments)
     names.emplace_back(injury::to_string(alignment));
-  add_option(sub, "--align NAME", request.align, "In time: onset (default), peak or none")
+  add_option(sub, "--align NAME", request.align, "Alignment in time: onset (default), peak or none")
       ->check(CLI::IsMember(names));
   add_source_options(sub, request.pulse);
   add_processing_options(sub, request.pulse);

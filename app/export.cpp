@@ -87,7 +87,7 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
       if (!output::is_over_time(name))
-        errors.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
+        errors.push_back(fmt::format("--curves {}: {} takes curves over time only", name, request.format));
     if (!request.system.empty())
       errors.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
   }
@@ -151,8 +151,8 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_option(sub, "--format F", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()
       ->check(CLI::IsMember(format_names));
-  add_option(sub, "--out FILE", request.out, "Where the curves go (- for standard output)")->required();
-  add_option(sub, "--curves LIST", request.curves, "Which, with commas between them (default: all)")
+  add_option(sub, "--out FILE", request.out, "Output file (- for standard output)")->required();
+  add_option(sub, "--curves LIST", request.curves, "Curves, separated by commas (default: all)")
       ->delimiter(',')
       ->check(CLI::IsMember(output::curve_names()));
   add_option(sub, "--system SYSTEM", request.system, "Units of the deck (default: kg-mm-ms)")
@@ -161,7 +161,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_option(sub, "--first-id N", request.first_id, "Number of the first curve (default: 1)")
       ->check(CLI::Range(1, output::highest_curve_id));
   add_option(sub, "--points N", request.points,
-             "Keep at most N points of a curve; says how far off it is then")
+             "Keep at most N points of each curve; the deviation is reported")
       ->check(CLI::Range(2, max_points));
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");

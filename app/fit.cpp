@@ -144,15 +144,15 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
 int stopped(const FitRequest& request, std::size_t kept) {
   if (kept > 0) {
     write_error(
-        fmt::format("Stopped; nothing was written but {}, with {} finished searches and ends of "
-                    "intervals. The same command goes on where this one stopped.\n",
+        fmt::format("Stopped; nothing was written except {}, with {} finished searches and ends of "
+                    "intervals. The same command continues from there.\n",
                     *request.state, kept));
   } else if (request.state) {
     write_error("Stopped before a search was finished; nothing was written.\n");
   } else {
     write_error(
-        "Stopped; nothing was written. With --state FILE finished searches and intervals are kept, and the "
-        "same command goes on.\n");
+        "Stopped; nothing was written. With --state FILE finished searches and intervals are saved, and the "
+        "same command continues from them.\n");
   }
   return StopSignal::exit_code();
 }
@@ -164,7 +164,7 @@ std::string kept_by_case(const FitRequest& request, const fit::FitReport& report
   for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
     if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
       keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
-  return keys + ": no card holds that; --case FILE keeps it, with the foam.\n";
+  return keys + " cannot be part of a card; --case FILE writes it, with the foam.\n";
 }
 
 int fit_material(const FitRequest& request) {
@@ -181,8 +181,8 @@ int fit_material(const FitRequest& request) {
   if (const std::string& file = request.files.of("--case");
       !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
     errors.push_back(
-        fmt::format("--case {}: no unknown of this fit is one of the case, as support.stiffness; "
-                    "a card holds all that it finds (--output)",
+        fmt::format("--case {}: no unknown of this fit belongs to the case, such as support.stiffness; a "
+                    "card holds all fitted values (--output)",
                     file));
   fit::RunOptions options{.posterior = draws};
   if (request.state && input) {

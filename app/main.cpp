@@ -26,8 +26,8 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* description =
-    "dashpad: the impact of a rigid nose on a foam pad and its support.\n"
-    "Give it a case file; it answers with peak force, peak acceleration, penetration, rebound and energy.";
+    "dashpad: the impact of a rigid nose on a foam pad and its support.\nFrom a case file it computes peak "
+    "force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
@@ -118,8 +118,8 @@ void take_streams(const CLI::App& app) {
 
 /// Messages of libraries do not help a user.
 constexpr const char* library_failed =
-    "dashpad: a number left the range that can be computed with; that is a fault of the program: please "
-    "report it, with what was read\n";
+    "dashpad: a number left the range that can be computed with; this is an error in the program: please "
+    "report it, with the input files\n";
 
 int perform(const Action& action, const CLI::App& app) {
   try {
@@ -176,7 +176,7 @@ int command(int argument_count, char** arguments) {
   CLI::App app{description, "dashpad"};
   app.footer(main_footer);
   app.get_formatter()->column_width(32);
-  app.set_version_flag("--version", version_text, "Version, commit, compiler and libraries");
+  app.set_version_flag("--version", version_text, "Print version, commit, compiler and libraries");
   app.require_subcommand(1);
 
   Action action;

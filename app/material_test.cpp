@@ -185,17 +185,19 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
       ->delimiter(',');
   add_option(sub, "--strain X", request.strain, "Largest strain, below 1 (default: 0.95)");
   add_option(sub, "--hold TIME", request.hold,
-             "How long to hold, such as \"1 s\" (relaxation, creep; default: 1 s)");
+             "Hold time, such as \"1 s\" (relaxation, creep; default: 1 s)");
   add_option(sub, "--stress STRESS", request.stress, "Stress to hold, such as \"50 kPa\" (creep)");
   add_option(sub, "--low X", request.low, "Strain to unload to (cyclic; default: 0)");
-  add_option(sub, "--cycles N", request.cycles, "How many (cyclic; default: 3)")->check(CLI::Range(1, 1000));
+  add_option(sub, "--cycles N", request.cycles, "Number of cycles (cyclic; default: 3)")
+      ->check(CLI::Range(1, 1000));
   add_option(sub, "--history FILE", request.history, "Table of times and strains, CSV (history)");
   add_option(sub, "--stress-limit LIST", request.stress_limits,
-             "Energy and efficiency where the stress reaches this, such as \"100 kPa\"; several with commas")
+             "Stresses at which to give energy and efficiency, such as \"100 kPa\", separated by commas")
       ->delimiter(',');
   add_flag(sub, "--explicit-1984", request.explicit_1984,
-           "The explicit update of 1984 beside the exact stress (not creep)");
-  add_option(sub, "--steps N", request.steps, "Of the update of 1984, to the first loading (default: 20)")
+           "Add the explicit update of 1984 to the exact stress (not creep)");
+  add_option(sub, "--steps N", request.steps,
+             "Steps of the update of 1984 in the first loading (default: 20)")
       ->check(CLI::Range(1, 10000));
 }
 

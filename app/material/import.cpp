@@ -67,12 +67,12 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
                                        Wrong& errors) {
   rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
   if (is_table(request.file)) {
-    if (!request.units.empty()) errors.emplace_back("--units: a table says its units in its header");
+    if (!request.units.empty()) errors.emplace_back("--units: a table states its units in its header");
     return std::nullopt;
   }
   if (request.rate) errors.emplace_back("--rate: is for tables; a deck has its own rates");
   if (request.units.empty()) {
-    errors.emplace_back("--units: is needed, since a deck does not say its units; such as --units t-mm-s");
+    errors.emplace_back("--units: is needed, since a deck does not state its units; such as --units t-mm-s");
     return std::nullopt;
   }
   return deck_units_of(request.units, errors);
@@ -192,7 +192,7 @@ std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std
 
 void add_material(CLI::App& app, Action& action) {
   CLI::App* sub =
-      app.add_subcommand("material", "Material cards from other programs' files, and decks from cards");
+      app.add_subcommand("material", "Convert other solvers' decks to material cards, and cards to decks");
   sub->require_subcommand(1);
   sub->footer(material_footer);
   add_material_import(*sub, action);

@@ -101,8 +101,8 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   const std::uint64_t rows = store.rows_done();
   const auto computed = static_cast<double>(rows - rows_before);
   if (!complete) {
-    write_error(fmt::format("Stopped with {} rows in {}. The same command goes on where this one stopped.\n",
-                            rows, request.store_file));
+    write_error(fmt::format("Stopped with {} rows in {}. The same command continues from there.\n", rows,
+                            request.store_file));
     return StopSignal::exit_code();
   }
   const auto [doubtful, struck_through] = study::row_counts(store);
@@ -119,12 +119,12 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
 }
 
 void add_study(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("study", "Many impacts: curves, maps, probabilities");
+  CLI::App* sub = app.add_subcommand("study", "Solve many impacts: curves, maps, probabilities");
   const auto request = std::make_shared<StudyRequest>();
   add_option(*sub, "STUDY", request->study_file, "Study file (TOML)");
   add_option(*sub, "--out FILE", request->store_file,
-             "The store: a new file, or that of this study, to go on");
-  add_option(*sub, "--threads N", request->threads, "Threads to compute on (default: one a core)")
+             "The store: a new file, or the existing one of this study, to continue it");
+  add_option(*sub, "--threads N", request->threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
   add_flag(*sub, "--quiet", request->quiet, "Show no progress");
   add_material_folder(*sub, request->materials);

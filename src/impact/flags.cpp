@@ -50,7 +50,7 @@ constexpr std::array all_flags{
 std::string missed_tolerance(const Summary& summary) {
   const std::string asked =
       std::isfinite(summary.tolerance) ? fmt::format("{:.2g} %", 100 * summary.tolerance) : "unknown";
-  return fmt::format("required: {}; the errors may be larger than estimated", asked);
+  return fmt::format("a tolerance of {} was required; the errors may be larger than estimated", asked);
 }
 
 std::string bottoming(const Summary& summary) {

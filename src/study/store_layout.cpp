@@ -109,11 +109,11 @@ void check_units(const Database& database, const StoreHeading& heading) {
   const Json resolved = Json::parse(heading.resolved, nullptr, false);
   const Json factors = resolved.is_object() ? resolved.value("factors", Json()) : Json();
   if (!factors.is_array() || factors.size() != heading.factors.size())
-    database.damaged("it does not tell its study");
+    database.damaged("the study is not readable");
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const StoredColumn& column = heading.factors[i];
     if (!factors[i].is_object() || factors[i].value("key", Json()) != column.name)
-      database.damaged("it does not tell its study");
+      database.damaged("the study is not readable");
     if (factors[i].value("unit", Json()) != column.unit) changed(column.name);
   }
 }

@@ -186,7 +186,7 @@ TEST_F(FitTest, StopsAndGoesOn) {
   const Outcome stopped =
       shell(command + " &\n" + slowed_until("[ -e '" + file("fit.state") + "' ]") + "kill -TERM $!; wait $!");
   EXPECT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written but"));
+  EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written except"));
   EXPECT_EQ(stopped.out, "");
   ASSERT_TRUE(fs::exists(file("fit.state")));
   EXPECT_FALSE(fs::exists(file("fit.state.new")));
@@ -257,7 +257,7 @@ starts = 2
 TEST_F(FitTest, KeepsWhatWasFoundOfACase) {
   write_file(file("fit.toml"), fit_of_a_support);
   const Outcome without = dashpad({"fit", file("fit.toml")});
-  EXPECT_THAT(without.out, HasSubstr("support.stiffness: no card holds that; --case FILE keeps it"));
+  EXPECT_THAT(without.out, HasSubstr("support.stiffness cannot be part of a card; --case FILE writes it"));
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("--case FILE")));
@@ -270,7 +270,7 @@ TEST_F(FitTest, RefusesACaseOfWhichNothingWasSought) {
   const auto before = other_files();
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit is one of the case"));
+  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit belongs to the case"));
   EXPECT_EQ(other_files(), before);
 }
 

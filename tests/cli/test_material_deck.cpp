@@ -185,7 +185,7 @@ TEST_F(MaterialCommandTest, BadTablesAreRefusedWithTheirLine) {
   expect("", "is empty");
   write_file(file("good.csv"), "strain,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n");
   expect_refused({file("good.csv"), "--rate", "fast"}, "--rate");
-  expect_refused({file("good.csv"), "--units", "t-mm-s"}, "--units: a table says its units");
+  expect_refused({file("good.csv"), "--units", "t-mm-s"}, "--units: a table states its units");
 }
 
 TEST_F(MaterialCommandTest, ExportsACardThatIsImportedAsTheSame) {

@@ -64,7 +64,7 @@ TEST_F(PostImpactTest, HasAPageAndMarkdown) {
   EXPECT_THAT(outcome.out,
               testing::ContainsRegex("^# The impactor moves at .* afterwards, the other body at "));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("\\| Absorbed by the pad \\| .* J \\| .* % \\|"));
-  EXPECT_THAT(read_file(file("page.html")), HasSubstr("Where the energy is"));
+  EXPECT_THAT(read_file(file("page.html")), HasSubstr("Energy balance"));
 }
 
 TEST_F(PostImpactTest, RefusesWhatCannotBeTwoBodiesThatApproach) {

@@ -131,7 +131,7 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
       heading({"--limit", "peak_acceleration > 30 g"}),
       ContainsRegex("In [0-9.]+ % of cases peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
-              ContainsRegex("Rebound speed follows impact speed most: [0-9.]+ % of its scatter$"));
+              ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its scatter$"));
 }
 
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.
@@ -337,7 +337,7 @@ TEST_F(StudyTest, PageAndStill) {
   if (report.exit_code == 2 && report.err.find("without the page") != std::string::npos)
     GTEST_SKIP() << report.err;
   EXPECT_EQ(report.exit_code, 0) << report.err;
-  EXPECT_THAT(read_file(file("drawn.html")), AllOf(HasSubstr("Which factor matters"), HasSubstr("Scatter")));
+  EXPECT_THAT(read_file(file("drawn.html")), AllOf(HasSubstr("Effect of the factors"), HasSubstr("Scatter")));
 }
 
 TEST_F(StudyTest, Exports) {
@@ -383,7 +383,7 @@ TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   expect_refused({file("drawn.toml"), "--out", store, "--threads", "0"}, "--threads");
   expect_refused({"summary", file("missing.db")}, "missing.db");
   expect_refused({"summary", case_file()}, "case.toml");
-  expect_refused({"summary", store, "--response", "hic51"}, "no response of this study; it keeps peak_force");
+  expect_refused({"summary", store, "--response", "hic51"}, "not a response of this study; it has peak_force");
   expect_refused({"summary", store, "--limit", "peak_force"}, "must be a response, > and a value");
   expect_refused({"summary", store, "--limit", "peak_force > much"}, "peak_force > much");
   expect_refused({"summary", store, "--limit", "peak_force > 5"}, "peak_force > 5");

@@ -147,7 +147,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
   const std::string limit =
       brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
-  return fmt::format("Undecided: {} is {}, and {} {} is asked for", injury::title_of(open.criterion),
+  return fmt::format("Undecided: {} is {}, and {} {} is required", injury::title_of(open.criterion),
                      interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
                      limit);
 }
@@ -235,7 +235,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   std::vector<std::string> brief = interval_lines(report, units);
   for (std::string& line : case_lines(report.assessed, units)) brief.push_back(std::move(line));
   if (replaced.lines.empty())
-    brief.push_back("Nothing of the case was replaced.");
+    brief.push_back("No values of the case were replaced.");
   else
     document.lead->subject.push_back(
         fmt::format("Replaced in the case: {}.", fmt::join(replaced.lines, "; ")));
@@ -346,7 +346,7 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid nose on a flat pad: no test to the standard and no certification.";
+      "A computation with one rigid nose on a flat pad; neither a test to the standard nor a certification.";
   return caveat;
 }
 
@@ -356,8 +356,8 @@ Document assessment_document(const AssessmentReport& report, const UnitSystem& u
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs = {"In SI, with the impactor of the standard. Kept as a file, it is a case that dashpad "
-                      "run repeats."},
+       .paragraphs =
+           {"In SI, with the impactor of the standard. Saved as a file, this is a case for dashpad run."},
        .copy = case_toml(report.assessed, {})});
   return document;
 }

@@ -178,7 +178,7 @@ void add_case(Document& document, const ImpactReport& report) {
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats."},
+       .paragraphs = {"In SI, as it was computed. Saved as a file, this is a case for dashpad run."},
        .copy = case_toml(report.impact, report.options)});
 }
 

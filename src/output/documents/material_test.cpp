@@ -136,7 +136,7 @@ void add_plots(Document& document, const MaterialTestReport& report, const UnitS
            figure(efficiency_over_strain(report), "Efficiency is energy over the largest stress so far."),
            figure(ideality_over_strain(report), "Ideality is efficiency over the strain."),
            figure(efficiency_over_stress(report, units),
-                  "The foam is used best at the stress where the efficiency is highest.")}});
+                  "The foam is best used at the stress of highest efficiency.")}});
 }
 
 }  // namespace

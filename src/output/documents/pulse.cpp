@@ -239,11 +239,10 @@ Document pulse_document(const injury::PulseReport& report, const UnitSystem& uni
   if (report.limits)
     document.sections.push_back(
         {.seen = Seen::always,
-         .paragraphs = {
-             "Figures of a pulse beside the limits of a standard: whether the test was made as the "
-             "standard asks is not judged, and nothing is certified."}});
+         .paragraphs = {"Figures of a pulse compared with the limits of a standard: whether the test was "
+                        "carried out as the standard requires is not assessed, and nothing is certified."}});
   document.sections.push_back(
-      {.heading = "What it rests on",
+      {.heading = "Basis",
        .seen = Seen::always,
        .paragraphs = {fmt::format("HIC and severity index are in g^2.5 s; the pulse is linear between its "
                                   "samples (dashpad {}).",

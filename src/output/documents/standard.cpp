@@ -128,12 +128,11 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
       last.tables.push_back(table_of(variant, units));
   else if (const std::string others = other_variants_text(standard); !others.empty())
     last.paragraphs.push_back(others);
-  document.sections = {
-      {.seen = Seen::always, .tables = {std::move(reading)}},
-      {.heading = "What is struck with", .seen = Seen::always, .tables = {std::move(impactor)}},
-      {.heading = "What is asked for", .seen = Seen::always, .tables = {std::move(criteria)}},
-      std::move(last),
-      {.seen = Seen::always, .paragraphs = {assessment_caveat()}}};
+  document.sections = {{.seen = Seen::always, .tables = {std::move(reading)}},
+                       {.heading = "Impactor", .seen = Seen::always, .tables = {std::move(impactor)}},
+                       {.heading = "Requirements", .seen = Seen::always, .tables = {std::move(criteria)}},
+                       std::move(last),
+                       {.seen = Seen::always, .paragraphs = {assessment_caveat()}}};
   return document;
 }
 
