@@ -15,8 +15,8 @@ constexpr const char* check_footer = R"(Examples:
   dashpad check examples/dashboard-20mph.toml
   dashpad check examples/dashboard-20mph.toml --units us
 
-Shows what strikes what, and every value in SI as it would be computed with. Each fault is a line
-"file:line: key = value: what would be right".
+Describes the impact in words and shows every value in SI, as used in the computation. Each fault is a line
+"file:line: key = value: rule".
 
 Exit codes: 0 the case can be run, 2 it cannot.)";
 

@@ -26,24 +26,24 @@ constexpr const char* export_footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format csv --curves force --out -
   dashpad export examples/dashboard-20mph.toml --format iso-mme --out test.zip
 
-Formats: ls-dyna is *DEFINE_CURVE keywords for *INCLUDE; radioss is /FUNCT blocks for #include; csv is two
-columns below lines that begin with #, and holds one curve; iso-mme is a zip with a test of that format, in SI,
-sampled at 100 kHz, for the curves over time.
+Formats: ls-dyna writes *DEFINE_CURVE keywords for *INCLUDE; radioss writes /FUNCT blocks for #include; csv
+writes one curve as two columns below comment lines that begin with #; iso-mme writes the curves over time as a
+test in that format, zipped, in SI and sampled at 100 kHz.
 
 Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
-are the pad's force over its penetration, up to the largest and back to release. They are numbered in the
-order in which they are named.
+are the pad's force over its penetration, up to the largest penetration and back to release. The curves are
+numbered in the order in which they are named.
 
 Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), lbf-s2/in-in-s (lbf, psi).
-Compression is positive; the acceleration is negative while the pad pushes. docs/exports.md says more.
+Compression is positive; the acceleration is negative while the pad pushes. See docs/exports.md.
 
-Files: - as FILE is standard output; what is said about the curves then goes to standard error. An existing
-file is kept unless --force is given. A file is written whole or not at all, and carries the flags of the
+Files: - as FILE is standard output; messages about the curves then go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all, and contains the flags of the
 result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE) as comments.
 
-Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 the file could not be written or
-none of the curves exists, 2 refused and nothing was run, 3 not reliable: the file is there but misses the
-tolerance.)";
+Exit codes: 0 success (also if the pad bottomed out or the time limit was reached), 1 the file could not be
+written or none of the curves exists, 2 invalid input and nothing was run, 3 not reliable: the file was written but
+the result misses the tolerance.)";
 
 struct Format {
   const char* name;

@@ -20,12 +20,12 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* fit_footer = R"(Examples:
-  dashpad fit examples/fits/vn600.toml                         what the data say, and what they leave open
+  dashpad fit examples/fits/vn600.toml                         fitted values, and what the data leave open
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
-  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, what is open
-  dashpad fit my-fit.toml --case fitted.toml                   the case with the support, nose or mass that was found
-  dashpad fit my-fit.toml --state my-fit.state                 keeps what is finished; the same command goes on
+  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, open unknowns
+  dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
+  dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; the same command continues
 
 A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
 
@@ -33,7 +33,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   law = "foam"
   [pad.parameters]
   friction = 0.05
-  [pad.curve]                      # as in a case; the numbers are where the search begins
+  [pad.curve]                      # as in a case; the numbers are the starting values
   form = "hyperfoam"
   rate = "0.01 1/s"
   first_modulus = "50 kPa"
@@ -50,7 +50,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   rate = "0.01 1/s"
   noise = "1 %"
 
-[[impacts]] fit the law through impacts, by figures and by whole measured pulses:
+[[impacts]] fits the law to impacts, by figures and by whole measured pulses:
 
   [[impacts]]
   case = "drop.toml"
@@ -58,20 +58,20 @@ A fit file names the law with its starting values, the unknowns with their bound
   hic15 = {value = 640, deviation = "5 %"}          # as hic36, hic_unlimited, clip_3ms, rebound_speed, ...
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
 
-docs/fits.md has every key, and what the numbers mean.
+docs/fits.md describes every key and the meaning of the numbers.
 
-The recoil of a foam is sought, too, where nobody stated it and impacts show it: give it in [pad.parameters] to keep
-it. The card says in [fitted] what was tested, in its reservations and in [uncertainty] what is not known.
+The recoil of a foam is fitted too if it is not stated and impacts depend on it; give it in [pad.parameters] to keep
+it fixed. The card states the tested range in [fitted], and what is not known in its reservations and [uncertainty].
 
-An interval that is open says that the data do not determine the unknown: leave it fixed, give it a prior, or test more.
+An open interval means that the data do not determine the unknown: keep it fixed, give it a prior, or test more.
 
-Files: - as FILE is standard output. An existing file is kept unless --force is given. A file is written whole or not
-at all. A fit that did not converge writes no card.
+Files: - as FILE is standard output. An existing file is not overwritten unless --force is given. A file is written
+completely or not at all. A fit that did not converge writes no card.
 
-Interrupted (Ctrl-C, SIGTERM): nothing is written, but --state FILE has the searches and intervals that were
-finished, and the same command goes on from there. The state of another fit is refused.
+If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but --state FILE contains the finished searches
+and intervals, and the same command continues from there. The state of another fit is rejected.
 
-Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
+Exit codes: 0 success, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
 3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
 
 struct FitRequest {

@@ -30,17 +30,17 @@ constexpr const char* material_test_footer = R"(Examples:
   dashpad material-test ensolite-aac-9 --test cyclic --strain 0.6 --low 0.2 --cycles 3 --csv cycles.csv
   dashpad material-test ./my-foam.toml --test history --history my-strains.csv --report my-foam.html
 
-A single pad column is driven through the test; its stress is exact up to quadrature. Figures: peak stress,
-energy per volume, hysteresis, efficiency and ideality, and with --stress-limit how much the foam takes below
-a stress. --explicit-1984 adds what the program of 1984 makes of it. docs/laboratory.md explains them all.
+A single column of the pad is driven through the test; its stress is exact up to quadrature. Results: peak stress,
+energy per volume, hysteresis, efficiency and ideality, and with --stress-limit the energy absorbed up to a stress.
+--explicit-1984 adds the result of the program of 1984. docs/laboratory.md explains all of them.
 
-MATERIAL is the name of a card, as dashpad materials lists them, or a file that ends in .toml. A history is a
-table with a header line that names its units: time_s,strain or "time [ms];strain [%]".
+MATERIAL is the name of a card as listed by dashpad materials, or a file that ends in .toml. A history is a table
+with a header line that names its units: time_s,strain or "time [ms];strain [%]".
 
-Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
-is kept unless --force is given. A file is written whole or not at all.
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
+not overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run.)";
 
 /// The options as given.
 struct MaterialTestRequest {

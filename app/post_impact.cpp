@@ -19,13 +19,13 @@ constexpr const char* post_impact_footer = R"(Examples:
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "1500 kg" --units us
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "3000 lb" --other-velocity "-10 mph" --json -
 
-The report's Eqs. 1 to 4: velocities after the impact, for a simulation of what follows. The impactor's mass and
-velocity are the case's; the other body is what carries the pad's support, held in place unless --other-mass says
-otherwise. Velocities count in one direction: the other body moves away with a positive one. The energy that the
-pad absorbs is solved for the motion of the two towards each other.
+Computes the velocities after the impact by Eqs. 1 to 4 of the report, for a simulation of the subsequent motion.
+The impactor's mass and velocity are those of the case; the other body carries the pad's support and is held in
+place unless --other-mass is given. All velocities have the same positive direction: that of the impactor, in which
+the other body moves away. The energy absorbed by the pad is computed for the relative motion of the two bodies.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the results miss the
-tolerance or there is no rebound.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the results miss
+the tolerance or there is no rebound.)";
 
 struct PostImpactRequest {
   GivenCase given;

@@ -30,18 +30,18 @@ constexpr const char* spit1984_footer = R"(Examples:
 
 Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal's report,
 or with --listing the line printer's, in 132 columns. Lengths are in inches, forces in lbf, the impact speed
-in mph; forces are negative in compression. Believe it with docs/spit1984.md at hand: the scheme is 1 to 6 %
-off in peak force for the published example, and the numbers depend on the arithmetic.
+in mph; forces are negative in compression. See docs/spit1984.md before relying on them: for the published example
+the scheme is 1 to 6 % off in peak force, and the numbers depend on the arithmetic.
 
 Arithmetics: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
-single and double precision of today.
+single and double precision of today's machines.
 
---interactive is the main program ENSOL of 1984: it asks for everything at the terminal.
+--interactive runs the main program ENSOL of 1984, which asks for all input at the terminal.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the run ended in an
-ABEND; what is printed may have lost its meaning some time before it.
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the run ended in an
+ABEND; the output may have become meaningless some time before it.
 
-Defects of the listing, which --repair mends (may be repeated; "all" for all of them):
+Defects of the listing that --repair corrects (may be repeated; "all" for all of them):
 )";
 
 std::string footer_with_defects() {

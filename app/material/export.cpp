@@ -32,14 +32,15 @@ Formats for the law crushable-foam:
 Format for the law viscoelastic-foam:
   radioss-62    /MAT/LAW62: one or two terms and branches
 
-CARD is the name of a card, as dashpad materials lists them, or a file that ends in .toml. The numbers of the card
-are in the deck with all their digits, so that dashpad material import reads them again; a curve that is a formula is
-given as points. What the deck does not say is listed, here and in its comments. docs/material-decks.md says more.
+CARD is the name of a card as listed by dashpad materials, or a file that ends in .toml. The deck contains the
+numbers of the card with all their digits, so that dashpad material import reads them back; a curve given by a formula
+is written as points. Properties that the deck cannot express are listed on the screen and in its comments. See
+docs/material-decks.md.
 
-Files: without -o the deck goes to standard output and what is said about it to standard error. An existing file is
-kept unless --force is given. A file is written whole or not at all.
+Files: without -o the deck goes to standard output and messages go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 the deck could not be written, 2 refused and nothing was written.)";
+Exit codes: 0 success, 1 the deck could not be written, 2 invalid input and nothing was written.)";
 
 struct ExportMaterialRequest {
   std::string card, format, units;

@@ -23,7 +23,7 @@ constexpr const char* material_footer = R"(Examples:
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
   dashpad material export my-foam.toml --format ls-dyna-083 --units t-mm-s -o foam.k
 
-dashpad material import --help and dashpad material export --help say more. To list or show cards: dashpad materials.)";
+See also dashpad material import --help and dashpad material export --help. To list or show cards: dashpad materials.)";
 
 constexpr const char* import_footer = R"(Examples:
   dashpad material import foam.k --units t-mm-s                   the card on the screen
@@ -34,18 +34,18 @@ constexpr const char* import_footer = R"(Examples:
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
 (MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
-and LAW90 with their /FUNCT. A deck does not say its units: --units does.
+and LAW90 with their /FUNCT. A deck does not state its units; give them with --units.
 
 Tables (a name that ends in .csv): a column strain, or strain_percent, and a column of stress with its unit, such as
-stress_kPa; --rate says how fast the test was. Or several columns that say their rates: "stress_kPa @ 10 1/s".
+stress_kPa, with the strain rate given by --rate; or several columns that state their rates: "stress_kPa @ 10 1/s".
 
-What the file does not say is assumed, and what a card cannot say is left out: both are listed, and the card keeps
-them as reservations. docs/material-decks.md has all of them.
+Values that the file does not give are assumed, and properties that a card cannot express are left out. Both are
+listed and kept in the card as reservations. See docs/material-decks.md.
 
-Files: without -o the card goes to standard output and what is said about it to standard error. An existing file is
-kept unless --force is given. A file is written whole or not at all.
+Files: without -o the card goes to standard output and messages go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 the card could not be written, 2 refused: the file has faults, and nothing was written.)";
+Exit codes: 0 success, 1 the card could not be written, 2 the file has faults, and nothing was written.)";
 
 struct ImportRequest {
   std::string file;

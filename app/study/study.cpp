@@ -41,13 +41,13 @@ constexpr const char* study_footer = R"(Examples:
 A study file names a base case, factors that vary (lists, ranges, distributions) and the responses to keep. The
 same study gives the same rows on any number of cores or machines. The store is an SQLite file.
 
-Interrupted (Ctrl-C, SIGTERM, a crash, a full disk): the same command goes on where it stopped; no row is lost
-and none is computed twice. While it runs, summary, export and any SQLite tool read the rows that are there.
-Under mpirun each rank computes on one core. docs/studies.md tells all.
+After an interruption (Ctrl-C, SIGTERM, a crash, a full disk) the same command continues where it stopped; no row
+is lost and none is computed twice. While it runs, summary, export and any SQLite tool can read the completed rows.
+Under mpirun each rank computes on one core. See docs/studies.md.
 
-Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
-are there but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
-Ctrl-C or SIGTERM: the same command goes on.)";
+Exit codes: 0 all rows are complete, 1 a result could not be written, 2 invalid input and nothing was run, 3 all
+rows are complete but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
+Ctrl-C or SIGTERM: the same command continues.)";
 
 /// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
 /// that a plain command never loads MPI.

@@ -42,12 +42,13 @@ constexpr const char* study_summary_footer = R"(Examples:
   dashpad study summary cushions.db --report cushions.html --picture cushions.svg
   dashpad study summary cushions.db --json - | jq .cushion_curves
 
-Mean, quantiles, the probability of more than a limit, all with 95 % intervals; Sobol' indices where the study has
-indices = true; cushion curves where it varies mass, speed and thickness. Combinations of levels are kept apart.
-Rows in which the pad bottomed out on a rigid support are above every limit on force, clips and HIC.
-An interrupted study is summed up as far as it is. docs/studies.md says what to believe.
+Gives means, quantiles and the probability of exceeding a limit, all with 95 % intervals; Sobol' indices if the
+study has indices = true; cushion curves if it varies mass, speed and thickness. Combinations of levels are kept
+separate. Rows in which the pad bottomed out on a rigid support count as above every limit on force, clips and
+HIC. An interrupted study is summarised as far as it has been computed. docs/studies.md explains how far to trust
+the results.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input.)";
 
 struct StudySummaryRequest {
   std::string store_file;

@@ -176,7 +176,7 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
                                   until(begun) + "kill -" + signal + " $!; wait $!");
     if (stopped.exit_code == 0) return false;
     EXPECT_EQ(stopped.exit_code, code) << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("The same command goes on"));
+    EXPECT_THAT(stopped.err, HasSubstr("The same command continues"));
     EXPECT_EQ(stopped.out, "");
     EXPECT_THAT(dashpad({"study", "summary", file("long.db")}).out, HasSubstr("NOT COMPLETE: "));
     return true;
@@ -288,7 +288,7 @@ TEST_F(StudyTest, ReplaysARowWithoutTheFilesOfTheStudy) {
       {"study", "replay", file("drawn.db"), "17", "--json", file("row.json"), "--csv", file("row.csv")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("Row 17: impactor.speed = "), HasSubstr("came back, to the last bit")));
+              AllOf(HasSubstr("Row 17: impactor.speed = "), HasSubstr("were reproduced to the last bit")));
   std::istringstream rows(csv_of("drawn.db"));
   std::string line;
   for (int i = 0; i <= 18; ++i) std::getline(rows, line);

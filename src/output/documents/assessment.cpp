@@ -346,7 +346,7 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid nose on a flat pad; neither a test to the standard nor a certification.";
+      "A computation with one rigid nose on a flat pad; not a test to the standard nor a certification.";
   return caveat;
 }
 
