@@ -50,21 +50,25 @@ TEST(Document, ALineForAllIsSeenInAll) {
 
 TEST(Document, IsShortOnATerminalUnlessAllIsAskedFor) {
   EXPECT_EQ(to_terminal(of_a_drop(), Detail::main),
-            "Passes: HIC15 has 20\nA box\nBOTTOMED at 5 ms\na second\n\n  HIC15                   to spare"
-            "    980         960 to 990  at most 1000  pass\n  Peak acceleration         93.5 g\n\nOnly in "
-            "short.\n\nWhy:\nA line for all.\n");
+            "Passes: HIC15 has 20 to spare\nA box\nBOTTOMED at 5 ms\na second\n\n"
+            "  HIC15                      980         960 to 990  at most 1000  pass\n"
+            "  Peak acceleration         93.5 g\n\n"
+            "Only in short.\n\nWhy:\nA line for all.\n");
   EXPECT_EQ(to_terminal(of_a_drop(), Detail::all),
-            "Passes: HIC15 has 20\nA box\nBOTTOMED at 5 ms\na second\n\nThe impact:\n  HIC15      to spare"
-            "              980.12         ± 0.2 %\n\nThe pulse:\n  Width                        5 "
-            "ms\n\nWhy:\nA line for all.\n");
+            "Passes: HIC15 has 20 to spare\nA box\nBOTTOMED at 5 ms\na second\n\n"
+            "The impact:\n  HIC15                   980.12         ± 0.2 %\n\n"
+            "The pulse:\n  Width                        5 ms\n\n"
+            "Why:\nA line for all.\n");
 }
 
 TEST(Document, IsWholeInMarkdown) {
   EXPECT_EQ(to_markdown(of_a_drop()),
-            "# Passes: HIC15 has 20\n\nA box\n\n- **BOTTOMED** at 5 ms\n- a second\n\n##  to spare"
-            "Figures\n\n**The impact**\n\n| Figure | Value | Numerical error |\n|---|---|---|\n| HIC15 | "
-            "980.12 | ± 0.2 % |\n\n**The pulse**\n\n| Figure | Value |\n|---|---|\n| Width | 5 ms |\n\n## "
-            "Why\n\nA line for all.\n\n## The case\n\n````\nmass = \"1 kg\"\n```\n````\n");
+            "# Passes: HIC15 has 20 to spare\n\nA box\n\n- **BOTTOMED** at 5 ms\n- a second\n\n"
+            "## Figures\n\n**The impact**\n\n| Figure | Value | Numerical error |\n|---|---|---|\n"
+            "| HIC15 | 980.12 | ± 0.2 % |\n\n"
+            "**The pulse**\n\n| Figure | Value |\n|---|---|\n| Width | 5 ms |\n\n"
+            "## Why\n\nA line for all.\n\n"
+            "## The case\n\n````\nmass = \"1 kg\"\n```\n````\n");
 }
 
 /// Whatever a user has written is text, and a terminal is not told what to do.
