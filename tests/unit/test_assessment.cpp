@@ -529,7 +529,7 @@ TEST(assessment_answer, gives_the_interval_that_leaves_it_undecided) {
 TEST(assessment_text, names_what_the_interval_comes_from) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
   EXPECT_THAT(test::in_one_line(write(standard, half_sine_between(95, 160)).text),
-              HasSubstr("95 to 160 g at 95 %, by the stress beyond a strain of 0.75: 95 to 160 g alone"));
+              HasSubstr("95 to 160 g at 95 %, due to the stress beyond a strain of 0.75: 95 to 160 g alone"));
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
