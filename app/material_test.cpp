@@ -120,7 +120,7 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
         "--explicit-1984: is not for --test creep; the update of 1984 is driven by strains, "
         "and creep by a stress");
   if (request.steps && !request.explicit_1984)
-    errors.emplace_back("--steps: is for the update of 1984; add --explicit-1984");
+    errors.emplace_back("--steps: applies only to the update of 1984; add --explicit-1984");
   if (kind == creep && !request.stress)
     errors.emplace_back("--test creep: needs --stress, such as \"50 kPa\"");
   if (kind == history && !request.history) errors.emplace_back("--test history: needs --history FILE");

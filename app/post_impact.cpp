@@ -49,12 +49,12 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
-      errors.push_back(request.given.file + ": blows: two bodies meet once; leave the table out");
+      errors.push_back(request.given.file + ": blows: the two bodies collide only once; leave the table out");
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       errors.push_back(
           request.given.file +
-          ": here a support has nothing beside its curve, and there is no gravity; give the other body as "
-          "support.body_mass, and dashpad run has the velocities of both");
+          ": post-impact allows neither gravity nor a support with more than its curve; give the other body "
+          "as support.body_mass, and dashpad run computes the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))

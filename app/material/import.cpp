@@ -70,7 +70,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
     if (!request.units.empty()) errors.emplace_back("--units: a table states its units in its header");
     return std::nullopt;
   }
-  if (request.rate) errors.emplace_back("--rate: is for tables; a deck has its own rates");
+  if (request.rate) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
   if (request.units.empty()) {
     errors.emplace_back("--units: is needed, since a deck does not state its units; such as --units t-mm-s");
     return std::nullopt;

@@ -86,7 +86,7 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
         standard_of(request.standard, chosen_standards(request.standard_folder), standard, errors);
   judge_picture(request.written, errors);
   if (request.files.size() > 1 && !request.written.of("--csv").empty())
-    errors.emplace_back("--csv: is of one pulse; give one FILE");
+    errors.emplace_back("--csv: takes one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;

@@ -119,21 +119,25 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     if (given) errors.push_back(option + ": " + rule);
   };
   if (is_test) {
-    const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
+    const std::string rule =
+        "applies only to tables; a test in ISO-MME has channels, see --list and --channel";
     say(!request.table.time.empty(), "--time", rule);
     say(!request.table.acceleration.empty(), "--acceleration", rule);
-    say(request.table.bridge_gaps, "--bridge-gaps", "is for tables; a test in ISO-MME has even times");
-    say(!request.table.time_unit.empty(), "--time-unit", "is for tables; in ISO-MME times are in s");
-    say(request.interval.has_value(), "--interval", "is for tables; a test in ISO-MME has even times");
+    say(request.table.bridge_gaps, "--bridge-gaps",
+        "applies only to tables; a test in ISO-MME has even times");
+    say(!request.table.time_unit.empty(), "--time-unit", "applies only to tables; in ISO-MME times are in s");
+    say(request.interval.has_value(), "--interval",
+        "applies only to tables; a test in ISO-MME has even times");
   } else {
-    say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
-    const std::string rule = "is for a table with times; with --interval no times are read";
+    say(!request.channel.empty(), "--channel",
+        "applies only to ISO-MME; a table has columns, see --acceleration");
+    const std::string rule = "applies only to a table with times; with --interval no times are read";
     say(request.interval && !request.table.time.empty(), "--time", rule);
     say(request.interval && !request.table.time_unit.empty(), "--time-unit", rule);
     say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
   }
-  say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
-  say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
+  say(request.corner && !request.filter, "--corner", "applies only with --filter");
+  say(request.ends && !request.filter, "--ends", "applies only with --filter");
   return errors;
 }
 

@@ -200,7 +200,7 @@ std::vector<Violation> violations(const Fit& fit) {
   for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
     const std::string key = fmt::format("impacts[{}]", i + 1);
     if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
-      broken.push_back({key, no_value, "names no measured figure, such as peak_force, and no pulse"});
+      broken.push_back({key, no_value, "gives neither a measured figure, such as peak_force, nor a pulse"});
     if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
     for (const MeasuredFigure& figure : fit.impacts[i].figures) {
       check_deviation(key, figure.deviation, figure.value, broken);

@@ -102,7 +102,7 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
     throw std::runtime_error(
         fmt::format("{}: {}; give another name, or remove it", options.state.string(), why));
   };
-  const auto is_none = [&](const std::string& why) { refuse("is no state of a fit: " + why); };
+  const auto is_none = [&](const std::string& why) { refuse("is not the state of a fit: " + why); };
   const json state = json::parse(input::read_measurement(options.state, largest_state), nullptr, false);
   const json format = state.is_object() ? state.value("format", json()) : json();
   if (format == "dashpad fit state 1" || format == "dashpad fit state 2")

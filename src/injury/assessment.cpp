@@ -124,7 +124,7 @@ struct ReadNames {
   void say(std::vector<Flag>& reservations) const {
     if (!unverified.empty())
       reservations.push_back(
-          flag_of("UNVERIFIED", "not read in the standard or a source that repeats it: " + unverified));
+          flag_of("UNVERIFIED", "not read in the standard or a source that quotes it: " + unverified));
     if (!secondary.empty())
       reservations.push_back(flag_of("SECONDARY SOURCE", "not read in the standard itself: " + secondary));
   }

@@ -126,7 +126,7 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
     const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
     if (!std::ranges::count(known, name))
-      broken.push_back({key, no_value, name + " is no response" + input::meant_or_listed(name, known)});
+      broken.push_back({key, no_value, name + " is not a response" + input::meant_or_listed(name, known)});
     if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         study.responses.begin() + static_cast<std::ptrdiff_t>(i))
       broken.push_back({key, no_value, name + " is given twice"});

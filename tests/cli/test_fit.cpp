@@ -66,10 +66,11 @@ class FitTest : public CommandTest {
 TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model deviates from"),
-                             HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
-                                       "data determine all of them. 2 of 2 starts")));
+  EXPECT_THAT(
+      outcome.out,
+      testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model deviates from"),
+                     HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
+                               "data determine all of them. 2 of 2 starts")));
   const std::string with_card =
       with(elastic_case(), "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"",
            "material = \"card.toml\"");
@@ -240,7 +241,7 @@ TEST_F(FitTest, RefusesAStateWithANumberThatBecameText) {
   const Outcome outcome =
       dashpad({"fit", file("fit.toml"), "--state", file("fit.state"), "--output", file("card.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is no state of a fit: misfit must be a finite number"));
+  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is not the state of a fit: misfit must be a finite number"));
   EXPECT_EQ(other_files(), before);
 }
 

@@ -122,7 +122,7 @@ TEST_F(MaterialCommandTest, SeveralFoamsGoIntoAFolder) {
 TEST_F(MaterialCommandTest, UnitsAreNeededAndKnown) {
   expect_refused({file("foam.k")}, "--units: is needed");
   expect_refused({file("foam.k"), "--units", "cgs"}, "kg-mm-ms");
-  expect_refused({file("foam.k"), "--units", "t-mm-s", "--rate", "1 1/s"}, "--rate: is for tables");
+  expect_refused({file("foam.k"), "--units", "t-mm-s", "--rate", "1 1/s"}, "--rate: applies only to tables");
 }
 
 TEST_F(MaterialCommandTest, BadDecksAreRefusedWithTheirLine) {
@@ -226,7 +226,7 @@ TEST_F(MaterialCommandTest, ADeckSaysWhatItDoesNotSay) {
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("*KEYWORD\n$ Dashpad "), HasSubstr("$ Not in this deck: The curve is that"),
                     HasSubstr("\n*MAT_LOW_DENSITY_FOAM_TITLE\nSoft foam\n"), HasSubstr("*END\n")));
-  EXPECT_THAT(outcome.err, HasSubstr("which the deck cannot say"));
+  EXPECT_THAT(outcome.err, HasSubstr("which the deck cannot state"));
 }
 
 TEST_F(MaterialCommandTest, OnlyWhatFitsIsExported) {

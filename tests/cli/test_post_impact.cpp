@@ -87,7 +87,7 @@ TEST_F(PostImpactTest, RefusesRepeatedBlows) {
   const Outcome outcome =
       dashpad({"post-impact", DASHPAD_SOURCE_DIR "/examples/playground-three-drops.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("blows: two bodies meet once"));
+  EXPECT_THAT(outcome.err, HasSubstr("blows: the two bodies collide only once"));
 }
 
 TEST_F(PostImpactTest, KeepsAnExistingFile) {

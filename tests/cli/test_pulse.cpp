@@ -244,7 +244,7 @@ TEST_F(PulseTest, BridgesGapsOnlyIfAsked) {
   EXPECT_THAT(outcome.out,
               HasSubstr("REMARK: between lines 5 and 6 47 ms are missing; interpolated linearly\n"));
   EXPECT_THAT(refused({file("test"), "--channel", "1", "--bridge-gaps"}),
-              HasSubstr("--bridge-gaps: is for tables"));
+              HasSubstr("--bridge-gaps: applies only to tables"));
 }
 
 TEST_F(PulseTest, RoundingNoiseInTimesIsShownAsZero) {
@@ -288,14 +288,14 @@ TEST_F(PulseTest, RefusesWithAllThatIsWrong) {
                "--json", file("none/x.json")}),
       AllOf(HasSubstr("bad.csv:3: acc [g] = x: must be a number\n"), HasSubstr("bad.csv:5: time [ms] = 1"),
             HasSubstr("--window -1: must be more than 0 ms\n"), HasSubstr("--resample 5: a time needs"),
-            HasSubstr("--dwell x: "), HasSubstr("--corner: is for a filter"), HasSubstr("there is no folder"),
-            HasSubstr("7 faults")));
+            HasSubstr("--dwell x: "), HasSubstr("--corner: applies only with --filter"),
+            HasSubstr("there is no folder"), HasSubstr("7 faults")));
 }
 
 TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refused({file("none.csv")}), HasSubstr("none.csv: no such file"));
-  EXPECT_THAT(refused({file("drop.csv"), "--channel", "1"}), HasSubstr("--channel: is for ISO-MME"));
-  EXPECT_THAT(refused({file("test"), "--time", "1"}), HasSubstr("--time: is for tables"));
+  EXPECT_THAT(refused({file("drop.csv"), "--channel", "1"}), HasSubstr("--channel: applies only to ISO-MME"));
+  EXPECT_THAT(refused({file("test"), "--time", "1"}), HasSubstr("--time: applies only to tables"));
   EXPECT_THAT(refused({file("drop.csv"), "--picture", file("x.bmp")}), HasSubstr("must end in .svg"));
   EXPECT_THAT(refused({file("drop.csv"), "--filter", "CFC100"}), HasSubstr("CFC60"));
   EXPECT_THAT(refused({file("drop.csv"), "--list", "--json", "-"}), Not(IsEmpty()));

@@ -259,9 +259,9 @@ TEST_F(PulseOffsetTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(
       refused({drop, "--zero", "30 ms,40 ms"}),
       HasSubstr("--zero 30 ms,40 ms: holds fewer than two samples; the samples are from -8 to 20 ms\n"));
-  EXPECT_THAT(
-      refused({drop, "--interval", "1 ms", "--time", "1", "--bridge-gaps"}),
-      AllOf(HasSubstr("--time: is for a table with times"), HasSubstr("--bridge-gaps: is for a table with")));
+  EXPECT_THAT(refused({drop, "--interval", "1 ms", "--time", "1", "--bridge-gaps"}),
+              AllOf(HasSubstr("--time: applies only to a table with times"),
+                    HasSubstr("--bridge-gaps: applies only to a table with")));
 }
 
 TEST_F(PulseOffsetTest, ReadsALoggerFileOfOneColumnWithAnInterval) {

@@ -383,12 +383,13 @@ TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   expect_refused({file("drawn.toml"), "--out", store, "--threads", "0"}, "--threads");
   expect_refused({"summary", file("missing.db")}, "missing.db");
   expect_refused({"summary", case_file()}, "case.toml");
-  expect_refused({"summary", store, "--response", "hic51"}, "not a response of this study; it has peak_force");
+  expect_refused({"summary", store, "--response", "hic51"},
+                 "not a response of this study; it has peak_force");
   expect_refused({"summary", store, "--limit", "peak_force"}, "must be a response, > and a value");
   expect_refused({"summary", store, "--limit", "peak_force > much"}, "peak_force > much");
   expect_refused({"summary", store, "--limit", "peak_force > 5"}, "peak_force > 5");
   expect_refused({"summary", store, "--limit", "peak_force > 5 kg"}, "peak_force > 5 kg");
-  expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is no response");
+  expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is not a response");
   expect_refused({"summary", store, "--picture", file("still.gif")}, ".svg, .png or .pdf");
   expect_refused({"summary", store, "--json", file("drawn.toml")}, "exists already");
   expect_refused({"replay", store, "800"}, "has rows 0 to 799");

@@ -36,7 +36,7 @@ class Archive {
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) fail("is not a regular file");
     archive_.reset(::archive_read_new());
-    if (!archive_) fail("cannot be read: no memory");
+    if (!archive_) fail("cannot be read: not enough memory");
     ::archive_read_support_format_zip_seekable(archive_.get());
     ::archive_read_support_format_tar(archive_.get());
     ::archive_read_support_filter_gzip(archive_.get());

@@ -74,7 +74,7 @@ Document post_impact_document(const Body& first, const Body& second, const Impac
        .tables = {energies("At the largest force",
                            {{"Motion", split.kinetic_at_peak},
                             {"Stored in the support", split.support_at_peak},
-                            {"Put into the pad", split.pad_at_peak}},
+                            {"Work on the pad", split.pad_at_peak}},
                            split.impact, units),
                   energies("At the end",
                            {{"Rebound", split.rebound},
