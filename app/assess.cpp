@@ -197,15 +197,15 @@ void add_assess(CLI::App& app, Action& action) {
   add_option(sub, "CASE", request.cases, "Case files (TOML)")->required();
   add_settings(sub, request.settings);
   add_option(sub, "--standard NAME[:VARIANT]", request.standards,
-             "Preset, with variants if any (dashpad standards lists them); may be given again")
+             "Preset, with its variants if any (dashpad standards lists them); may be repeated")
       ->required()
       ->take_all();
   add_option(sub, "--speed V", request.speed, "Impact speed, such as \"15 mph\"");
-  add_option(sub, "--drop-height H", request.drop_height, "Height of a free fall that gives the speed");
+  add_option(sub, "--drop-height H", request.drop_height, "Height of free fall, instead of the speed");
   add_option(sub, "--mass M", request.mass, "Mass of the impactor, such as \"6.8 kg\"");
   add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
-  add_flag(sub, "--keep-nose", request.kept.nose, "The nose of the case, whatever the standard has");
-  add_flag(sub, "--keep-speed", request.kept.speed, "The speed of the case, whatever the standard has");
+  add_flag(sub, "--keep-nose", request.kept.nose, "Keep the nose of the case instead of the standard's");
+  add_flag(sub, "--keep-speed", request.kept.speed, "Keep the speed of the case instead of the standard's");
   add_file(sub, request.files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

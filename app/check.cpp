@@ -39,7 +39,7 @@ int check(const CheckRequest& request) {
 
 void add_check(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<CheckRequest>(
-      app, action, "check", "Say how a case is understood, or what is wrong with it", check_footer, check);
+      app, action, "check", "Show how a case is understood, or what is wrong with it", check_footer, check);
   add_case(sub, request.given);
   add_units(sub, request.units);
   add_material_folder(sub, request.given.materials);

@@ -159,16 +159,16 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
 
 void add_compare(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<CompareRequest>(
-      app, action, "compare", "A case beside a measured pulse, or beside the program of 1984", compare_footer,
-      compare);
+      app, action, "compare", "Compare a case with a measured pulse, or with the program of 1984",
+      compare_footer, compare);
   add_case(sub, request.given);
   add_file(sub, request.files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
   add_file(sub, request.files, "--json", "Write the table as JSON, SI (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
-  CLI::Option* time_step =
-      add_option(sub, "--time-step MS", request.time_step_ms, "Of the 1984 program, ms (default 0.1)")
-          ->check(CLI::Range(1e-6, 1e3));
+  CLI::Option* time_step = add_option(sub, "--time-step MS", request.time_step_ms,
+                                      "Time step of the 1984 program, ms (default 0.1)")
+                               ->check(CLI::Range(1e-6, 1e3));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);
   add_pulse_options(sub, request, time_step);

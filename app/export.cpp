@@ -172,7 +172,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
 
 void add_export(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ExportRequest>(
-      app, action, "export", "Write the curves of one case for other programs' decks", export_footer,
+      app, action, "export", "Write the curves of a case for other solvers' decks", export_footer,
       export_curves);
   add_options(sub, request);
 }

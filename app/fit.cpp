@@ -225,19 +225,20 @@ int fit_material(const FitRequest& request) {
 
 void add_fit(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<FitRequest>(
-      app, action, "fit", "A material card from measurements, with its uncertainty", fit_footer,
+      app, action, "fit", "Fit a material card to measurements, with its uncertainty", fit_footer,
       fit_material);
   add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",
-           "Write the case with what was found of it, as a support, and the foam (- for standard output)");
+           "Write the case with the fitted foam and the fitted values of the case, such as its support (- "
+           "for standard output)");
   add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
   sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
   add_documents(sub, request.files);
   add_option(sub, "--state FILE", request.state,
-             "Keep finished searches and intervals there, and go on from them");
+             "Save finished searches and intervals in this file, and continue from them");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);

@@ -61,14 +61,14 @@ struct Command {
 };
 
 /// In the order of the help, with everyday commands first.
-constexpr Command commands[]{{"Every day", "run", add_run},
-                             {"Every day", "check", add_check, true},
-                             {"Every day", "assess", add_assess},
-                             {"Every day", "standards", add_standards, true},
-                             {"Every day", "pulse", add_pulse},
-                             {"Every day", "export", add_export},
-                             {"Every day", "post-impact", add_post_impact},
-                             {"Every day", "compare", add_compare},
+constexpr Command commands[]{{"Everyday use", "run", add_run},
+                             {"Everyday use", "check", add_check, true},
+                             {"Everyday use", "assess", add_assess},
+                             {"Everyday use", "standards", add_standards, true},
+                             {"Everyday use", "pulse", add_pulse},
+                             {"Everyday use", "export", add_export},
+                             {"Everyday use", "post-impact", add_post_impact},
+                             {"Everyday use", "compare", add_compare},
                              {"Foams", "materials", add_materials, true},
                              {"Foams", "material", add_material, true},
                              {"Foams", "material-test", add_material_test},

@@ -99,7 +99,8 @@ void add_post_impact(CLI::App& app, Action& action) {
       post_impact_footer, run);
   add_case(sub, request.given);
   add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");
-  add_option(sub, "--other-velocity SPEED", request.other_velocity, "Its velocity before (default: 0)");
+  add_option(sub, "--other-velocity SPEED", request.other_velocity,
+             "Its velocity before the impact (default: 0)");
   add_file(sub, request.files, "--json", "Write the result as JSON, SI (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

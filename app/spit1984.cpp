@@ -174,10 +174,10 @@ void add_spit1984(CLI::App& app, Action& action) {
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   add_case(sub, request.given)->required(false);
   CLI::Option* interactive =
-      add_flag(sub, "--interactive", request.interactive, "Ask at the terminal, as ENSOL did");
+      add_flag(sub, "--interactive", request.interactive, "Ask for the input at the terminal, as ENSOL did");
   add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(sub, "--repair DEFECT", request.repair, "Mend a defect of the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Correct a defect of the listing, or all of them")
       ->check(CLI::IsMember(repairs));
   add_file(sub, request.files, "--listing", "Write the line printer's report (- for standard output)");
   add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
@@ -186,7 +186,7 @@ void add_spit1984(CLI::App& app, Action& action) {
       ->check(CLI::Range(1e-6, 1e3))
       ->excludes(interactive);
   add_option(sub, "--print-interval N", request.print_interval,
-             "NDEL, time steps to a printed row (default 10)")
+             "NDEL, time steps per printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(interactive);
   add_option(sub, "--equilibrium-tolerance X", request.settings.equilibrium_tolerance,
@@ -201,7 +201,8 @@ void add_spit1984(CLI::App& app, Action& action) {
   add_option(sub, "--most-stations N", request.settings.max_stations,
              "Dimension of the contact field (default 1000)")
       ->check(CLI::Range(2, 1'000'000));
-  add_option(sub, "--most-iterations N", request.settings.max_iterations, "Trials of a step (default 100)")
+  add_option(sub, "--most-iterations N", request.settings.max_iterations,
+             "Largest number of trials per step (default 100)")
       ->check(CLI::Range(1, 100'000));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);

@@ -69,7 +69,7 @@ int show_standards(const StandardsRequest& request) {
   const fs::path folder = chosen_standards(request.folder);
   if (!request.name.empty()) return show_one(request, folder);
   if (!request.files.targets().empty())
-    throw Refused({"--report, --markdown: are of one preset; give its NAME"});
+    throw Refused({"--report, --markdown: apply to one preset; give its NAME"});
   return list_all_standards(folder);
 }
 

@@ -73,7 +73,7 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
   else if (fs::is_directory(folder, error))
     std::ranges::move(stills(request), std::back_inserter(targets));
   else if (fs::exists(fs::symlink_status(folder, error)))
-    errors.push_back(fmt::format("--figures {}: is no folder", *request.figures));
+    errors.push_back(fmt::format("--figures {}: is not a folder", *request.figures));
   else  // a file of this name is refused for the same reasons as the folder
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
@@ -163,13 +163,13 @@ void add_validate(CLI::App& app, Action& action) {
   add_documents(sub, request.files);
   add_file(sub, request.files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      add_option(sub, "--figures DIR", request.figures, "Draw the figures as stills in this folder");
-  add_option(sub, "--format FORMAT", request.format, "Of the stills: svg (default), png or pdf")
+      add_option(sub, "--figures DIR", request.figures, "Draw the figures into this folder");
+  add_option(sub, "--format FORMAT", request.format, "Format of the figures: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->needs(figures);
   add_option(sub, "--data DIR", request.data,
              "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
-  add_flag(sub, "--strict", request.strict, "Exit code 4 if the accurate solver misses a rule");
+  add_flag(sub, "--strict", request.strict, "Exit with 4 if the accurate solver does not meet a rule");
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);
 }

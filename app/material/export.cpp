@@ -82,23 +82,24 @@ int export_material(const ExportMaterialRequest& request) {
 }  // namespace
 
 void add_material_export(CLI::App& material, Action& action) {
-  const auto [sub, request] = add_subcommand<ExportMaterialRequest>(material, action, "export",
-                                                                    "A deck for another solver from a card",
-                                                                    export_material_footer, export_material);
+  const auto [sub, request] = add_subcommand<ExportMaterialRequest>(
+      material, action, "export", "Make a deck for another solver from a card", export_material_footer,
+      export_material);
   std::vector<std::string> names;
   for (const output::MaterialDeckFormat& format : output::material_deck_formats())
     names.emplace_back(format.name);
-  add_option(sub, "CARD", request.card, "Card: its name, or a file")->required();
-  add_option(sub, "--format F", request.format, "Which material of which solver; see below")
+  add_option(sub, "CARD", request.card, "Name of a card, or a file")->required();
+  add_option(sub, "--format F", request.format, "Solver and material law; see below")
       ->required()
       ->check(CLI::IsMember(names));
   add_deck_units(sub, request.units);
   sub.get_option("--units")->required();
-  add_option(sub, "-o,--out FILE", request.out, "Where the deck goes (default: standard output)");
+  add_option(sub, "-o,--out FILE", request.out, "Output file (default: standard output)");
   add_option(sub, "--first-id N", request.first_id,
              "Number of the material and of its first curve (default: 1)")
       ->check(CLI::Range(1, output::highest_curve_id));
-  add_option(sub, "--density DENSITY", request.density, "In place of the card's, such as \"100 kg/m3\"");
+  add_option(sub, "--density DENSITY", request.density,
+             "Density instead of the card's, such as \"100 kg/m3\"");
   add_force(sub, request.force);
   add_material_folder(sub, request.folder);
 }

@@ -200,15 +200,14 @@ void add_material(CLI::App& app, Action& action) {
 }
 
 void add_material_import(CLI::App& material, Action& action) {
-  const auto [sub, request] = add_subcommand<ImportRequest>(material, action, "import",
-                                                            "A card from a solver's deck or a table of tests",
-                                                            import_footer, import_material);
+  const auto [sub, request] = add_subcommand<ImportRequest>(
+      material, action, "import", "Make a card from a solver's deck or a table of tests", import_footer,
+      import_material);
   add_option(sub, "FILE", request.file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
   add_deck_units(sub, request.units);
-  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
+  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table with one test, such as \"0.01 1/s\"");
   add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
-  add_option(sub, "-o,--out FILE", request.out,
-             "Where the card goes: a file, or a folder (default: standard output)");
+  add_option(sub, "-o,--out FILE", request.out, "Output file or folder (default: standard output)");
   add_force(sub, request.force);
 }
 

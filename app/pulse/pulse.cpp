@@ -157,7 +157,7 @@ std::string list_of(const std::string& file) {
 
 int show_pulses(const PulsesRequest& request) {
   if (!request.each.list) return show_figures(request);
-  if (request.files.size() > 1) throw Refused({"--list: is of one file; give one FILE"});
+  if (request.files.size() > 1) throw Refused({"--list: takes one file; give one FILE"});
   write_output(list_of(request.files.front()));
   return exit_done;
 }
@@ -166,16 +166,16 @@ int show_pulses(const PulsesRequest& request) {
 
 void add_pulse(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<PulsesRequest>(
-      app, action, "pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
+      app, action, "pulse", "Compute injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
       show_pulses);
   PulseRequest& each = request.each;
   add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();
   add_source_options(sub, each);
-  CLI::Option* list = add_flag(sub, "--list", each.list, "Show the columns or channels, and nothing else");
+  CLI::Option* list = add_flag(sub, "--list", each.list, "List the columns or channels, and do nothing else");
   add_processing_options(sub, each);
   add_figure_options(sub, each);
   add_option(sub, "--standard NAME[:VARIANT]", request.standard,
-             "The limits of a preset beside the figures (dashpad standards lists them)")
+             "Compare the figures with the limits of a preset (dashpad standards lists them)")
       ->excludes(list);
   add_standard_folder(sub, request.standard_folder);
   OutputFiles& written = request.written;

@@ -135,7 +135,7 @@ void add_study_replay(CLI::App& study, Action& action) {
   const auto [sub, request] = add_subcommand<StudyReplayRequest>(
       study, action, "replay", "Solve one row again, with its full history", study_replay_footer, run_replay);
   add_option(sub, "FILE", request.store_file, "The store of a study")->required();
-  add_option(sub, "ROW", request.row, "Which row, from 0")->required();
+  add_option(sub, "ROW", request.row, "Number of the row, from 0")->required();
   add_result_files(sub, request.files);
   add_force(sub, request.files.force);
 }

@@ -62,7 +62,7 @@ std::string response_rule(const std::string& name, const study::Store& store) {
   if (response_of(name, store) != nullptr) return "";
   std::vector<std::string> names;
   for (const study::StoredColumn& response : store.responses()) names.push_back(response.name);
-  return "is no response of this study; it keeps " + input::listing(names);
+  return "is not a response of this study; it has " + input::listing(names);
 }
 
 /// A limit such as "hic15 > 1000" or "peak_force = 5 kN"; absent after an error.
@@ -141,13 +141,13 @@ void add_study_summary(CLI::App& study, Action& action) {
       study, action, "summary", "Distributions, probabilities, sensitivities, cushion curves",
       study_summary_footer, summarise);
   add_option(sub, "FILE", request.store_file, "The store of a study")->required();
-  add_option(sub, "--response NAME", request.responses, "Only this one; may be given again")->take_all();
+  add_option(sub, "--response NAME", request.responses, "Only this response; may be repeated")->take_all();
   add_option(sub, "--limit LIMIT", request.limits,
-             "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
+             "Probability of exceeding this limit: \"hic15 > 1000\" or hic15=1000; may be repeated")
       ->take_all();
   add_documents(sub, request.files);
-  add_file(sub, request.files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
-  add_file(sub, request.files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
+  add_file(sub, request.files, "--json", "Write all results as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--picture", "Draw the most informative figure (.svg, .png, .pdf)");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);
 }

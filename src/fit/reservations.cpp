@@ -56,8 +56,8 @@ void add_open_unknowns(const FitReport& report, Sentences& all) {
   for (const FittedUnknown& unknown : report.unknowns) {
     if (unknown.is_nuisance) continue;
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", unknown.key,
-                                unknown.is_at_lowest ? "lower" : "upper",
+      all.push_back(fmt::format("{} lies at its {} bound, {}: the data favour a value beyond it.",
+                                unknown.key, unknown.is_at_lowest ? "lower" : "upper",
                                 value_words(unknown, unknown.value)));
     else if (!unknown.is_identified())
       all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
@@ -73,7 +73,8 @@ void add_doubts(const FitReport& report, Sentences& all) {
                     report.starts));
   if (report.starts_at_best == 0)
     all.emplace_back(
-        "No start of the search came to this fit, which was met on the way: there may be a better one.");
+        "No start of the search converged to this fit, which was found along a profile: there may be a "
+        "better one.");
   // For sound data, chi-squared scatters by the root of twice its degrees of freedom.
   const double most = 1 + 3 * std::sqrt(2 / std::max(report.degrees_of_freedom, 1.0));
   if (report.noise_is_stated && report.misfit_per_degree() > most)
@@ -207,7 +208,7 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   add_speeds(fit, values, all);
   add_misses(report, all);
   add_company(fit, report, all);
-  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the unloading is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
         "How much of the rate-dependent stress resists the recovery (recoil) was not tested: 1 is assumed, "

@@ -54,7 +54,7 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   const BlowResult& first = blows.front();
   const BlowResult& last = blows.back();
   const int asked = first.summary.blows;
-  if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
+  if (blows.size() == 1) return fmt::format("Only the first of {} blows is known.", asked);
   if (first.earlier_penetration == last.earlier_penetration &&
       first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));

@@ -159,7 +159,7 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
 
 StoreHeading read_heading(const Database& database) {
   if (single_integer(database, "PRAGMA application_id") != application)
-    throw DamagedStore(database.name() + ": it is no store of a study: give another name");
+    throw DamagedStore(database.name() + ": it is not the store of a study: give another name");
   if (const std::int64_t found = single_integer(database, "PRAGMA user_version"); found != layout)
     throw std::runtime_error(
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "

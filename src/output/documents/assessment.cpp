@@ -248,7 +248,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
     std::vector<std::string> limited;
     for (const injury::CriterionResult& result : assessment.results)
       limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
-    document.sections.push_back({.heading = "How sure the figures are",
+    document.sections.push_back({.heading = "Uncertainty of the figures",
                                  .paragraphs = {source_paragraph(*intervals)},
                                  .tables = {interval_table(report.solution.summary, units, limited)}});
   }

@@ -50,18 +50,18 @@ RangeBar bar_of(const fit::FittedUnknown& unknown, const UnitSystem& units) {
 /// Findings that could change the answer.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
-  for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
+  for (const std::string& line : open_matters(report)) all.push_back("NOT DISTINGUISHED: " + line);
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (!unknown.is_identified() && !unknown.is_nuisance)
       all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
                                 factor_words(unknown.key), interval_words(unknown, units)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
-      all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
+      all.push_back(fmt::format("FROM ITS PRIOR: {} is determined by its prior; the data add little.",
                                 factor_words(unknown.key)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
+      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data favour a value beyond it.",
                                 factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(
@@ -120,8 +120,8 @@ Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
 Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
   Section unknowns{.heading = "Fitted values", .seen = Seen::on_pages};
   unknowns.paragraphs = {
-      "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
-      "Where a bar fades, the interval is open: the data do not end it."};
+      "Value and 95 % interval of each unknown, between its lowest and highest permitted values. Where a bar "
+      "fades, the interval is open: the data do not bound it."};
   for (const fit::FittedUnknown& unknown : report.unknowns) unknowns.ranges.push_back(bar_of(unknown, units));
   return unknowns;
 }

@@ -113,10 +113,10 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
   }
   if (text.empty()) return {};
   text += uncertainty.compared_with.empty()
-              ? ", k = 2. What a filter before the file took away is not in it"
+              ? ", k = 2. The effect of a filter applied before the file was written is not included"
               : fmt::format(
-                    ", k = 2, the filter beside {}. What another one before the "
-                    "file took away is not in it",
+                    ", k = 2, including the filter compared with {}. The effect of another filter applied "
+                    "before the file was written is not included",
                     uncertainty.compared_with);
   return {text + (uncertainty.calibration ? "." : ", nor is the calibration, which --calibration states.")};
 }

@@ -109,7 +109,7 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
   Document document{.title = one_line(standard.title), .lead = Lead{.answer = one_line(standard.title)}};
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
     document.warnings = {"UNVERIFIED: " + plural(unverified, "value") +
-                         " not read in the standard or a source that repeats it, marked so below."};
+                         " not read in the standard or a source that quotes it, marked so below."};
   Table reading{.columns = {"", ""}, .rows = {{"Name", full_name(standard)}}};
   const auto add = [&reading](const char* what, const std::string& text) {
     if (!text.empty()) reading.rows.push_back({what, one_line(text)});

@@ -148,9 +148,9 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   std::vector<std::string> all;
   for (const std::vector<std::string>& keys : report.flat_directions)
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
-                                                   : " are not told apart by these data."));
+                                                   : " cannot be distinguished by these data."));
   for (const fit::StrongCorrelation& correlation : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", correlation.first,
+    all.push_back(fmt::format("The errors of {} and {} are correlated: {:.3f}.", correlation.first,
                               correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
     all.push_back("The end of an interval is approximate, since the limit of refits was reached: " + end +

@@ -31,14 +31,14 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
   if (!run.at_limits.empty()) {
     const std::string limit = shown.stress(report.test.stress_limits.front());
     if (const std::optional<CushionPoint>& at = run.at_limits.front())
-      return fmt::format("Takes {} before its stress reaches {}", shown.energy(at->energy), limit);
-    return fmt::format("Takes {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
+      return fmt::format("Absorbs {} before its stress reaches {}", shown.energy(at->energy), limit);
+    return fmt::format("Absorbs {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
   }
   const CushionPoint& best = run.figures.best_efficiency;
   if (runs_out(run))
     return fmt::format("Best used at {}, where it has absorbed {}", shown.stress(best.stress),
                        shown.energy(best.energy));
-  return fmt::format("Takes {} up to a strain of {}, and has not run out there", shown.energy(best.energy),
+  return fmt::format("Absorbs {} up to a strain of {}, without bottoming out", shown.energy(best.energy),
                      brief(best.strain, 3));
 }
 

@@ -178,9 +178,10 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
     if (count > 0) texts.push_back(fmt::format("{} {} of {} rows {}", name, count, rows, words));
   };
   if (rows < answers.rows)
-    texts.push_back(fmt::format(
-        "NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same command goes on.",
-        rows, answers.rows));
+    texts.push_back(
+        fmt::format("NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same "
+                    "command continues.",
+                    rows, answers.rows));
   add(records.doubtful, "DOUBTFUL:",
       "miss the tolerance, make no valid case or lack a figure that was asked for. No limit is decided by "
       "them.");
