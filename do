@@ -221,11 +221,18 @@ task_format() {
 }
 
 # Names that nobody would look for: the largest and smallest of something are max_ and min_, faults of a command line are
-# errors, and a parameter is named for what it is.
+# errors, and a parameter is named for what it is. Comments in include/ begin with a sentence or a noun phrase.
 check_names() {
   # shellcheck disable=SC2016
   cpp_files | xargs -r awk '
-    FNR == 1 { in_text = 0 }
+    FNR == 1 { in_text = 0; after_comment = 0 }
+    FILENAME ~ /^include/ {
+      if ($0 ~ /^[ \t]*\/\/\/? (Of|What|As|By|With|Where) [^ ]/ && !after_comment) {
+        print FILENAME ":" FNR ": a comment begins with a sentence or a noun phrase"
+        found = 1
+      }
+      after_comment = ($0 ~ /^[ \t]*\/\//)
+    }
     in_text { if (/\)"/) in_text = 0; next }
     {
       code = $0
