@@ -13,29 +13,29 @@ Usage: ./do TASK [arguments]
   run [CASE] [arguments]   build the command and solve CASE (default: examples/helmet-pad-10fps.toml)
   test [PRESET] [ctest arguments]
                            build and run the tests (default: release; also dev, asan-ubsan, coverage)
-  bench [--record]         build and run the benchmarks; results, stills and a page go to build/bench (and with
-                           --record two tables to bench/results, of which those of bench/README.md are made)
+  bench [--record]         build and run the benchmarks; results, plots and a page go to build/bench (--record also
+                           writes two tables to bench/results and updates those in bench/README.md)
   bench PROGRAM [arguments]
-                           only impact, injury, work-precision, study or report, with arguments of its own
-  bench --check            whether the tables of bench/README.md are those of bench/results
-  pictures                 draw the pictures of README and docs anew, but for one that was drawn by hand
-  format                   lay out the C++ code with clang-format
-  check-layout             check the layout of the code with clang-format, and the scripts with shellcheck
-  lint                     the same, clang-tidy and cppcheck; changes nothing
-  coverage                 run the tests and report the lines they reach
-  fuzz [TARGET] [SECONDS]  feed made-up bytes to the readers of files, each for SECONDS (default: 300), or to one of
-                           them (tests/fuzz/fuzz_TARGET.cpp); what breaks them goes to build/fuzz/findings
-  wasm                     compile the solver, injury figures and readers of texts for WebAssembly, and solve a case there
-  compile COMPILER         build everything with clang-14 or clang-19, warnings are errors; runs nothing
-  nightly                  what takes hours: fits to 60 made-up mats of known truth, answers against finer ones over
-                           21,000 random cases and against a second solver over 200, both clangs, WebAssembly, the
-                           tests under sanitizers, a minute of made-up bytes for each reader, lint
+                           only impact, injury, work-precision, study or report, with its own arguments
+  bench --check            check that the tables in bench/README.md match bench/results
+  pictures                 redraw the pictures in README and docs, except one that was drawn by hand
+  format                   format the C++ code with clang-format
+  check-layout             check the format of the code with clang-format, and the scripts with shellcheck
+  lint                     check-layout, clang-tidy and cppcheck; changes nothing
+  coverage                 run the tests and report the lines that they cover
+  fuzz [TARGET] [SECONDS]  fuzz the readers of files, each for SECONDS (default: 300), or one of
+                           them (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
+  wasm                     compile the solver, the injury figures and the text readers for WebAssembly, and solve a case there
+  compile COMPILER         build everything with clang-14 or clang-19, with warnings as errors; runs nothing
+  nightly                  tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random cases compared
+                           with more accurate solutions and 200 with a second solver, both clangs, WebAssembly, the
+                           tests under sanitizers, a minute of fuzzing for each reader, lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages of packages.txt (default: all groups)
 
-A task first installs the packages that it needs, if any is missing. Build output goes to build/do.log and is
-shown if a build fails.
+A task first installs any missing packages that it needs. Build output goes to build/do.log and is shown if a
+build fails.
 TEXT
 }
 
@@ -65,7 +65,7 @@ is_installed() {
 # Installs what is missing of the given groups. Without a missing package it leaves apt alone.
 need_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    say "Not a Debian system: taking for granted that the packages of packages.txt are here."
+    say "Not a Debian system: assuming that the packages of packages.txt are installed."
     return
   fi
   local package missing=()
@@ -76,7 +76,7 @@ need_packages() {
 
   local as_root=()
   if [[ "$(id -u)" -ne 0 ]]; then
-    command -v sudo >/dev/null || fail "these packages are missing, and only root can install them: ${missing[*]}"
+    command -v sudo >/dev/null || fail "these packages are missing and need root to install: ${missing[*]}"
     as_root=(sudo)
   fi
   say "Installing ${missing[*]} ..."
@@ -187,7 +187,7 @@ task_bench() {
     cp "$results/work-precision.csv" "$results/study.csv" "$recorded"
     "$programs/bench_report" "$recorded" --readme "$root/bench/README.md"
   fi
-  say "Raw results, stills and benchmarks.html: ${results#"$root"/}"
+  say "Raw results, plots and benchmarks.html: ${results#"$root"/}"
 }
 
 # The pictures of the documents, by the command that users have.
@@ -221,11 +221,18 @@ task_format() {
 }
 
 # Names that nobody would look for: the largest and smallest of something are max_ and min_, faults of a command line are
-# errors, and a parameter is named for what it is.
+# errors, and a parameter is named for what it is. Comments in include/ begin with a sentence or a noun phrase.
 check_names() {
   # shellcheck disable=SC2016
   cpp_files | xargs -r awk '
-    FNR == 1 { in_text = 0 }
+    FNR == 1 { in_text = 0; after_comment = 0 }
+    FILENAME ~ /^include/ {
+      if ($0 ~ /^[ \t]*\/\/\/? (Of|What|As|By|With|Where) [^ ]/ && !after_comment) {
+        print FILENAME ":" FNR ": a comment begins with a sentence or a noun phrase"
+        found = 1
+      }
+      after_comment = ($0 ~ /^[ \t]*\/\//)
+    }
     in_text { if (/\)"/) in_text = 0; next }
     {
       code = $0
@@ -258,7 +265,7 @@ task_lint() {
   task_check_layout
 
   # Ninja goes on from what has passed: the first time takes an hour, later ones what has changed.
-  say "Building with clang-tidy, warnings are errors ..."
+  say "Building with clang-tidy, with warnings as errors ..."
   configure lint -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
   logged cmake --build "$root/build/lint" --parallel "$jobs" -- -k 0
 
@@ -268,7 +275,7 @@ task_lint() {
     --enable=warning,performance,portability --inline-suppr --std=c++20 --quiet --error-exitcode=1 \
     --suppress='*:/usr/include/*' --suppress=internalAstError --suppress=syntaxError \
     --suppress=returnTempReference --suppress=useInitializationList -j "$jobs"
-  say "No complaints."
+  say "No findings."
 }
 
 task_coverage() {
@@ -297,7 +304,7 @@ task_fuzz() {
     done
   fi
   seconds="${1:-$seconds}"
-  [[ "$seconds" =~ ^[1-9][0-9]*$ ]] || fail "no number of seconds: '$seconds'"
+  [[ "$seconds" =~ ^[1-9][0-9]*$ ]] || fail "not a number of seconds: '$seconds'"
   need_packages run fuzz
   say "Building the fuzz targets (the first time takes a quarter of an hour) ..."
   configure fuzz

@@ -25,27 +25,27 @@ constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/helmet*.toml --standard en-1078 --standard cpsc-1203 --report ./my-plan.html
   dashpad assess examples/helmet-struck-by-a-ram.toml --standard fmvss-201u --keep-nose --keep-speed
 
-The impactor (mass, radius, speed) is that of the standard, or yours where you give one; pad, support and
-solver are those of the case. What was replaced is said. A standard that leaves a value open takes the case's.
---keep-nose and --keep-speed keep the nose and the speed of the case. Where the other choice would turn the
-verdict into a pass or a fail, the reservation OTHER NOSE or OTHER SPEED says so.
+The impactor (mass, radius, speed) is that of the standard unless you give your own; pad, support and solver
+are those of the case. Replaced values are listed. Values that a standard leaves open are taken from the case.
+--keep-nose and --keep-speed keep the nose and the speed of the case. If the other choice would turn the
+verdict into a pass or a fail, this is stated by the reservation OTHER NOSE or OTHER SPEED.
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
-Several cases or several standards make a test plan: a row a case, a column a standard, what fails first. --all adds
-each assessment as a whole, and so does the page; --json writes an array of them, case by case. --set is for every case.
+Several cases or several standards make a test plan: one row per case, one column per standard, the worst first.
+--all and the page add each assessment in full; --json writes them as an array. --set applies to every case.
 
-Every figure has an interval, 95 %, by what is not known of the foam and of the model; docs/theory.md, section 6, says
-what goes into it. Verdicts: pass where every interval is within its limit, fail where one is above its limit as a
-whole, undecided where a limit lies within one. A pad that bottomed out on a rigid
-support fails. A pulse that ends before contact is lost (PULSE CUT: a foam that does not unload, on a rigid
-support, or the time limit) gives lower bounds: they fail above a limit and are undecided below. Only the
-peak is judged in full, once the impactor has come to rest. A pass is "with reservations" where the result has a
-flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE CUT, ...), where something has NO INTERVAL, where the material has an
-UNKNOWN RANGE, where a value of the standard is UNVERIFIED or from a SECONDARY SOURCE, or where you REPLACED one. It is
-a computation with one rigid nose on a flat pad: no test to the standard, no certification.
+Every figure has a 95 % interval for the uncertainty of the foam and the model; see docs/theory.md, section 6.2.
+Verdicts: pass if every interval lies within its limit, fail if a whole interval lies above its limit, undecided
+if a limit lies within an interval. A pad that bottomed out on a rigid support fails. A pulse that ends before
+contact is lost (PULSE CUT: a foam that does not unload, on a rigid support, or the time limit) gives lower
+bounds: above a limit they fail, below it they are undecided. Only the peak is fully assessed once the impactor
+has come to rest. A pass is "with reservations" if the result has a flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE
+CUT, ...), if a source of uncertainty has NO INTERVAL, if the material has an UNKNOWN RANGE, if a value of the
+standard is UNVERIFIED or from a SECONDARY SOURCE, or if you REPLACED one. An assessment is a computation with
+one rigid nose on a flat pad; it is neither a test to the standard nor a certification.
 
-Exit codes: 0 pass, also with reservations; 4 fail, also where the tolerance is missed;
+Exit codes: 0 pass, also with reservations; 4 fail, even if the tolerance is missed;
 3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
-2 input or command line refused and nothing was run. Of a test plan 4 if one combination fails, else 3 if one is
+2 invalid input or command line, nothing was run. For a test plan: 4 if any combination fails, else 3 if any is
 undecided.)";
 
 struct AssessRequest {
@@ -197,15 +197,15 @@ void add_assess(CLI::App& app, Action& action) {
   add_option(sub, "CASE", request.cases, "Case files (TOML)")->required();
   add_settings(sub, request.settings);
   add_option(sub, "--standard NAME[:VARIANT]", request.standards,
-             "Preset, with variants if any (dashpad standards lists them); may be given again")
+             "Preset, with its variants if any (dashpad standards lists them); may be repeated")
       ->required()
       ->take_all();
   add_option(sub, "--speed V", request.speed, "Impact speed, such as \"15 mph\"");
-  add_option(sub, "--drop-height H", request.drop_height, "Height of a free fall that gives the speed");
+  add_option(sub, "--drop-height H", request.drop_height, "Height of free fall, instead of the speed");
   add_option(sub, "--mass M", request.mass, "Mass of the impactor, such as \"6.8 kg\"");
   add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
-  add_flag(sub, "--keep-nose", request.kept.nose, "The nose of the case, whatever the standard has");
-  add_flag(sub, "--keep-speed", request.kept.speed, "The speed of the case, whatever the standard has");
+  add_flag(sub, "--keep-nose", request.kept.nose, "Keep the nose of the case instead of the standard's");
+  add_flag(sub, "--keep-speed", request.kept.speed, "Keep the speed of the case instead of the standard's");
   add_file(sub, request.files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

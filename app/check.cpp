@@ -15,8 +15,8 @@ constexpr const char* check_footer = R"(Examples:
   dashpad check examples/dashboard-20mph.toml
   dashpad check examples/dashboard-20mph.toml --units us
 
-Shows what strikes what, and every value in SI as it would be computed with. Each fault is a line
-"file:line: key = value: what would be right".
+Describes the impact in words and shows every value in SI, as used in the computation. Each fault is a line
+"file:line: key = value: rule".
 
 Exit codes: 0 the case can be run, 2 it cannot.)";
 
@@ -39,7 +39,7 @@ int check(const CheckRequest& request) {
 
 void add_check(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<CheckRequest>(
-      app, action, "check", "Say how a case is understood, or what is wrong with it", check_footer, check);
+      app, action, "check", "Show how a case is understood, or what is wrong with it", check_footer, check);
   add_case(sub, request.given);
   add_units(sub, request.units);
   add_material_folder(sub, request.given.materials);

@@ -29,7 +29,7 @@ void add_units(CLI::App& app, std::string& units) {
 void add_all(CLI::App& app, output::Detail& detail) {
   app.add_flag_callback(
       "--all", [&detail] { detail = output::Detail::all; },
-      "Every figure, to five digits and with its error");
+      "Show every figure, to five digits and with its error");
 }
 
 CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const std::string& help) {
@@ -38,7 +38,7 @@ CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const 
 
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
   add_option(app, "--tolerance X", tolerance,
-             "Relative error to keep to, from 1e-8 to 1e-2 (default: the case's, else 1e-4)");
+             "Largest relative error, from 1e-8 to 1e-2 (default: the case's, else 1e-4)");
 }
 
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
@@ -115,7 +115,7 @@ void add_standard_folder(CLI::App& app, std::string& folder) {
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {
   add_option(app, "--set KEY=VALUE", settings,
-             "In place of what the case has, such as pad.thickness=\"30 mm\"; may be given again");
+             "Replace a value of the case, such as pad.thickness=\"30 mm\"; may be repeated");
 }
 
 CLI::Option* add_case(CLI::App& app, GivenCase& given) {
@@ -154,12 +154,12 @@ std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Opti
 
 void add_no_intervals(CLI::App& app, bool& no_intervals) {
   add_flag(app, "--no-intervals", no_intervals,
-           "Leave out how sure the figures are, and the impacts that are solved for it");
+           "Omit the uncertainty intervals and the impacts solved for them");
 }
 
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
                                  std::span<const double> dwell_levels) {
-  const ProgressLine line{"Solving what is not known"};
+  const ProgressLine line{"Solving for the intervals"};
   uncertainty::add_intervals(impact, options, solution, dwell_levels);
 }
 

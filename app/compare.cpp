@@ -34,21 +34,21 @@ constexpr const char* compare_footer = R"(Examples:
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --zero auto --filter CFC1000
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --report comparison.html
 
-Without --pulse, rows: the accurate solver (exact units, and with the constants of 1984), the program of 1984 in
-the arithmetic of its machine, in single and in double precision, and with its defects mended. docs/spit1984.md
-explains what to believe. --picture draws force and penetration over time; the ending of FILE says what it
-becomes: .svg, .png or .pdf.
+Without --pulse, the table has a row for the accurate solver (with exact units, and with the constants of 1984)
+and for the program of 1984 in the arithmetic of its machine, in single and in double precision, and with its
+defects corrected. docs/spit1984.md explains how far to trust each. --picture draws force and penetration over
+time; the format follows from the name of FILE: .svg, .png or .pdf.
 
-With --pulse FILE, a measured pulse is laid over the computed deceleration, and the differences are named: peak,
-time to peak, width (all time above half the peak), velocity change over contact, HIC15, restitution. FILE is
-what dashpad pulse reads, with its options. --align says what coincides: the onset (default: where each pulse
-first reaches 5 % of its own peak), the peak, or none. With --filter the computed pulse is filtered alike. The
-restitution of the measured pulse is of the case's speed, unless --speed or --drop-height says otherwise. A
-pulse without acceleration is refused, and so is one without an onset: above 5 % of its peak from its first
-sample on. docs/pulses.md has the rules, and what the flags of a pulse mean.
+With --pulse FILE, the computed deceleration is compared with a measured pulse in peak, time to peak, width (total
+time above half the peak), velocity change over contact, HIC15 and restitution. FILE is any file that dashpad pulse
+reads, with the same options. --align selects what coincides: the onset (default: where each pulse first reaches
+5 % of its own peak), the peak, or nothing. --filter also applies to the computed pulse. The restitution of the
+measured pulse is relative to the case's speed unless --speed or --drop-height is given. A pulse without
+acceleration is rejected, and so is one without an onset, whose first sample is already above 5 % of its peak.
+docs/pulses.md gives the rules and explains the flags of a pulse.
 
-Exit codes: 0 done (whatever became of the runs of 1984), 1 a result could not be written, 2 refused and
-nothing was run, 3 the accurate solver missed the tolerance.)";
+Exit codes: 0 success (whatever the outcome of the runs of 1984), 1 a result could not be written, 2 invalid
+input and nothing was run, 3 the accurate solver missed the tolerance.)";
 
 struct CompareRequest {
   GivenCase given;
@@ -140,15 +140,14 @@ int compare(const CompareRequest& request) {
 
 /// Adds --pulse and its options as a group of the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
-  CLI::Option* pulse =
-      add_option(sub, "--pulse FILE", request.pulse.file,
-                 "A measured pulse to lay over the computed one: a table, or a test in ISO-MME")
-          ->excludes(time_step);
+  CLI::Option* pulse = add_option(sub, "--pulse FILE", request.pulse.file,
+                                  "Measured pulse to compare with: a table, or a test in ISO-MME")
+                           ->excludes(time_step);
   const std::vector<CLI::Option*> before = sub.get_options();
   std::vector<std::string> names;
   for (const injury::Alignment alignment : injury::all_alignments)
     names.emplace_back(injury::to_string(alignment));
-  add_option(sub, "--align NAME", request.align, "In time: onset (default), peak or none")
+  add_option(sub, "--align NAME", request.align, "Alignment in time: onset (default), peak or none")
       ->check(CLI::IsMember(names));
   add_source_options(sub, request.pulse);
   add_processing_options(sub, request.pulse);
@@ -160,16 +159,16 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
 
 void add_compare(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<CompareRequest>(
-      app, action, "compare", "A case beside a measured pulse, or beside the program of 1984", compare_footer,
-      compare);
+      app, action, "compare", "Compare a case with a measured pulse, or with the program of 1984",
+      compare_footer, compare);
   add_case(sub, request.given);
   add_file(sub, request.files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
   add_file(sub, request.files, "--json", "Write the table as JSON, SI (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
-  CLI::Option* time_step =
-      add_option(sub, "--time-step MS", request.time_step_ms, "Of the 1984 program, ms (default 0.1)")
-          ->check(CLI::Range(1e-6, 1e3));
+  CLI::Option* time_step = add_option(sub, "--time-step MS", request.time_step_ms,
+                                      "Time step of the 1984 program, ms (default 0.1)")
+                               ->check(CLI::Range(1e-6, 1e3));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);
   add_pulse_options(sub, request, time_step);

@@ -26,24 +26,24 @@ constexpr const char* export_footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format csv --curves force --out -
   dashpad export examples/dashboard-20mph.toml --format iso-mme --out test.zip
 
-Formats: ls-dyna is *DEFINE_CURVE keywords for *INCLUDE; radioss is /FUNCT blocks for #include; csv is two
-columns below lines that begin with #, and holds one curve; iso-mme is a zip with a test of that format, in SI,
-sampled at 100 kHz, for the curves over time.
+Formats: ls-dyna writes *DEFINE_CURVE keywords for *INCLUDE; radioss writes /FUNCT blocks for #include; csv
+writes one curve as two columns below comment lines that begin with #; iso-mme writes the curves over time as a
+test in that format, zipped, in SI and sampled at 100 kHz.
 
 Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
-are the pad's force over its penetration, up to the largest and back to release. They are numbered in the
-order in which they are named.
+are the pad's force over its penetration, up to the largest penetration and back to release. The curves are
+numbered in the order in which they are named.
 
 Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), lbf-s2/in-in-s (lbf, psi).
-Compression is positive; the acceleration is negative while the pad pushes. docs/exports.md says more.
+Compression is positive; the acceleration is negative while the pad pushes. See docs/exports.md.
 
-Files: - as FILE is standard output; what is said about the curves then goes to standard error. An existing
-file is kept unless --force is given. A file is written whole or not at all, and carries the flags of the
+Files: - as FILE is standard output; messages about the curves then go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all, and contains the flags of the
 result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE) as comments.
 
-Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 the file could not be written or
-none of the curves exists, 2 refused and nothing was run, 3 not reliable: the file is there but misses the
-tolerance.)";
+Exit codes: 0 success (also if the pad bottomed out or the time limit was reached), 1 the file could not be
+written or none of the curves exists, 2 invalid input and nothing was run, 3 not reliable: the file was written but
+the result misses the tolerance.)";
 
 struct Format {
   const char* name;
@@ -87,7 +87,7 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
       if (!output::is_over_time(name))
-        errors.push_back(fmt::format("--curves {}: {} holds what is over time only", name, request.format));
+        errors.push_back(fmt::format("--curves {}: {} takes curves over time only", name, request.format));
     if (!request.system.empty())
       errors.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
   }
@@ -151,8 +151,8 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_option(sub, "--format F", request.format, "ls-dyna, radioss, csv or iso-mme")
       ->required()
       ->check(CLI::IsMember(format_names));
-  add_option(sub, "--out FILE", request.out, "Where the curves go (- for standard output)")->required();
-  add_option(sub, "--curves LIST", request.curves, "Which, with commas between them (default: all)")
+  add_option(sub, "--out FILE", request.out, "Output file (- for standard output)")->required();
+  add_option(sub, "--curves LIST", request.curves, "Curves, separated by commas (default: all)")
       ->delimiter(',')
       ->check(CLI::IsMember(output::curve_names()));
   add_option(sub, "--system SYSTEM", request.system, "Units of the deck (default: kg-mm-ms)")
@@ -161,7 +161,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
   add_option(sub, "--first-id N", request.first_id, "Number of the first curve (default: 1)")
       ->check(CLI::Range(1, output::highest_curve_id));
   add_option(sub, "--points N", request.points,
-             "Keep at most N points of a curve; says how far off it is then")
+             "Keep at most N points of each curve; the deviation is reported")
       ->check(CLI::Range(2, max_points));
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");
@@ -172,7 +172,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
 
 void add_export(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ExportRequest>(
-      app, action, "export", "Write the curves of one case for other programs' decks", export_footer,
+      app, action, "export", "Write the curves of a case for other solvers' decks", export_footer,
       export_curves);
   add_options(sub, request);
 }

@@ -20,12 +20,12 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* fit_footer = R"(Examples:
-  dashpad fit examples/fits/vn600.toml                         what the data say, and what they leave open
+  dashpad fit examples/fits/vn600.toml                         fitted values, and what the data leave open
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
-  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, what is open
-  dashpad fit my-fit.toml --case fitted.toml                   the case with the support, nose or mass that was found
-  dashpad fit my-fit.toml --state my-fit.state                 keeps what is finished; the same command goes on
+  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, open unknowns
+  dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
+  dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; the same command continues
 
 A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
 
@@ -33,7 +33,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   law = "foam"
   [pad.parameters]
   friction = 0.05
-  [pad.curve]                      # as in a case; the numbers are where the search begins
+  [pad.curve]                      # as in a case; the numbers are the starting values
   form = "hyperfoam"
   rate = "0.01 1/s"
   first_modulus = "50 kPa"
@@ -50,7 +50,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   rate = "0.01 1/s"
   noise = "1 %"
 
-[[impacts]] fit the law through impacts, by figures and by whole measured pulses:
+[[impacts]] fits the law to impacts, by figures and by whole measured pulses:
 
   [[impacts]]
   case = "drop.toml"
@@ -58,20 +58,20 @@ A fit file names the law with its starting values, the unknowns with their bound
   hic15 = {value = 640, deviation = "5 %"}          # as hic36, hic_unlimited, clip_3ms, rebound_speed, ...
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
 
-docs/fits.md has every key, and what the numbers mean.
+docs/fits.md describes every key and the meaning of the numbers.
 
-The recoil of a foam is sought, too, where nobody stated it and impacts show it: give it in [pad.parameters] to keep
-it. The card says in [fitted] what was tested, in its reservations and in [uncertainty] what is not known.
+The recoil of a foam is fitted too if it is not stated and impacts depend on it; give it in [pad.parameters] to keep
+it fixed. The card states the tested range in [fitted], and what is not known in its reservations and [uncertainty].
 
-An interval that is open says that the data do not determine the unknown: leave it fixed, give it a prior, or test more.
+An open interval means that the data do not determine the unknown: keep it fixed, give it a prior, or test more.
 
-Files: - as FILE is standard output. An existing file is kept unless --force is given. A file is written whole or not
-at all. A fit that did not converge writes no card.
+Files: - as FILE is standard output. An existing file is not overwritten unless --force is given. A file is written
+completely or not at all. A fit that did not converge writes no card.
 
-Interrupted (Ctrl-C, SIGTERM): nothing is written, but --state FILE has the searches and intervals that were
-finished, and the same command goes on from there. The state of another fit is refused.
+If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but --state FILE contains the finished searches
+and intervals, and the same command continues from there. The state of another fit is rejected.
 
-Exit codes: 0 done, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
+Exit codes: 0 success, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
 3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
 
 struct FitRequest {
@@ -144,15 +144,15 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
 int stopped(const FitRequest& request, std::size_t kept) {
   if (kept > 0) {
     write_error(
-        fmt::format("Stopped; nothing was written but {}, with {} finished searches and ends of "
-                    "intervals. The same command goes on where this one stopped.\n",
+        fmt::format("Stopped; nothing was written except {}, with {} finished searches and ends of "
+                    "intervals. The same command continues from there.\n",
                     *request.state, kept));
   } else if (request.state) {
     write_error("Stopped before a search was finished; nothing was written.\n");
   } else {
     write_error(
-        "Stopped; nothing was written. With --state FILE finished searches and intervals are kept, and the "
-        "same command goes on.\n");
+        "Stopped; nothing was written. With --state FILE finished searches and intervals are saved, and the "
+        "same command continues from them.\n");
   }
   return StopSignal::exit_code();
 }
@@ -164,7 +164,7 @@ std::string kept_by_case(const FitRequest& request, const fit::FitReport& report
   for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
     if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
       keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
-  return keys + ": no card holds that; --case FILE keeps it, with the foam.\n";
+  return keys + " cannot be part of a card; --case FILE writes it, with the foam.\n";
 }
 
 int fit_material(const FitRequest& request) {
@@ -181,8 +181,8 @@ int fit_material(const FitRequest& request) {
   if (const std::string& file = request.files.of("--case");
       !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
     errors.push_back(
-        fmt::format("--case {}: no unknown of this fit is one of the case, as support.stiffness; "
-                    "a card holds all that it finds (--output)",
+        fmt::format("--case {}: no unknown of this fit belongs to the case, such as support.stiffness; a "
+                    "card holds all fitted values (--output)",
                     file));
   fit::RunOptions options{.posterior = draws};
   if (request.state && input) {
@@ -225,19 +225,20 @@ int fit_material(const FitRequest& request) {
 
 void add_fit(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<FitRequest>(
-      app, action, "fit", "A material card from measurements, with its uncertainty", fit_footer,
+      app, action, "fit", "Fit a material card to measurements, with its uncertainty", fit_footer,
       fit_material);
   add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",
-           "Write the case with what was found of it, as a support, and the foam (- for standard output)");
+           "Write the case with the fitted foam and the fitted values of the case, such as its support (- "
+           "for standard output)");
   add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
   sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");
   add_documents(sub, request.files);
   add_option(sub, "--state FILE", request.state,
-             "Keep finished searches and intervals there, and go on from them");
+             "Save finished searches and intervals in this file, and continue from them");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);

@@ -26,31 +26,32 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* description =
-    "dashpad: the impact of a rigid nose on a foam pad and its support.\n"
-    "Give it a case file; it answers with peak force, peak acceleration, penetration, rebound and energy.";
+    "dashpad: the impact of a rigid nose on a foam pad and its support.\nFrom a case file it computes peak "
+    "force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
-  dashpad run examples/dashboard-20mph.toml      the impact, on the screen
-  dashpad materials                              which foams there are
-  dashpad material-test ensolite-aac-9           one of them in the laboratory
-  dashpad material --help                        cards from other solvers' decks, and back
-  dashpad fit --help                             a card from measurements, and how sure it is
+  dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
+  dashpad materials                              list the foams
+  dashpad material-test ensolite-aac-9           test one of them in the laboratory
+  dashpad material --help                        import and export other solvers' decks
+  dashpad fit --help                             fit a card to measurements
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
-  dashpad compare CASE --pulse FILE              a measured pulse over the computed one
+  dashpad compare CASE --pulse FILE              compare with a measured pulse
   dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
-  dashpad validate                               both beside the validation tests of that report
+  dashpad validate                               compare both with the validation tests of that report
   dashpad study --help                           many impacts: curves, maps, probabilities
 
-Files that are read may be - (standard input) or a pipe, up to 16 MiB.
+Input files may be - (standard input) or a pipe, up to 16 MiB.
 
 Exit codes:
-  0  done; also when the pad bottomed out or the time limit was reached: these are results
+  0  success; bottoming out and reaching the time limit also count as results
   1  a result could not be written (full disk, ...), or the program failed
-  2  input or command line refused; nothing was run, nothing was written
-  3  no verdict, or not reliable: results are there but miss the tolerance, or assess cannot decide
-  4  assess: a limit of a standard is exceeded, whatever else is missed; validate --strict: a rule is missed)";
+  2  invalid input or command line; nothing was run or written
+  3  not reliable or no verdict: the results miss the tolerance, or assess cannot decide
+  4  assess: a limit of a standard is exceeded, whether or not other results are missing;
+     validate --strict: a rule is not met)";
 
 struct Command {
   std::string_view group;  ///< of the help
@@ -60,14 +61,14 @@ struct Command {
 };
 
 /// In the order of the help, with everyday commands first.
-constexpr Command commands[]{{"Every day", "run", add_run},
-                             {"Every day", "check", add_check, true},
-                             {"Every day", "assess", add_assess},
-                             {"Every day", "standards", add_standards, true},
-                             {"Every day", "pulse", add_pulse},
-                             {"Every day", "export", add_export},
-                             {"Every day", "post-impact", add_post_impact},
-                             {"Every day", "compare", add_compare},
+constexpr Command commands[]{{"Everyday use", "run", add_run},
+                             {"Everyday use", "check", add_check, true},
+                             {"Everyday use", "assess", add_assess},
+                             {"Everyday use", "standards", add_standards, true},
+                             {"Everyday use", "pulse", add_pulse},
+                             {"Everyday use", "export", add_export},
+                             {"Everyday use", "post-impact", add_post_impact},
+                             {"Everyday use", "compare", add_compare},
                              {"Foams", "materials", add_materials, true},
                              {"Foams", "material", add_material, true},
                              {"Foams", "material-test", add_material_test},
@@ -118,8 +119,8 @@ void take_streams(const CLI::App& app) {
 
 /// Messages of libraries do not help a user.
 constexpr const char* library_failed =
-    "dashpad: a number left the range that can be computed with; that is a fault of the program: please "
-    "report it, with what was read\n";
+    "dashpad: a number left the range that can be computed with; this is an error in the program: please "
+    "report it, with the input files\n";
 
 int perform(const Action& action, const CLI::App& app) {
   try {
@@ -176,7 +177,7 @@ int command(int argument_count, char** arguments) {
   CLI::App app{description, "dashpad"};
   app.footer(main_footer);
   app.get_formatter()->column_width(32);
-  app.set_version_flag("--version", version_text, "Version, commit, compiler and libraries");
+  app.set_version_flag("--version", version_text, "Print version, commit, compiler and libraries");
   app.require_subcommand(1);
 
   Action action;

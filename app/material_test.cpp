@@ -30,17 +30,17 @@ constexpr const char* material_test_footer = R"(Examples:
   dashpad material-test ensolite-aac-9 --test cyclic --strain 0.6 --low 0.2 --cycles 3 --csv cycles.csv
   dashpad material-test ./my-foam.toml --test history --history my-strains.csv --report my-foam.html
 
-A single pad column is driven through the test; its stress is exact up to quadrature. Figures: peak stress,
-energy per volume, hysteresis, efficiency and ideality, and with --stress-limit how much the foam takes below
-a stress. --explicit-1984 adds what the program of 1984 makes of it. docs/laboratory.md explains them all.
+A single column of the pad is driven through the test; its stress is exact up to quadrature. Results: peak stress,
+energy per volume, hysteresis, efficiency and ideality, and with --stress-limit the energy absorbed up to a stress.
+--explicit-1984 adds the result of the program of 1984. docs/laboratory.md explains all of them.
 
-MATERIAL is the name of a card, as dashpad materials lists them, or a file that ends in .toml. A history is a
-table with a header line that names its units: time_s,strain or "time [ms];strain [%]".
+MATERIAL is the name of a card as listed by dashpad materials, or a file that ends in .toml. A history is a table
+with a header line that names its units: time_s,strain or "time [ms];strain [%]".
 
-Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
-is kept unless --force is given. A file is written whole or not at all.
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
+not overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run.)";
 
 /// The options as given.
 struct MaterialTestRequest {
@@ -120,7 +120,7 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
         "--explicit-1984: is not for --test creep; the update of 1984 is driven by strains, "
         "and creep by a stress");
   if (request.steps && !request.explicit_1984)
-    errors.emplace_back("--steps: is for the update of 1984; add --explicit-1984");
+    errors.emplace_back("--steps: applies only to the update of 1984; add --explicit-1984");
   if (kind == creep && !request.stress)
     errors.emplace_back("--test creep: needs --stress, such as \"50 kPa\"");
   if (kind == history && !request.history) errors.emplace_back("--test history: needs --history FILE");
@@ -185,17 +185,19 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
       ->delimiter(',');
   add_option(sub, "--strain X", request.strain, "Largest strain, below 1 (default: 0.95)");
   add_option(sub, "--hold TIME", request.hold,
-             "How long to hold, such as \"1 s\" (relaxation, creep; default: 1 s)");
+             "Hold time, such as \"1 s\" (relaxation, creep; default: 1 s)");
   add_option(sub, "--stress STRESS", request.stress, "Stress to hold, such as \"50 kPa\" (creep)");
   add_option(sub, "--low X", request.low, "Strain to unload to (cyclic; default: 0)");
-  add_option(sub, "--cycles N", request.cycles, "How many (cyclic; default: 3)")->check(CLI::Range(1, 1000));
+  add_option(sub, "--cycles N", request.cycles, "Number of cycles (cyclic; default: 3)")
+      ->check(CLI::Range(1, 1000));
   add_option(sub, "--history FILE", request.history, "Table of times and strains, CSV (history)");
   add_option(sub, "--stress-limit LIST", request.stress_limits,
-             "Energy and efficiency where the stress reaches this, such as \"100 kPa\"; several with commas")
+             "Stresses at which to give energy and efficiency, such as \"100 kPa\", separated by commas")
       ->delimiter(',');
   add_flag(sub, "--explicit-1984", request.explicit_1984,
-           "The explicit update of 1984 beside the exact stress (not creep)");
-  add_option(sub, "--steps N", request.steps, "Of the update of 1984, to the first loading (default: 20)")
+           "Add the explicit update of 1984 to the exact stress (not creep)");
+  add_option(sub, "--steps N", request.steps,
+             "Steps of the update of 1984 in the first loading (default: 20)")
       ->check(CLI::Range(1, 10000));
 }
 
@@ -238,7 +240,7 @@ int show(const MaterialTestRequest& request) {
 void add_material_test(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<MaterialTestRequest>(
       app, action, "material-test", "Test a pad material in the laboratory", material_test_footer, show);
-  add_option(sub, "MATERIAL", request.material, "Card: its name, or a file")->required();
+  add_option(sub, "MATERIAL", request.material, "Name of a card, or a file")->required();
   add_test_options(sub, request);
   add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
   add_file(sub, request.files, "--csv", "Write the stresses as CSV (- for standard output)");

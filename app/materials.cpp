@@ -19,19 +19,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* materials_footer = R"(Examples:
-  dashpad materials                        all cards, a line each
+  dashpad materials                        all cards, one per line
   dashpad materials --picture foams.svg    their loading curves
   dashpad materials vn600                  one card: source, reservations, law, curves, stresses, tested range
   dashpad materials vn600 --report card.html
   dashpad materials ensolite-aac-9 --units us
   dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
 
-The table tells the tested strain and rates (1/s), and the first reservation with the number of the others:
-docs/materials.md says how each card came about. A picture is .svg, .png or .pdf; an existing file is kept unless
---force is given.
+The table gives the tested strain and rates (1/s), and the first reservation with the number of the others;
+docs/materials.md describes the origin of each card. A picture is .svg, .png or .pdf; an existing file is not
+overwritten unless --force is given.
 
-Exit codes: 0 done, 1 the picture could not be written, 2 refused: no such card, or a card with faults (the other
-cards are listed all the same, and not drawn).)";
+Exit codes: 0 success, 1 the picture could not be written, 2 no such card, or a card with faults (the other cards
+are listed nevertheless, but not drawn).)";
 
 struct MaterialsRequest {
   std::string name;

@@ -23,9 +23,9 @@ CLI::Option* add_file(CLI::App& app, OutputFiles& files, const std::string& opti
 }
 
 std::vector<CLI::Option*> add_documents(CLI::App& app, OutputFiles& files) {
-  return {add_file(app, files, "--report", "Write a page to look at in a browser, as one HTML file"),
+  return {add_file(app, files, "--report", "Write a page for the browser, as a single HTML file"),
           add_file(app, files, "--markdown",
-                   "Write what the page says, without pictures, as Markdown (- for standard output)")};
+                   "Write the text of the page as Markdown, without pictures (- for standard output)")};
 }
 
 void judge_files(const OutputFiles& files, const std::vector<input::InputFile>& inputs,

@@ -19,13 +19,13 @@ constexpr const char* post_impact_footer = R"(Examples:
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "1500 kg" --units us
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "3000 lb" --other-velocity "-10 mph" --json -
 
-The report's Eqs. 1 to 4: velocities after the impact, for a simulation of what follows. The impactor's mass and
-velocity are the case's; the other body is what carries the pad's support, held in place unless --other-mass says
-otherwise. Velocities count in one direction: the other body moves away with a positive one. The energy that the
-pad absorbs is solved for the motion of the two towards each other.
+Computes the velocities after the impact by Eqs. 1 to 4 of the report, for a simulation of the subsequent motion.
+The impactor's mass and velocity are those of the case; the other body carries the pad's support and is held in
+place unless --other-mass is given. All velocities have the same positive direction: that of the impactor, in which
+the other body moves away. The energy absorbed by the pad is computed for the relative motion of the two bodies.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the results miss the
-tolerance or there is no rebound.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the results miss
+the tolerance or there is no rebound.)";
 
 struct PostImpactRequest {
   GivenCase given;
@@ -49,12 +49,12 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
-      errors.push_back(request.given.file + ": blows: two bodies meet once; leave the table out");
+      errors.push_back(request.given.file + ": blows: the two bodies collide only once; leave the table out");
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       errors.push_back(
           request.given.file +
-          ": here a support has nothing beside its curve, and there is no gravity; give the other body as "
-          "support.body_mass, and dashpad run has the velocities of both");
+          ": post-impact allows neither gravity nor a support with more than its curve; give the other body "
+          "as support.body_mass, and dashpad run computes the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
@@ -99,7 +99,8 @@ void add_post_impact(CLI::App& app, Action& action) {
       post_impact_footer, run);
   add_case(sub, request.given);
   add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");
-  add_option(sub, "--other-velocity SPEED", request.other_velocity, "Its velocity before (default: 0)");
+  add_option(sub, "--other-velocity SPEED", request.other_velocity,
+             "Its velocity before the impact (default: 0)");
   add_file(sub, request.files, "--json", "Write the result as JSON, SI (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

@@ -9,9 +9,10 @@ namespace dashpad::app {
 
 void add_result_files(CLI::App& app, OutputFiles& files) {
   add_file(app, files, "--json", "Write the summary as JSON (- for standard output)");
-  add_file(app, files, "--csv", "Write the history, of the last blow, as CSV (- for standard output)");
+  add_file(app, files, "--csv",
+           "Write the history as CSV, of the last blow if there are several (- for standard output)");
   add_documents(app, files);
-  add_file(app, files, "--png", "Draw acceleration and hysteresis as a still");
+  add_file(app, files, "--png", "Draw acceleration and hysteresis (.png)");
   add_file(app, files, "--drawing",
            "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
            ".png, .pdf)");

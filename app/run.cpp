@@ -27,18 +27,18 @@ mm, kg, ms, km/h, kN, J. Accelerations are in g everywhere. The JSON summary is 
 name the units; the CSV history is in SI (m, s, N, m/s, g) or, with --units us or engineering-metric, in
 those units, which its header names. Case files take any unit.
 
-A case with repeated blows ([blows]) is answered with a row for each of them, then with the figures of the
-last; the CSV history, page, still and drawing are of the last.
+For a case with repeated blows ([blows]) the text has a row for each blow, followed by the figures of the last;
+CSV history, page, picture and drawing are those of the last blow.
 
-The text has what matters first, to four digits: the law of a foam is rarely known to three. --all shows every
-figure with its estimated error; files have all digits.
+The text shows the main figures to four digits, since the law of a foam is rarely known to three. --all shows
+every figure with its estimated error; files have all digits.
 
-Files: - as FILE is standard output; the summary for people then goes to standard error. An existing file
-is kept unless --force is given. A file is written whole or not at all.
+Files: - as FILE is standard output; the text then goes to standard error. An existing file is not overwritten
+unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done (also when the pad bottomed out or the time limit was reached), 1 a result could not be written,
-2 input or command line refused and nothing was run, 3 not reliable: results are there but miss the
-tolerance, of a pad that did not bottom out.)";
+Exit codes: 0 success (also if the pad bottomed out or the time limit was reached), 1 a result could not be
+written, 2 invalid input or command line and nothing was run, 3 not reliable: the results of a pad that did not
+bottom out miss the tolerance.)";
 
 struct RunRequest {
   GivenCase given;

@@ -30,18 +30,18 @@ constexpr const char* spit1984_footer = R"(Examples:
 
 Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal's report,
 or with --listing the line printer's, in 132 columns. Lengths are in inches, forces in lbf, the impact speed
-in mph; forces are negative in compression. Believe it with docs/spit1984.md at hand: the scheme is 1 to 6 %
-off in peak force for the published example, and the numbers depend on the arithmetic.
+in mph; forces are negative in compression. See docs/spit1984.md before relying on them: for the published example
+the scheme is 1 to 6 % off in peak force, and the numbers depend on the arithmetic.
 
 Arithmetics: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
-single and double precision of today.
+single and double precision of today's machines.
 
---interactive is the main program ENSOL of 1984: it asks for everything at the terminal.
+--interactive runs the main program ENSOL of 1984, which asks for all input at the terminal.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused and nothing was run, 3 the run ended in an
-ABEND; what is printed may have lost its meaning some time before it.
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the run ended in an
+ABEND; the output may have become meaningless some time before it.
 
-Defects of the listing, which --repair mends (may be repeated; "all" for all of them):
+Defects of the listing that --repair corrects (may be repeated; "all" for all of them):
 )";
 
 std::string footer_with_defects() {
@@ -174,10 +174,10 @@ void add_spit1984(CLI::App& app, Action& action) {
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   add_case(sub, request.given)->required(false);
   CLI::Option* interactive =
-      add_flag(sub, "--interactive", request.interactive, "Ask at the terminal, as ENSOL did");
+      add_flag(sub, "--interactive", request.interactive, "Ask for the input at the terminal, as ENSOL did");
   add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(sub, "--repair DEFECT", request.repair, "Mend a defect of the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Correct a defect of the listing, or all of them")
       ->check(CLI::IsMember(repairs));
   add_file(sub, request.files, "--listing", "Write the line printer's report (- for standard output)");
   add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
@@ -186,7 +186,7 @@ void add_spit1984(CLI::App& app, Action& action) {
       ->check(CLI::Range(1e-6, 1e3))
       ->excludes(interactive);
   add_option(sub, "--print-interval N", request.print_interval,
-             "NDEL, time steps to a printed row (default 10)")
+             "NDEL, time steps per printed row (default 10)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(interactive);
   add_option(sub, "--equilibrium-tolerance X", request.settings.equilibrium_tolerance,
@@ -201,7 +201,8 @@ void add_spit1984(CLI::App& app, Action& action) {
   add_option(sub, "--most-stations N", request.settings.max_stations,
              "Dimension of the contact field (default 1000)")
       ->check(CLI::Range(2, 1'000'000));
-  add_option(sub, "--most-iterations N", request.settings.max_iterations, "Trials of a step (default 100)")
+  add_option(sub, "--most-iterations N", request.settings.max_iterations,
+             "Largest number of trials per step (default 100)")
       ->check(CLI::Range(1, 100'000));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);

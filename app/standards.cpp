@@ -17,15 +17,16 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* standards_footer = R"(Examples:
-  dashpad standards                              all presets, a line each
+  dashpad standards                              all presets, one per line
   dashpad standards fmvss-201-instrument-panel   one preset: impactor, limits, variants, sources
-  dashpad standards en-1078:kerbstone            with a variant in force
+  dashpad standards en-1078:kerbstone            with a variant
   dashpad standards ./my-standard.toml           a preset anywhere: a name that ends in .toml is a file
 
-A value marked UNVERIFIED was not read in the standard or in a source that repeats it. dashpad assess uses a
-preset on a case. docs/standards.md says how to write one.
+A value marked UNVERIFIED was not read in the standard or in a source that quotes it. dashpad assess applies a
+preset to a case. docs/standards.md explains how to write one.
 
-Exit codes: 0 done, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are listed all the same).)";
+Exit codes: 0 success, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are
+listed nevertheless).)";
 
 struct StandardsRequest {
   std::string name;
@@ -68,7 +69,7 @@ int show_standards(const StandardsRequest& request) {
   const fs::path folder = chosen_standards(request.folder);
   if (!request.name.empty()) return show_one(request, folder);
   if (!request.files.targets().empty())
-    throw Refused({"--report, --markdown: are of one preset; give its NAME"});
+    throw Refused({"--report, --markdown: apply to one preset; give its NAME"});
   return list_all_standards(folder);
 }
 

@@ -25,17 +25,17 @@ constexpr const char* validate_footer = R"(Examples:
   dashpad validate --report validation.html --json validation.json --figures figures
   dashpad validate --strict --data my-readings
 
-The 33 validation tests of Crash Padding Research, Volume III (1986) beside the accurate solver and the program
-of 1984: errors test by test, verdicts by rules that were fixed before the first run, trend lines fitted again,
-the report's own statements, and the nose radius that the readings favour. Everything is in the report's units:
-lb, in, mph, ms. docs/validation.md says what came out and what remains uncertain.
+Compares the 33 validation tests of Crash Padding Research, Volume III (1986) with the accurate solver and the
+program of 1984: errors test by test, verdicts by rules that were fixed before the first run, refitted trend
+lines, the report's own statements, and the nose radius that the readings favour. Everything is in the report's
+units: lb, in, mph, ms. docs/validation.md gives the results and what remains uncertain.
 
-Files: the report is one HTML file; the figures are stills, one a file, in a folder that is made if need be.
-- as FILE is standard output; the summary then goes to standard error. Existing files are kept unless --force is
-given. All files are written at the end, or none.
+Files: the report is a single HTML file; the figures are image files in a folder that is created if necessary.
+- as FILE is standard output; the summary then goes to standard error. Existing files are not overwritten unless
+--force is given. All files are written at the end, or none.
 
-Exit codes: 0 the study was made, whether or not the predictions pass; 4 with --strict, if the accurate solver
-misses a rule; 1 a result could not be written; 2 refused and nothing was run.)";
+Exit codes: 0 success, whether or not the predictions pass; 4 with --strict, if the accurate solver does not meet
+a rule; 1 a result could not be written; 2 invalid input and nothing was run.)";
 
 constexpr const char* material = "ensolite-aac-9.toml";
 
@@ -73,7 +73,7 @@ std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector
   else if (fs::is_directory(folder, error))
     std::ranges::move(stills(request), std::back_inserter(targets));
   else if (fs::exists(fs::symlink_status(folder, error)))
-    errors.push_back(fmt::format("--figures {}: is no folder", *request.figures));
+    errors.push_back(fmt::format("--figures {}: is not a folder", *request.figures));
   else  // a file of this name is refused for the same reasons as the folder
     targets.push_back({"--figures", (folder.has_filename() ? folder : folder.parent_path()).string()});
   return targets;
@@ -163,13 +163,13 @@ void add_validate(CLI::App& app, Action& action) {
   add_documents(sub, request.files);
   add_file(sub, request.files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      add_option(sub, "--figures DIR", request.figures, "Draw the figures as stills in this folder");
-  add_option(sub, "--format FORMAT", request.format, "Of the stills: svg (default), png or pdf")
+      add_option(sub, "--figures DIR", request.figures, "Draw the figures into this folder");
+  add_option(sub, "--format FORMAT", request.format, "Format of the figures: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->needs(figures);
   add_option(sub, "--data DIR", request.data,
              "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
-  add_flag(sub, "--strict", request.strict, "Exit code 4 if the accurate solver misses a rule");
+  add_flag(sub, "--strict", request.strict, "Exit with 4 if the accurate solver does not meet a rule");
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);
 }

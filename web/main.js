@@ -7,7 +7,7 @@ if (document.querySelector("[data-one-impact]")) new TimeSlider(new Moments(pane
 if (plots.length > 0) {
   const hint = textElement(
     "p",
-    "Point at a curve for its values, or go along it with the arrow keys. Drag to enlarge, double-click to go back. Names of curves switch them off and on.",
+    "Point at a curve for its values, or follow it with the arrow keys. Drag to zoom in, double-click to zoom out. Click the name of a curve to hide or show it.",
   );
   hint.className = "hint";
   const further = document.querySelector("main .plots");

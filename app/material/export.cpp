@@ -32,14 +32,15 @@ Formats for the law crushable-foam:
 Format for the law viscoelastic-foam:
   radioss-62    /MAT/LAW62: one or two terms and branches
 
-CARD is the name of a card, as dashpad materials lists them, or a file that ends in .toml. The numbers of the card
-are in the deck with all their digits, so that dashpad material import reads them again; a curve that is a formula is
-given as points. What the deck does not say is listed, here and in its comments. docs/material-decks.md says more.
+CARD is the name of a card as listed by dashpad materials, or a file that ends in .toml. The deck contains the
+numbers of the card with all their digits, so that dashpad material import reads them back; a curve given by a formula
+is written as points. Properties that the deck cannot express are listed on the screen and in its comments. See
+docs/material-decks.md.
 
-Files: without -o the deck goes to standard output and what is said about it to standard error. An existing file is
-kept unless --force is given. A file is written whole or not at all.
+Files: without -o the deck goes to standard output and messages go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 the deck could not be written, 2 refused and nothing was written.)";
+Exit codes: 0 success, 1 the deck could not be written, 2 invalid input and nothing was written.)";
 
 struct ExportMaterialRequest {
   std::string card, format, units;
@@ -81,23 +82,24 @@ int export_material(const ExportMaterialRequest& request) {
 }  // namespace
 
 void add_material_export(CLI::App& material, Action& action) {
-  const auto [sub, request] = add_subcommand<ExportMaterialRequest>(material, action, "export",
-                                                                    "A deck for another solver from a card",
-                                                                    export_material_footer, export_material);
+  const auto [sub, request] = add_subcommand<ExportMaterialRequest>(
+      material, action, "export", "Make a deck for another solver from a card", export_material_footer,
+      export_material);
   std::vector<std::string> names;
   for (const output::MaterialDeckFormat& format : output::material_deck_formats())
     names.emplace_back(format.name);
-  add_option(sub, "CARD", request.card, "Card: its name, or a file")->required();
-  add_option(sub, "--format F", request.format, "Which material of which solver; see below")
+  add_option(sub, "CARD", request.card, "Name of a card, or a file")->required();
+  add_option(sub, "--format F", request.format, "Solver and material law; see below")
       ->required()
       ->check(CLI::IsMember(names));
   add_deck_units(sub, request.units);
   sub.get_option("--units")->required();
-  add_option(sub, "-o,--out FILE", request.out, "Where the deck goes (default: standard output)");
+  add_option(sub, "-o,--out FILE", request.out, "Output file (default: standard output)");
   add_option(sub, "--first-id N", request.first_id,
              "Number of the material and of its first curve (default: 1)")
       ->check(CLI::Range(1, output::highest_curve_id));
-  add_option(sub, "--density DENSITY", request.density, "In place of the card's, such as \"100 kg/m3\"");
+  add_option(sub, "--density DENSITY", request.density,
+             "Density instead of the card's, such as \"100 kg/m3\"");
   add_force(sub, request.force);
   add_material_folder(sub, request.folder);
 }

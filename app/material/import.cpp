@@ -23,7 +23,7 @@ constexpr const char* material_footer = R"(Examples:
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
   dashpad material export my-foam.toml --format ls-dyna-083 --units t-mm-s -o foam.k
 
-dashpad material import --help and dashpad material export --help say more. To list or show cards: dashpad materials.)";
+See also dashpad material import --help and dashpad material export --help. To list or show cards: dashpad materials.)";
 
 constexpr const char* import_footer = R"(Examples:
   dashpad material import foam.k --units t-mm-s                   the card on the screen
@@ -34,18 +34,18 @@ constexpr const char* import_footer = R"(Examples:
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
 (MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
-and LAW90 with their /FUNCT. A deck does not say its units: --units does.
+and LAW90 with their /FUNCT. A deck does not state its units; give them with --units.
 
 Tables (a name that ends in .csv): a column strain, or strain_percent, and a column of stress with its unit, such as
-stress_kPa; --rate says how fast the test was. Or several columns that say their rates: "stress_kPa @ 10 1/s".
+stress_kPa, with the strain rate given by --rate; or several columns that state their rates: "stress_kPa @ 10 1/s".
 
-What the file does not say is assumed, and what a card cannot say is left out: both are listed, and the card keeps
-them as reservations. docs/material-decks.md has all of them.
+Values that the file does not give are assumed, and properties that a card cannot express are left out. Both are
+listed and kept in the card as reservations. See docs/material-decks.md.
 
-Files: without -o the card goes to standard output and what is said about it to standard error. An existing file is
-kept unless --force is given. A file is written whole or not at all.
+Files: without -o the card goes to standard output and messages go to standard error. An existing file is not
+overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 the card could not be written, 2 refused: the file has faults, and nothing was written.)";
+Exit codes: 0 success, 1 the card could not be written, 2 the file has faults, and nothing was written.)";
 
 struct ImportRequest {
   std::string file;
@@ -67,12 +67,12 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
                                        Wrong& errors) {
   rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
   if (is_table(request.file)) {
-    if (!request.units.empty()) errors.emplace_back("--units: a table says its units in its header");
+    if (!request.units.empty()) errors.emplace_back("--units: a table states its units in its header");
     return std::nullopt;
   }
-  if (request.rate) errors.emplace_back("--rate: is for tables; a deck has its own rates");
+  if (request.rate) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
   if (request.units.empty()) {
-    errors.emplace_back("--units: is needed, since a deck does not say its units; such as --units t-mm-s");
+    errors.emplace_back("--units: is needed, since a deck does not state its units; such as --units t-mm-s");
     return std::nullopt;
   }
   return deck_units_of(request.units, errors);
@@ -192,7 +192,7 @@ std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std
 
 void add_material(CLI::App& app, Action& action) {
   CLI::App* sub =
-      app.add_subcommand("material", "Material cards from other programs' files, and decks from cards");
+      app.add_subcommand("material", "Convert other solvers' decks to material cards, and cards to decks");
   sub->require_subcommand(1);
   sub->footer(material_footer);
   add_material_import(*sub, action);
@@ -200,15 +200,14 @@ void add_material(CLI::App& app, Action& action) {
 }
 
 void add_material_import(CLI::App& material, Action& action) {
-  const auto [sub, request] = add_subcommand<ImportRequest>(material, action, "import",
-                                                            "A card from a solver's deck or a table of tests",
-                                                            import_footer, import_material);
+  const auto [sub, request] = add_subcommand<ImportRequest>(
+      material, action, "import", "Make a card from a solver's deck or a table of tests", import_footer,
+      import_material);
   add_option(sub, "FILE", request.file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
   add_deck_units(sub, request.units);
-  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table's only test, such as \"0.01 1/s\"");
+  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table with one test, such as \"0.01 1/s\"");
   add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
-  add_option(sub, "-o,--out FILE", request.out,
-             "Where the card goes: a file, or a folder (default: standard output)");
+  add_option(sub, "-o,--out FILE", request.out, "Output file or folder (default: standard output)");
   add_force(sub, request.force);
 }
 

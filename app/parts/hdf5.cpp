@@ -114,8 +114,9 @@ class Columns {
     add("row", "number of the row", H5T_STD_I64LE);
     add("status", "outcome; its names are in status_names", H5T_STD_U8LE);
     add("extrapolated", "beyond the range of the fit: 0 or 1", H5T_STD_U8LE);
-    add("extrapolated_strain", "by its strain, a guess: 0 or 1", H5T_STD_U8LE);
-    add("extrapolated_rate", "by its rate, a law: 0 or 1", H5T_STD_U8LE);
+    add("extrapolated_strain", "extrapolated in strain, where the stress is a guess: 0 or 1", H5T_STD_U8LE);
+    add("extrapolated_rate", "extrapolated in rate, where the stress follows from the law alone: 0 or 1",
+        H5T_STD_U8LE);
     add("bottomed", "pad fully compressed: 0 or 1", H5T_STD_U8LE);
     add("error", "largest relative error estimate", H5T_IEEE_F64LE);
     for (const auto& column : store.factors()) columns_.emplace_back(factors, column, H5T_IEEE_F64LE, rows);

@@ -25,46 +25,46 @@ constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
   dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
   dashpad pulse drop.csv --zero auto --drop-height "1.5 m"
-                                                          sensor offset off; restitution, and a check
+                                                          subtract the offset; restitution, and a check
   dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
                                                           one column, in mV
-  dashpad pulse drop.csv --report drop.html               a page: figures, curve, what it rests on
+  dashpad pulse drop.csv --report drop.html               a page: figures, curve, basis
   dashpad pulse drop.csv --drop-height "1.5 m" --standard en-1177 --position centre --report drop.html
-                                                          beside the limits of a standard
+                                                          compare with the limits of a standard
   dashpad pulse drop1.csv drop2.csv drop3.csv --report drops.html
-                                                          several drops: mean, deviation, one over the other
+                                                          several drops: mean, deviation, overlaid curves
   dashpad pulse test.zip --list                           the channels of a test in ISO-MME
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
 
 FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
-a zip or tar of it. Units are taken from the file or from you and never guessed; g is standard gravity. What
-had to be repaired is a REMARK; a gap, text, or a time that goes back is refused; --bridge-gaps takes straight
-lines where times are missing. docs/pulses.md has the rules.
+a zip or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity.
+Repairs are reported as REMARK; gaps, text and times that go back are rejected; --bridge-gaps interpolates linearly
+where times are missing. docs/pulses.md gives the rules.
 
-Offset: what the sensor shows in the quiet part before the impact is told, with what it does to HIC15. --zero
-takes it off, each direction by itself and before any filter: "--zero auto" the mean of the quiet part,
-"--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
+Offset: the reading of the sensor in the quiet part before the impact is reported, with its effect on HIC15.
+--zero subtracts it, for each direction separately and before any filter: "--zero auto" subtracts the mean of the
+quiet part, "--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
 
-Checks: PULSE CUT says that the pulse starts or ends above 1 % of its peak; its HIC and clips are lower bounds
-then. With --speed or --drop-height the velocity change must lie between v and 2v, IMPOSSIBLE VELOCITY CHANGE
-says otherwise; the restitution is (velocity change - v) / v. With --drop-height what gravity adds during contact
-is taken off before.
+Checks: PULSE CUT means that the pulse starts or ends above 1 % of its peak; its HIC and clips are then lower
+bounds. With --speed or --drop-height the velocity change must lie between v and 2v, otherwise the pulse is flagged
+IMPOSSIBLE VELOCITY CHANGE; the restitution is (velocity change - v) / v. With --drop-height the contribution of
+gravity during contact is subtracted first.
 
-Uncertainty: of peak, HIC and the like, k = 2, by what the sample interval may hide, what the filter takes away
-beside the next higher class, and --calibration "2 %", that of the sensor.
+Uncertainty: given for peak, HIC and similar figures, k = 2. It includes the effect of the sample interval, that of
+the filter compared with the next higher class, and that of the sensor's calibration (--calibration "2 %").
 
-Figures: the peak; HIC15, HIC36, HIC with any window, and those of --window; HIC(d); the 3 ms clip, in one
-stretch and in all; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
-change of velocity over contact. They are of the pulse as it is, or as --filter makes it. The directions of a resultant are
-each filtered, then combined. A filter needs even samples:
---resample "0.1 ms" makes them so, by straight lines.
+Figures: the peak; HIC15, HIC36, HIC of any window, and those of --window; HIC(d); the 3 ms clip, uninterrupted and
+cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the velocity change
+over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of a resultant
+are filtered separately, then combined. A filter needs evenly spaced samples; --resample "0.1 ms" provides them by
+linear interpolation.
 
-Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file
-is kept unless --force is given. A file is written whole or not at all.
+Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
+not overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 done, 1 a result could not be written, 2 input or command line refused and nothing written. With
---standard 4 where a limit is exceeded, else 3 where one lies within the uncertainty of the measurement.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input or command line and nothing was written.
+With --standard: 4 if a limit is exceeded, else 3 if one lies within the uncertainty of the measurement.)";
 
 /// The request for all files.
 struct PulsesRequest {
@@ -86,7 +86,7 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
         standard_of(request.standard, chosen_standards(request.standard_folder), standard, errors);
   judge_picture(request.written, errors);
   if (request.files.size() > 1 && !request.written.of("--csv").empty())
-    errors.emplace_back("--csv: is of one pulse; give one FILE");
+    errors.emplace_back("--csv: takes one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;
@@ -157,7 +157,7 @@ std::string list_of(const std::string& file) {
 
 int show_pulses(const PulsesRequest& request) {
   if (!request.each.list) return show_figures(request);
-  if (request.files.size() > 1) throw Refused({"--list: is of one file; give one FILE"});
+  if (request.files.size() > 1) throw Refused({"--list: takes one file; give one FILE"});
   write_output(list_of(request.files.front()));
   return exit_done;
 }
@@ -166,16 +166,16 @@ int show_pulses(const PulsesRequest& request) {
 
 void add_pulse(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<PulsesRequest>(
-      app, action, "pulse", "Injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
+      app, action, "pulse", "Compute injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
       show_pulses);
   PulseRequest& each = request.each;
   add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();
   add_source_options(sub, each);
-  CLI::Option* list = add_flag(sub, "--list", each.list, "Show the columns or channels, and nothing else");
+  CLI::Option* list = add_flag(sub, "--list", each.list, "List the columns or channels, and do nothing else");
   add_processing_options(sub, each);
   add_figure_options(sub, each);
   add_option(sub, "--standard NAME[:VARIANT]", request.standard,
-             "The limits of a preset beside the figures (dashpad standards lists them)")
+             "Compare the figures with the limits of a preset (dashpad standards lists them)")
       ->excludes(list);
   add_standard_folder(sub, request.standard_folder);
   OutputFiles& written = request.written;

@@ -49,7 +49,7 @@ std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
   const std::optional<double> height =
       positive_quantity_of("--drop-height", request.drop_height, "m", errors);
   if (request.speed && request.drop_height)
-    errors.emplace_back("--drop-height: is for a speed that is not known; give --speed or --drop-height");
+    errors.emplace_back("--drop-height: give --speed or --drop-height, not both");
   if (height) return injury::after_fall(*height);
   if (!request.speed && !request.drop_height && request.case_impact) return request.case_impact;
   return speed ? std::optional{injury::MeasuredImpact{.speed = *speed}} : std::nullopt;
@@ -119,21 +119,25 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     if (given) errors.push_back(option + ": " + rule);
   };
   if (is_test) {
-    const std::string rule = "is for tables; a test in ISO-MME has channels, see --list and --channel";
+    const std::string rule =
+        "applies only to tables; a test in ISO-MME has channels, see --list and --channel";
     say(!request.table.time.empty(), "--time", rule);
     say(!request.table.acceleration.empty(), "--acceleration", rule);
-    say(request.table.bridge_gaps, "--bridge-gaps", "is for tables; a test in ISO-MME has even times");
-    say(!request.table.time_unit.empty(), "--time-unit", "is for tables; in ISO-MME times are in s");
-    say(request.interval.has_value(), "--interval", "is for tables; a test in ISO-MME has even times");
+    say(request.table.bridge_gaps, "--bridge-gaps",
+        "applies only to tables; a test in ISO-MME has even times");
+    say(!request.table.time_unit.empty(), "--time-unit", "applies only to tables; in ISO-MME times are in s");
+    say(request.interval.has_value(), "--interval",
+        "applies only to tables; a test in ISO-MME has even times");
   } else {
-    say(!request.channel.empty(), "--channel", "is for ISO-MME; a table has columns, see --acceleration");
-    const std::string rule = "is for a table with times; with --interval none are read";
+    say(!request.channel.empty(), "--channel",
+        "applies only to ISO-MME; a table has columns, see --acceleration");
+    const std::string rule = "applies only to a table with times; with --interval no times are read";
     say(request.interval && !request.table.time.empty(), "--time", rule);
     say(request.interval && !request.table.time_unit.empty(), "--time-unit", rule);
     say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
   }
-  say(request.corner && !request.filter, "--corner", "is for a filter; add --filter");
-  say(request.ends && !request.filter, "--ends", "is for a filter; add --filter");
+  say(request.corner && !request.filter, "--corner", "applies only with --filter");
+  say(request.ends && !request.filter, "--ends", "applies only with --filter");
   return errors;
 }
 
@@ -145,45 +149,50 @@ void add_source_options(CLI::App& sub, PulseRequest& request) {
   add_option(sub, "--acceleration-unit UNIT", request.table.acceleration_unit,
              "Unit of the acceleration, such as g or m/s2");
   add_flag(sub, "--resultant", request.resultant,
-           "Combine two or three directions, each filtered before: sqrt(x^2 + y^2 + z^2)");
+           "Combine two or three directions, each filtered first: sqrt(x^2 + y^2 + z^2)");
   add_flag(sub, "--bridge-gaps", request.table.bridge_gaps,
-           "Take a straight line where the times tell that samples are missing");
+           "Interpolate linearly where the times show that samples are missing");
   add_option(sub, "--interval TIME", request.interval,
              "Time between two samples of a table without times, such as \"0.1 ms\"");
   add_option(sub, "--sensitivity VALUE", request.sensitivities,
-             "What makes accelerations of V or mV, such as \"10 mV/g\"; once, or for each direction");
+             "Sensor sensitivity, for columns in V or mV, such as \"10 mV/g\"; one for all directions, or "
+             "one for each");
   add_option(sub, "--channel CODE", request.channel,
              "Channel of an ISO-MME test: its number, or its code with ? for any character");
 }
 
 void add_processing_options(CLI::App& sub, PulseRequest& request) {
-  add_option(
-      sub, "--zero BEGIN,END", request.zero,
-      "Take the sensor's offset off first: its mean from BEGIN to END, such as \"0 ms,5 ms\", or \"auto\" "
-      "for the quiet part before the impact");
+  add_option(sub, "--zero BEGIN,END", request.zero,
+             "Subtract the sensor's offset first: the mean from BEGIN to END, such as \"0 ms,5 ms\", or "
+             "\"auto\" for the quiet part before the impact");
   add_option(sub, "--filter CLASS", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
       ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}));
-  add_option(sub, "--corner NAME", request.corner, "Of the filter: sae (J211, default) or iso (6487)")
+  add_option(sub, "--corner NAME", request.corner,
+             "Corner frequency of the filter: sae (J211, default) or iso (6487)")
       ->check(CLI::IsMember({"sae", "iso"}));
-  add_option(sub, "--ends NAME", request.ends,
-             "Beyond the ends: mirrored (default), held, mirrored-from-mean, negated-before")
+  add_option(
+      sub, "--ends NAME", request.ends,
+      "Pulse beyond its ends, for the filter: mirrored (default), held, mirrored-from-mean, negated-before")
       ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}));
-  add_option(sub, "--resample INTERVAL", request.resample, "Even samples first, such as \"0.1 ms\"");
+  add_option(sub, "--resample INTERVAL", request.resample,
+             "Resample at this interval first, such as \"0.1 ms\"");
   add_option(sub, "--speed SPEED", request.speed,
-             "Impact speed, such as \"5 m/s\": restitution, and a check of the pulse");
+             "Impact speed, such as \"5 m/s\", for the restitution and a check of the pulse");
   add_option(sub, "--drop-height LENGTH", request.drop_height,
-             "The same from a free fall, such as \"1.5 m\"");
+             "Height of free fall instead of the speed, such as \"1.5 m\"");
 }
 
 void add_figure_options(CLI::App& sub, PulseRequest& request) {
-  add_option(sub, "--calibration SHARE", request.calibration,
-             "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\": for that of the figures");
-  add_option(sub, "--position TEXT", request.position, "Where on the pad it struck, in your words");
-  add_option(sub, "--date TEXT", request.date, "When it was measured, in your words");
+  add_option(
+      sub, "--calibration SHARE", request.calibration,
+      "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\", for the uncertainty of the figures");
+  add_option(sub, "--position TEXT", request.position, "Place of the impact on the pad, as free text");
+  add_option(sub, "--date TEXT", request.date, "Date of the measurement, as free text");
   add_option(sub, "--note TEXT", request.note,
-             "What else the page is to say: surface, temperature, operator");
-  add_option(sub, "--window MS", request.windows_ms, "One more HIC, with a window of at most MS");
-  add_option(sub, "--dwell LEVEL", request.dwells, "The time above LEVEL, in g (default: 80, 150 and 200)");
+             "Further remarks for the page: surface, temperature, operator");
+  add_option(sub, "--window MS", request.windows_ms, "Add the HIC with windows of at most MS");
+  add_option(sub, "--dwell LEVEL", request.dwells,
+             "Give the time above LEVEL, in g (default: 80, 150 and 200)");
 }
 
 }  // namespace dashpad::app

@@ -26,14 +26,14 @@ constexpr const char* study_export_footer = R"(Examples:
   dashpad study export rows.db --hdf5 rows.h5
   dashpad study export rows.db --csv - | head
 
-All rows that are computed, by number: status, error, factors and responses, in SI and accelerations in g; names carry
-their unit. Values that an impact does not have are empty in the CSV and NaN in the HDF5.
-Memory does not grow with the rows.
+Writes all computed rows in the order of their numbers: status, error, factors and responses, in SI with
+accelerations in g; the names include the unit. Values that an impact does not have are empty in CSV and NaN in
+HDF5. Memory use does not depend on the number of rows.
 
-Files: - as the FILE of --csv is standard output. An existing file is kept unless --force is given. A file is
-written whole or not at all.
+Files: - as the FILE of --csv is standard output. An existing file is not overwritten unless --force is given. A
+file is written completely or not at all.
 
-Exit codes: 0 done, 1 a file could not be written, 2 refused and nothing was written.)";
+Exit codes: 0 success, 1 a file could not be written, 2 invalid input and nothing was written.)";
 
 struct StudyExportRequest {
   std::string store_file;

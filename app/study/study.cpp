@@ -41,13 +41,13 @@ constexpr const char* study_footer = R"(Examples:
 A study file names a base case, factors that vary (lists, ranges, distributions) and the responses to keep. The
 same study gives the same rows on any number of cores or machines. The store is an SQLite file.
 
-Interrupted (Ctrl-C, SIGTERM, a crash, a full disk): the same command goes on where it stopped; no row is lost
-and none is computed twice. While it runs, summary, export and any SQLite tool read the rows that are there.
-Under mpirun each rank computes on one core. docs/studies.md tells all.
+After an interruption (Ctrl-C, SIGTERM, a crash, a full disk) the same command continues where it stopped; no row
+is lost and none is computed twice. While it runs, summary, export and any SQLite tool can read the completed rows.
+Under mpirun each rank computes on one core. See docs/studies.md.
 
-Exit codes: 0 all rows are there, 1 a result could not be written, 2 refused and nothing was run, 3 all rows
-are there but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
-Ctrl-C or SIGTERM: the same command goes on.)";
+Exit codes: 0 all rows are complete, 1 a result could not be written, 2 invalid input and nothing was run, 3 all
+rows are complete but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
+Ctrl-C or SIGTERM: the same command continues.)";
 
 /// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
 /// that a plain command never loads MPI.
@@ -101,8 +101,8 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   const std::uint64_t rows = store.rows_done();
   const auto computed = static_cast<double>(rows - rows_before);
   if (!complete) {
-    write_error(fmt::format("Stopped with {} rows in {}. The same command goes on where this one stopped.\n",
-                            rows, request.store_file));
+    write_error(fmt::format("Stopped with {} rows in {}. The same command continues from there.\n", rows,
+                            request.store_file));
     return StopSignal::exit_code();
   }
   const auto [doubtful, struck_through] = study::row_counts(store);
@@ -119,12 +119,12 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
 }
 
 void add_study(CLI::App& app, Action& action) {
-  CLI::App* sub = app.add_subcommand("study", "Many impacts: curves, maps, probabilities");
+  CLI::App* sub = app.add_subcommand("study", "Solve many impacts: curves, maps, probabilities");
   const auto request = std::make_shared<StudyRequest>();
   add_option(*sub, "STUDY", request->study_file, "Study file (TOML)");
   add_option(*sub, "--out FILE", request->store_file,
-             "The store: a new file, or that of this study, to go on");
-  add_option(*sub, "--threads N", request->threads, "Threads to compute on (default: one a core)")
+             "The store: a new file, or the existing one of this study, to continue it");
+  add_option(*sub, "--threads N", request->threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
   add_flag(*sub, "--quiet", request->quiet, "Show no progress");
   add_material_folder(*sub, request->materials);

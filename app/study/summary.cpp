@@ -42,12 +42,13 @@ constexpr const char* study_summary_footer = R"(Examples:
   dashpad study summary cushions.db --report cushions.html --picture cushions.svg
   dashpad study summary cushions.db --json - | jq .cushion_curves
 
-Mean, quantiles, the probability of more than a limit, all with 95 % intervals; Sobol' indices where the study has
-indices = true; cushion curves where it varies mass, speed and thickness. Combinations of levels are kept apart.
-Rows in which the pad bottomed out on a rigid support are above every limit on force, clips and HIC.
-An interrupted study is summed up as far as it is. docs/studies.md says what to believe.
+Gives means, quantiles and the probability of exceeding a limit, all with 95 % intervals; Sobol' indices if the
+study has indices = true; cushion curves if it varies mass, speed and thickness. Combinations of levels are kept
+separate. Rows in which the pad bottomed out on a rigid support count as above every limit on force, clips and
+HIC. An interrupted study is summarised as far as it has been computed. docs/studies.md explains how far to trust
+the results.
 
-Exit codes: 0 done, 1 a result could not be written, 2 refused.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input.)";
 
 struct StudySummaryRequest {
   std::string store_file;
@@ -61,7 +62,7 @@ std::string response_rule(const std::string& name, const study::Store& store) {
   if (response_of(name, store) != nullptr) return "";
   std::vector<std::string> names;
   for (const study::StoredColumn& response : store.responses()) names.push_back(response.name);
-  return "is no response of this study; it keeps " + input::listing(names);
+  return "is not a response of this study; it has " + input::listing(names);
 }
 
 /// A limit such as "hic15 > 1000" or "peak_force = 5 kN"; absent after an error.
@@ -140,13 +141,13 @@ void add_study_summary(CLI::App& study, Action& action) {
       study, action, "summary", "Distributions, probabilities, sensitivities, cushion curves",
       study_summary_footer, summarise);
   add_option(sub, "FILE", request.store_file, "The store of a study")->required();
-  add_option(sub, "--response NAME", request.responses, "Only this one; may be given again")->take_all();
+  add_option(sub, "--response NAME", request.responses, "Only this response; may be repeated")->take_all();
   add_option(sub, "--limit LIMIT", request.limits,
-             "Probability of more than this: \"hic15 > 1000\" or hic15=1000; may be given again")
+             "Probability of exceeding this limit: \"hic15 > 1000\" or hic15=1000; may be repeated")
       ->take_all();
   add_documents(sub, request.files);
-  add_file(sub, request.files, "--json", "Write all answers as JSON, SI and g (- for standard output)");
-  add_file(sub, request.files, "--picture", "Draw the most telling figure (.svg, .png, .pdf)");
+  add_file(sub, request.files, "--json", "Write all results as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--picture", "Draw the most informative figure (.svg, .png, .pdf)");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);
 }

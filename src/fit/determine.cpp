@@ -188,7 +188,8 @@ Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimu
     session.throw_if_stopped();
     if (!has_derivatives) {
       report.converged = false;
-      report.why_not = "the best values lie where the model ends, and a step beside them makes no material";
+      report.why_not =
+          "the best values lie at a limit of the model, and a step away from them gives no valid material";
       return solved;
     }
     find_profiles(residuals, report, round, session, solved);

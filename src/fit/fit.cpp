@@ -28,16 +28,16 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   if (!has(fit.base)) {
     broken.push_back({key, no_value,
                       unknown.key == "pad.material"
-                          ? "is no number; its numbers are, such as pad.curve.modulus"
+                          ? "is not a number; its entries are, such as pad.curve.modulus"
                           : study::rule_for_unknown(unknown.key, fit.base)});
     return;
   }
   if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
     broken.push_back({key, no_value, "is given twice"});
   if (!study::is_of_law(unknown.key) && !has_fitted(fit.impacts))
-    broken.push_back({key, no_value,
-                      "is no number of the pad's law, which is all that material tests see: it needs "
-                      "[[impacts]]"});
+    broken.push_back(
+        {key, no_value,
+         "is not a parameter of the pad's law; material tests determine nothing else: it needs [[impacts]]"});
   for (const ImpactMeasurement& impact : fit.impacts) {
     ImpactCase impact_case = impact.impact;
     impact_case.pad.material = fit.base.pad.material;
@@ -107,11 +107,10 @@ void check_amount(const Fit& fit, Broken& broken) {
   }
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
-    broken.push_back(
-        {"unknowns", no_value,
-         fmt::format("are {} with the offsets and shifts, for {} measured numbers and priors: there must "
-                     "be as many data at least",
-                     unknowns, data)});
+    broken.push_back({"unknowns", no_value,
+                      fmt::format("are {} with the offsets and shifts, for {} measured numbers and priors: "
+                                  "at least as many data are needed",
+                                  unknowns, data)});
 }
 
 bool is_of_the_rate(const std::string& key) {
@@ -132,11 +131,11 @@ void check_rates(const Fit& fit, Broken& broken) {
   if (!(highest < one_rate * lowest)) return;
   for (const Unknown& unknown : fit.unknowns)
     if (is_of_the_rate(unknown.key) && !unknown.prior)
-      broken.push_back({"unknowns." + unknown.key, no_value,
-                        fmt::format("all tests have one rate, {:.3g} 1/s: they say nothing about how the "
-                                    "stress depends on it; leave it fixed, give a prior, or add a test at "
-                                    "another rate",
-                                    highest)});
+      broken.push_back(
+          {"unknowns." + unknown.key, no_value,
+           fmt::format("all tests have one rate, {:.3g} 1/s: they contain no information on the effect of "
+                       "the rate; leave the unknown fixed, give a prior, or add a test at another rate",
+                       highest)});
 }
 
 /// A deviation far from what it is of would drown all other data, or say nothing.
@@ -201,7 +200,7 @@ std::vector<Violation> violations(const Fit& fit) {
   for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
     const std::string key = fmt::format("impacts[{}]", i + 1);
     if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
-      broken.push_back({key, no_value, "names no measured figure, such as peak_force, and no pulse"});
+      broken.push_back({key, no_value, "gives neither a measured figure, such as peak_force, nor a pulse"});
     if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
     for (const MeasuredFigure& figure : fit.impacts[i].figures) {
       check_deviation(key, figure.deviation, figure.value, broken);

@@ -235,13 +235,13 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
   std::optional<double> rate;
   if (table.has("rate")) {
     rate = table.quantity("rate", "1/s");
-    if (*rate <= 0) table.fault("rate", "must be more than 0; up or down is seen from the strains");
+    if (*rate <= 0) table.fault("rate", "must be more than 0; the direction follows from the strains");
   }
   if (rate && !columns.time.empty()) table.fault("rate", "give a rate or a column of times, not both");
   if (!rate && columns.time.empty())
     table.fault("rate",
-                "is missing; say how fast the test was, such as \"0.01 1/s\", or name a column of "
-                "times: columns = {time = \"time\"}");
+                "is missing; give the rate of the test, such as \"0.01 1/s\", or name a column of times: "
+                "columns = {time = \"time\"}");
   read_range(table, test);
   test.has_offset = table.flag("offset");
   test.is_held_out = table.flag("hold_out");

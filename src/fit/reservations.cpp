@@ -56,8 +56,8 @@ void add_open_unknowns(const FitReport& report, Sentences& all) {
   for (const FittedUnknown& unknown : report.unknowns) {
     if (unknown.is_nuisance) continue;
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("{} lies at its {} bound, {}: the data want it beyond.", unknown.key,
-                                unknown.is_at_lowest ? "lower" : "upper",
+      all.push_back(fmt::format("{} lies at its {} bound, {}: the data favour a value beyond it.",
+                                unknown.key, unknown.is_at_lowest ? "lower" : "upper",
                                 value_words(unknown, unknown.value)));
     else if (!unknown.is_identified())
       all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
@@ -68,17 +68,20 @@ void add_open_unknowns(const FitReport& report, Sentences& all) {
 /// The search and the misfit.
 void add_doubts(const FitReport& report, Sentences& all) {
   if (report.starts > 1 && report.starts_at_best == 1)
-    all.push_back(fmt::format(
-        "Only 1 of {} starts of the search came to this fit: there may be a better one.", report.starts));
+    all.push_back(
+        fmt::format("Only 1 of {} starts of the search converged to this fit: there may be a better one.",
+                    report.starts));
   if (report.starts_at_best == 0)
     all.emplace_back(
-        "No start of the search came to this fit, which was met on the way: there may be a better one.");
+        "No start of the search converged to this fit, which was found along a profile: there may be a "
+        "better one.");
   // For sound data, chi-squared scatters by the root of twice its degrees of freedom.
   const double most = 1 + 3 * std::sqrt(2 / std::max(report.degrees_of_freedom, 1.0));
   if (report.noise_is_stated && report.misfit_per_degree() > most)
-    all.push_back(fmt::format(
-        "Chi-squared is {:.3g} per degree of freedom: the model misses the data by more than their noise.",
-        report.misfit_per_degree()));
+    all.push_back(
+        fmt::format("Chi-squared is {:.3g} per degree of freedom: the model deviates from the data by more "
+                    "than their noise.",
+                    report.misfit_per_degree()));
 }
 
 constexpr double worth_saying = 0.05;  ///< share of the measured figure
@@ -128,7 +131,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
   }
   if (is_scaled && has_fitted(fit.tests))
     all.emplace_back(
-        "The scale that impacts asked for is in all stresses: the tests were fitted without it.");
+        "All stresses include the scale found from the impacts; the tests were fitted without it.");
   for (const MetTest& test : report.tests)
     if (test.offset)
       all.push_back(fmt::format("The force zero of {} was taken to be off by {:.3g} kPa.", test.file,
@@ -144,7 +147,7 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
         has_curves(base.law)
             ? "No compression test is among the data: the strain up to which the foam counts as "
               "tested is that of the curve in the fit file."
-            : "No compression test is among the data: up to which strain the law holds is not known.");
+            : "No compression test is among the data: the strain up to which the law is valid is not known.");
     return;
   }
   double tested = 0, reached = 0;
@@ -205,12 +208,11 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   add_speeds(fit, values, all);
   add_misses(report, all);
   add_company(fit, report, all);
-  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the way back is assumed.");
+  if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the unloading is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
-        "How much of the stress that the rate adds resists the way back (recoil) was not tested: 1 is "
-        "assumed, "
-        "the largest loss, and 0 to 1 are possible.");
+        "How much of the rate-dependent stress resists the recovery (recoil) was not tested: 1 is assumed, "
+        "the largest loss; values from 0 to 1 are possible.");
   add_range(fit, values, all);
   for (const std::string& old : fit.base.pad.material.reservations) {
     const auto is_about = [&](const Unknown& unknown) { return old.find(unknown.key) != std::string::npos; };

@@ -102,12 +102,12 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
     throw std::runtime_error(
         fmt::format("{}: {}; give another name, or remove it", options.state.string(), why));
   };
-  const auto is_none = [&](const std::string& why) { refuse("is no state of a fit: " + why); };
+  const auto is_none = [&](const std::string& why) { refuse("is not the state of a fit: " + why); };
   const json state = json::parse(input::read_measurement(options.state, largest_state), nullptr, false);
   const json format = state.is_object() ? state.value("format", json()) : json();
   if (format == "dashpad fit state 1" || format == "dashpad fit state 2")
     refuse("is the state of a fit by an earlier version of dashpad");
-  if (format != format_of_state) is_none("it does not say that it is one");
+  if (format != format_of_state) is_none("it is not marked as one");
   if (!state.contains("fit") || !state.contains("pieces") || !state["pieces"].is_object())
     is_none("parts of it are missing");
   if (state["fit"] != options.fingerprint)

@@ -100,8 +100,8 @@ class Search {
   void run(int iterations) {
     if (!residuals_at(minimum_.x, residuals_)) {
       minimum_.why_not =
-          "the model cannot be evaluated at the starting values: they make no valid material, or an impact "
-          "without the measured figure, as where the pad bottoms out";
+          "the model cannot be evaluated at the starting values: they give no valid material, or an impact "
+          "without the measured figure, for example because the pad bottoms out";
       return;
     }
     minimum_.misfit = residuals_.squaredNorm();
@@ -109,7 +109,7 @@ class Search {
     minimum_.converged = free_.empty();
     for (int i = 0; i < iterations && !minimum_.converged && minimum_.is_sound; ++i) iterate();
     if (!minimum_.converged && minimum_.why_not.empty())
-      minimum_.why_not = fmt::format("the search has not ended after {} steps", iterations);
+      minimum_.why_not = fmt::format("the search did not converge within {} steps", iterations);
   }
 
  private:
@@ -127,7 +127,7 @@ class Search {
   /// Makes one step that reduces the misfit, or ends the search.
   void iterate() {
     if (!is_fresh_ && !is_updated_ && !differentiate())
-      return stop("a step beside the place makes no material");
+      return stop("a step from these values gives no valid material");
     // Each try is damped more; after these nothing is left of a step, as where the search was stopped.
     constexpr int max_tries = 30;
     for (int tries = 0; tries < max_tries; ++tries) {
@@ -159,7 +159,7 @@ class Search {
       if (minimum_.misfit - expected.squaredNorm() <= tolerance_ * minimum_.misfit && is_sound)
         return refresh_or_converge();
     }
-    stop("no step from the best place makes a material that can be tested");
+    stop("no step from the best values gives a material that can be tested");
   }
 
   void take(std::vector<double> x, const Vector& step, Vector residuals, const Vector& expected,

@@ -50,15 +50,15 @@ constexpr std::array all_flags{
 std::string missed_tolerance(const Summary& summary) {
   const std::string asked =
       std::isfinite(summary.tolerance) ? fmt::format("{:.2g} %", 100 * summary.tolerance) : "unknown";
-  return fmt::format("asked for {}; the errors may be larger than estimated", asked);
+  return fmt::format("a tolerance of {} was required; the errors may be larger than estimated", asked);
 }
 
 std::string bottoming(const Summary& summary) {
-  return fmt::format("BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
-                     !bottomed_on_rigid_support(summary) ? "for a while, in which only the support gave way"
-                     : summary.support
-                         ? "against the mass behind it, so that the force has no finite value there"
-                         : "on its rigid support, so that the force has no finite value there");
+  return fmt::format(
+      "BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
+      !bottomed_on_rigid_support(summary) ? "for a while, during which only the support yielded"
+      : summary.support ? "against the mass behind it, so that the force has no finite value there"
+                        : "on its rigid support, so that the force has no finite value there");
 }
 
 /// Share of the impact energy that counts as rounding even if the estimate is smaller.
@@ -68,15 +68,15 @@ double energy_gained(const Summary& summary) { return -summary.energy_absorbed_f
 
 std::string gain(const Summary& summary) {
   return fmt::format(
-      "the pad gave back {:.2g} % of the impact energy more than it took, as no foam does; "
-      "the law does not exclude it",
+      "the pad returned {:.2g} % of the impact energy more than it received, which no foam does; the law "
+      "does not exclude it",
       100 * energy_gained(summary));
 }
 
 std::string pushing_back(const Summary& summary) {
   return fmt::format(
-      "going in, the force reached {:.4g} N; then the pad sprang open and pushed the "
-      "harder the faster it did, as no foam does: the law takes the size of the strain rate, not its sign",
+      "while the nose advanced, the force reached {:.4g} N; then the pad sprang open with a force that grew "
+      "with its speed, which no foam does: the law depends on the magnitude of the strain rate, not its sign",
       summary.force_on_way_in);
 }
 
@@ -84,9 +84,10 @@ std::string pushing_back(const Summary& summary) {
 std::string series_cut(const Summary& summary) {
   const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
                           : summary.status == Status::time_limit ? "had not ended by the time limit"
-                                                                 : "closed the pad";
-  return fmt::format("blow {} of {} {}, and what it leaves behind is not known; no further blow was computed",
-                     summary.blow, summary.blows, why);
+                                                                 : "compressed the pad fully";
+  return fmt::format(
+      "blow {} of {} {}, so that the state of the pad after it is not known; no further blow was computed",
+      summary.blow, summary.blows, why);
 }
 
 /// The flag of a pad that did not bottom out, or of layers, struck through, in order of time; or nothing.
@@ -94,8 +95,8 @@ std::optional<Flag> striking_through(const Summary& summary) {
   const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
     return flag_of(name,
-                   "less than a thousandth of the pad was left, which no test of a foam reaches; forces and "
-                   "accelerations are not to be relied on",
+                   "less than a thousandth of the thickness was left, which no foam test reaches; do not "
+                   "rely on forces and accelerations",
                    {{"peak_strain", summary.peak_strain}});
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
@@ -108,13 +109,13 @@ std::optional<Flag> striking_through(const Summary& summary) {
     figures.push_back({fmt::format("layer_{}_s", layer), time});
     text += fmt::format("{}layer {} at {:.4g} ms", text.empty() ? "" : ", then ", layer, 1e3 * time);
   }
-  return flag_of(name, text + "; from then on the others alone gave way", std::move(figures));
+  return flag_of(name, text + "; from then on only the others were compressed", std::move(figures));
 }
 
 std::string softening(const Summary& summary) {
   return fmt::format(
-      "the curve at {} per second falls behind its yield; a real foam may then crush layer by "
-      "layer, which a column of one strain does not show",
+      "the curve at {} per second falls after its yield point; a real foam may then crush layer by layer, "
+      "which a column of uniform strain does not show",
       plain_number(summary.softening_rates.front()));
 }
 
@@ -171,8 +172,8 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
   const char* const by = extrapolation.beyond == Beyond::strain
-                             ? " by how it goes on there, which is a guess"
-                             : " if the stress follows the rate otherwise there";
+                             ? " depending on how the curve continues there, which is a guess"
+                             : " if the stress depends on the rate differently there";
   return flag_of(
       name, extrapolation.text + "; " + words_of(effect) + by,
       {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}});
@@ -244,17 +245,15 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
         "are not known");
   if (summary.speed_to_sheet > 0)
     add("SHEET STRUCK FLAT",
-        fmt::format(
-            "the flat nose loses {:.2g} m/s to the sheet at first contact, in a blow that no force or "
-            "acceleration here shows",
-            summary.speed_to_sheet),
+        fmt::format("the flat nose loses {:.2g} m/s to the sheet at first contact, in a collision that does "
+                    "not appear in forces and accelerations",
+                    summary.speed_to_sheet),
         {{"speed_lost_m_per_s", summary.speed_to_sheet}});
   if (summary.still_sinking)
     add("STILL SINKING",
-        fmt::format(
-            "the pad creeps on; the impactor counts as at rest at {:.2g} mm/s, and its penetration and "
-            "displacement are those so far",
-            1e3 * summary.rest->velocity),
+        fmt::format("the pad is still creeping; the impactor counts as at rest at {:.2g} mm/s, and its "
+                    "penetration and displacement are those reached so far",
+                    1e3 * summary.rest->velocity),
         {{"velocity_m_per_s", summary.rest->velocity}});
   if (gained_energy(summary))
     add("ENERGY GAINED", gain(summary), {{"energy_gained_fraction", energy_gained(summary)}});

@@ -118,10 +118,9 @@ void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
     broken.push_back({key, impact.pad.sheet,
                       "must be left out with earlier blows: how a sheet lies after a blow is not known"});
   if (std::holds_alternative<Cylinder>(impact.impactor.nose))
-    broken.push_back(
-        {key, impact.pad.sheet,
-         "must be left out with a cylinder: it meets the sheet along a line, and the force of that "
-         "blow has no bound"});
+    broken.push_back({key, impact.pad.sheet,
+                      "must be left out with a cylinder: it meets the sheet along a line, and the force of "
+                      "that collision is unbounded"});
 }
 
 /// Checks the parts of a support; those that are 0 are absent.
@@ -133,7 +132,7 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
     for (const Parameter<Backing>& parameter : Backing::parameters)
       if (parameter.member != &Backing::body_mass && parameter.of(backing) != 0)
         broken.push_back({std::string("support.") + parameter.key, parameter.of(backing),
-                          "a rigid support has none; only a free body may be behind it"});
+                          "a rigid support has none; it may only have a free body behind it"});
     return;
   }
   if (backing.damping > 0 && backing.loss_factor > 0)
@@ -142,10 +141,10 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
     broken.push_back({"support.gap", backing.gap, "a support with a preload has no gap"});
   if (backing.gap > 0 && !(backing.mass > 0))
     broken.push_back({"support.gap", backing.gap,
-                      "needs the mass of the panel, which nothing but its mass holds up in the gap"});
+                      "needs the mass of the panel: in the gap only inertia resists its motion"});
   if (backing.earlier_force > 0 && !(backing.unloading_stiffness > 0))
     broken.push_back({"support.earlier_force", backing.earlier_force,
-                      "needs an unloading_stiffness: what an elastic support has carried leaves nothing"});
+                      "needs an unloading_stiffness: earlier forces leave no trace in an elastic support"});
   double steepest = 0;
   for (double force : {0.0, support.points().back().force})
     steepest = std::max(steepest, 1 / support.compliance(force));
@@ -212,17 +211,17 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
     check_earlier_penetration(broken, impact.pad);
   else if (impact.pad.earlier_penetration != 0)
     broken.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
-                      "must be 0: what earlier blows leave in a pad of layers is not known"});
+                      "must be 0: the state of a pad of layers after earlier blows is not known"});
   check_support(broken, impact.support);
   check_backing(broken, impact.support, impact.backing);
   if (impact.impactor.gravity > 0 && impact.backing.body_mass > 0)
     broken.push_back({"impactor.gravity", impact.impactor.gravity,
-                      "must be 0 with a free body behind the support, which would fall as well"});
+                      "must be 0 with a free body behind the support, since it would fall as well"});
   if (impact.pad.layers.empty())
     check_blows(broken, impact);
   else if (impact.blows)
     broken.push_back({"blows.count", double(impact.blows->count),
-                      "a pad of layers is struck once: what a blow leaves in it is not known"});
+                      "a pad of layers is struck only once: its state after a blow is not known"});
   return broken;
 }
 

@@ -65,8 +65,8 @@ std::string reason_of(const CriterionResult& result, const Summary& summary) {
   if (result.verdict != Verdict::undecided) return "";
   if (result.lower_bound)
     return peak_is_final(summary)
-               ? "PULSE CUT: it ends at its peak, for the foam does not unload; the value can only grow"
-               : "PULSE CUT: it ends while the impactor is still on the pad; the value can only grow";
+               ? "PULSE CUT: it ends at its peak, since the foam does not unload; the value is a lower bound"
+               : "PULSE CUT: it ends while the impactor is still on the pad; the value is a lower bound";
   if (!std::isfinite(result.error)) return "the error is unknown";
   return result.interval ? "the limit lies within the interval" : "the limit lies within the error estimate";
 }
@@ -108,7 +108,8 @@ KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
 void add_reservations_about(const Material& material, std::vector<Flag>& reservations) {
   if (range_of(material)) return;
   const std::string where = material.name == foam_of_the_case ? "case" : "card";
-  reservations.push_back(flag_of("UNKNOWN RANGE", "the " + where + " does not say where its law was fitted"));
+  reservations.push_back(
+      flag_of("UNKNOWN RANGE", "the " + where + " does not state the range in which its law was fitted"));
 }
 
 /// Collects the names of values and limits that were not verified in the standard.
@@ -123,7 +124,7 @@ struct ReadNames {
   void say(std::vector<Flag>& reservations) const {
     if (!unverified.empty())
       reservations.push_back(
-          flag_of("UNVERIFIED", "not read in the standard or a source that repeats it: " + unverified));
+          flag_of("UNVERIFIED", "not read in the standard or a source that quotes it: " + unverified));
     if (!secondary.empty())
       reservations.push_back(flag_of("SECONDARY SOURCE", "not read in the standard itself: " + secondary));
   }
@@ -147,8 +148,9 @@ void add_reservations_about(const Standard& standard, std::vector<Flag>& reserva
 /// Adds the missing intervals. Their absence is no sign of certainty.
 void add_reservations_about(const Summary& summary, std::vector<Flag>& reservations) {
   if (!summary.intervals) {
-    reservations.push_back(flag_of(
-        "NO INTERVALS", "how sure the figures are was not asked for; the verdict is of the values alone"));
+    reservations.push_back(
+        flag_of("NO INTERVALS",
+                "the uncertainty of the figures was not computed; the verdict is based on the values alone"));
     return;
   }
   for (const OpenSource& open_source : summary.intervals->sources)

@@ -33,8 +33,8 @@ InjuryFigures injury_figures(const Pulse& pulse) {
   return figures;
 }
 
-std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
-  const InjuryFigures::Errors& errors = of.errors;
+std::array<InjuryValue, 9> injury_values(const InjuryFigures& figures) {
+  const InjuryFigures::Errors& errors = figures.errors;
   const auto value = [](const char* key, double size, double error) {
     return InjuryValue{.quantity = &result_quantity(key), .value = size, .error = error};
   };
@@ -44,17 +44,18 @@ std::array<InjuryValue, 9> injury_values(const InjuryFigures& of) {
     result.end = window.end;
     return result;
   };
-  InjuryValue peak = value("peak_acceleration", of.peak.magnitude, errors.peak);
-  peak.time = of.peak.time;
-  return {peak,
-          within("hic15", of.hic15, of.hic15.value, errors.hic15),
-          within("hic36", of.hic36, of.hic36.value, errors.hic36),
-          within("hic_unlimited", of.hic_unlimited, of.hic_unlimited.value, errors.hic_unlimited),
-          value("hic_d", of.hic_d, errors.hic_d),
-          within("clip_3ms", of.clip_3ms, of.clip_3ms.level, errors.clip_3ms),
-          within("cumulative_3ms", of.cumulative_3ms, of.cumulative_3ms.level, errors.cumulative_3ms),
-          value("severity_index", of.severity_index, errors.severity_index),
-          value("velocity_change", of.velocity_change, errors.velocity_change)};
+  InjuryValue peak = value("peak_acceleration", figures.peak.magnitude, errors.peak);
+  peak.time = figures.peak.time;
+  return {
+      peak,
+      within("hic15", figures.hic15, figures.hic15.value, errors.hic15),
+      within("hic36", figures.hic36, figures.hic36.value, errors.hic36),
+      within("hic_unlimited", figures.hic_unlimited, figures.hic_unlimited.value, errors.hic_unlimited),
+      value("hic_d", figures.hic_d, errors.hic_d),
+      within("clip_3ms", figures.clip_3ms, figures.clip_3ms.level, errors.clip_3ms),
+      within("cumulative_3ms", figures.cumulative_3ms, figures.cumulative_3ms.level, errors.cumulative_3ms),
+      value("severity_index", figures.severity_index, errors.severity_index),
+      value("velocity_change", figures.velocity_change, errors.velocity_change)};
 }
 
 std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, const ResultQuantity& quantity) {

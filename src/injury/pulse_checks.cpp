@@ -39,12 +39,11 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
 
 Flag cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
   const double left = std::abs(acceleration), share = left / peak;
-  return flag_of(
-      "PULSE CUT",
-      fmt::format("it {} at {} g, {} of its peak: {}, or the sensor has an offset; of a pulse that is "
-                  "not whole HIC, clips and velocity change are lower bounds",
-                  where, brief(left / standard_gravity), in_percent(share), missing),
-      {{"acceleration_m_per_s2", left}, {"peak_fraction", share}});
+  return flag_of("PULSE CUT",
+                 fmt::format("it {} at {} g, {} of its peak: {}, or the sensor has an offset; HIC, clips and "
+                             "velocity change of an incomplete pulse are lower bounds",
+                             where, brief(left / standard_gravity), in_percent(share), missing),
+                 {{"acceleration_m_per_s2", left}, {"peak_fraction", share}});
 }
 
 std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
@@ -64,14 +63,14 @@ std::string way_out(const SpeedCheck& check, const Contact& contact, const char*
       "There is no restitution between 0 and 1. For a velocity change that agrees with the {}", stated);
   if (check.min_scale && check.greatest_scale)
     text += fmt::format(
-        " the scale (unit, sensitivity) would have to be {}, or the sensor to show {:.2g} g "
-        "too {} over contact",
+        " the scale (unit, sensitivity) would have to be {}, or the sensor would have to read {:.2g} g too "
+        "{} during contact",
         other_scale(is_short ? *check.min_scale : *check.greatest_scale),
         std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
         is_short ? "little" : "much");
   else
     text += " there would have to be an acceleration";
-  return text + (is_short ? ", or samples to be missing." : ".");
+  return text + (is_short ? ", or samples would have to be missing." : ".");
 }
 
 }  // namespace
@@ -146,7 +145,7 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
   std::vector<std::string> remarks;
   const double change = std::abs(effect.hic15_with - effect.hic15_without);
   if (!effect.taken_off && is_more_than_noise && change > worth_a_remark * effect.hic15_without)
-    remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto takes it off",
+    remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto subtracts it",
                                   each_in_g(offset.mean, peak), change_of_hic15(effect)));
   if (effect.given && std::ranges::max(offset.scatter) > max_quiet_scatter * peak)
     remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
@@ -166,15 +165,13 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
     check.greatest_scale = (2 * speed + given) / sensed;
   }
   const char* stated = report.impact->drop_height ? "drop height" : "speed";
-  check.text =
-      check.agrees()
-          ? fmt::format(
-                "Velocity change and {} agree: {} lies between {} (a body that stays) and twice that. "
-                "So it would if all accelerations were {} to {} times these: a smaller error of the "
-                "scale does not show here.",
-                stated, shown(check.change), shown(speed), brief(*check.min_scale, 3),
-                brief(*check.greatest_scale, 3))
-          : way_out(check, report.contact, stated);
+  check.text = check.agrees() ? fmt::format(
+                                    "Velocity change and {} agree: {} lies between {} (a body that stays) "
+                                    "and twice that. This would also hold if all accelerations were {} to {} "
+                                    "times as large: a smaller scale error does not show here.",
+                                    stated, shown(check.change), shown(speed), brief(*check.min_scale, 3),
+                                    brief(*check.greatest_scale, 3))
+                              : way_out(check, report.contact, stated);
   return check;
 }
 
@@ -183,8 +180,8 @@ std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const Measured
   if (!(std::abs(share) > unlike)) return std::nullopt;
   return flag_of(
       "UNLIKE SPEEDS",
-      fmt::format("the case strikes at {}, {} {} than the measured impact at {}{}: the "
-                  "differences are those of two impacts",
+      fmt::format("the case strikes at {}, {} {} than the measured impact at {}{}: the comparison is between "
+                  "two different impacts",
                   shown(computed.speed), in_percent(std::abs(share)), share < 0 ? "slower" : "faster",
                   shown(measured.speed),
                   measured.drop_height ? fmt::format(" (from {} m)", brief(*measured.drop_height, 4)) : ""),
@@ -199,7 +196,7 @@ std::optional<Flag> height_in_doubt(const PulseReport& report) {
   const double interval = interval_of(report.measured.pulse);
   if (std::abs(height / said - 1) <= unlike + 2 * samples_in_doubt * interval / fall) return std::nullopt;
   return flag_of("DROP HEIGHT IN DOUBT",
-                 fmt::format("the fall in the record takes {} ms, as from {} m; {} m was said",
+                 fmt::format("the fall in the record takes {} ms, as from {} m; {} m was given",
                              brief(1e3 * fall, 4), brief(height, 3), brief(said, 4)),
                  {{"fall_s", fall}, {"height_m", height}, {"stated_height_m", said}});
 }

@@ -124,7 +124,7 @@ void check_alignment(const PulseShape& measured, Alignment alignment) {
   if (alignment != Alignment::onset || measured.onset) return;
   throw std::invalid_argument(
       fmt::format("its first sample is above {:.0f} % of its peak already, so that its onset is not in it; "
-                  "--align peak or --align none does without",
+                  "--align peak and --align none do not need it",
                   100 * onset_share));
 }
 

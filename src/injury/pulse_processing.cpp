@@ -54,7 +54,7 @@ std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std
   const double slower = std::max(interval_of(measured.pulse), interval.value_or(0));
   const int of_class = filter.channel_frequency_class;
   if (samples_suffice(of_class, slower)) return std::nullopt;
-  return fmt::format("sampled at {} kHz; CFC{} wants {} kHz at least", brief(1e-3 / slower), of_class,
+  return fmt::format("sampled at {} kHz; CFC{} requires at least {} kHz", brief(1e-3 / slower), of_class,
                      brief(1e-2 * of_class));
 }
 

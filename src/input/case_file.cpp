@@ -54,7 +54,7 @@ void read_impactor(TableReader& table, const std::filesystem::path& folder, std:
   // An impactor that falls also presses on the pad by its weight.
   if (table.has("drop_height") && !table.has("gravity")) impactor.gravity = standard_gravity;
   if (table.has("drop_height") && impactor.gravity == 0)
-    table.fault("drop_height", "without gravity nothing falls; give a speed");
+    table.fault("drop_height", "a fall needs gravity; give a speed");
   for (const auto& [way, value] : others) way->set(impact, value);
   table.refuse_others();
 }

@@ -123,7 +123,7 @@ void put_later(const std::vector<LaterSetting>& settings, ImpactCase& impact, Fa
   for (const auto& [key, value] : settings) {
     const CaseQuantity* const found = quantities.find(key);
     if (found == nullptr) {
-      faults.add(set_by_option, key, value, "is no number of this case" + did_you_mean(key, keys));
+      faults.add(set_by_option, key, value, "is not a numeric key of this case" + did_you_mean(key, keys));
       continue;
     }
     auto [number, rule] = read_stated(value, found->unit);

@@ -31,9 +31,9 @@ bool asks_for_oblique_blow(const std::string& key) {
 }
 
 constexpr const char* no_oblique_blow =
-    "blows are along the normal of the pad: there is no oblique blow; with the normal part of the speed "
-    "alone, friction on the pad, the turning of the head that it brings about, and the larger contact of a "
-    "nose that slides are left out";
+    "impacts are along the normal of the pad; oblique impacts are not supported. Using the normal component "
+    "of the speed alone neglects friction on the pad, the resulting rotation of the head, and the larger "
+    "contact of a sliding nose";
 
 constexpr std::size_t max_numbers = 2000;
 

@@ -33,8 +33,8 @@ std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
   if (!(count <= max_steps_of_1984))
     throw std::invalid_argument(
-        fmt::format("the update of 1984 would take {:.3g} steps of {:.3g} s, and at most {} are on offer; "
-                    "shorten the test, or take fewer --steps",
+        fmt::format("the update of 1984 would need {:.3g} steps of {:.3g} s, and at most {} are possible; "
+                    "shorten the test, or use fewer --steps",
                     count, step, max_steps_of_1984));
   std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(i * step);
@@ -133,12 +133,12 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
         std::holds_alternative<RigidFoam>(material.law)
             ? "reloaded after contact was lost; the foam does not recover, and carries nothing below its "
               "largest strain"
-            : "reloaded after contact was lost; the law is silent there, and the column is taken to have "
-              "followed the platen without force, and to start again from stress zero"));
+            : "reloaded after contact was lost; the law does not cover this, and the column is assumed to "
+              "have followed the platen without force and to start again from zero stress"));
   if (run.unloads && -run.figures.hysteresis > std::max(1e-9, run.figures.energy_error))
     flags.push_back(flag_of(
         "ENERGY GAIN",
-        fmt::format("the law gives back {:.3g} % more energy than was put in", -100 * run.figures.hysteresis),
+        fmt::format("the law returns {:.3g} % more energy than was put in", -100 * run.figures.hysteresis),
         {{"energy_gained_fraction", -run.figures.hysteresis}}));
   if (const auto& update = run.update_of_1984;
       update && std::ranges::any_of(update->stress, [&](double stress) {

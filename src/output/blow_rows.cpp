@@ -32,7 +32,8 @@ std::string change(double from, double to, const std::string& unit) {
 std::string why_alike(const PadLaw& law) {
   if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully in between";
   return "a pad of the law " + name_of(law) + " recovers fully by its law" +
-         (std::holds_alternative<Elastic>(law) ? "" : ", if rests are long against its relaxation");
+         (std::holds_alternative<Elastic>(law) ? ""
+                                               : ", if the pauses are long compared with its relaxation");
 }
 
 std::string header(const char* key, const std::string& unit) {
@@ -53,11 +54,11 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   const BlowResult& first = blows.front();
   const BlowResult& last = blows.back();
   const int asked = first.summary.blows;
-  if (blows.size() == 1) return fmt::format("Of {} blows the first is the last that is known.", asked);
+  if (blows.size() == 1) return fmt::format("Only the first of {} blows is known.", asked);
   if (first.earlier_penetration == last.earlier_penetration &&
       first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
-  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration goes", blows.size());
+  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration changes", blows.size());
   if (std::isnan(peak_in_g(last)))
     text += fmt::format(" from {} g beyond all bounds", significant(peak_in_g(first), 4));
   else

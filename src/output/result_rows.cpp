@@ -22,7 +22,7 @@ std::string bottomed_flag(const Summary& summary, const UnitSystem& units) {
   return fmt::format("BOTTOMED at {}, the impactor still moving at {}{}",
                      brief_quantity(moment.time, "s", units), brief_quantity(moment.velocity, "m/s", units),
                      bottomed_on_rigid_support(summary) ? "; figures are up to that moment"
-                                                        : "; while it stayed so, only the support gave way");
+                                                        : "; while it was, only the support yielded");
 }
 
 /// Close to full compression the rounded percentage would look like bottoming: there, what is left is said.
@@ -50,13 +50,13 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   if (key == "peak_strain") return "on the axis";
   if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
       summary.support && summary.support->body_speed)
-    return "goes on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
+    return "moves on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
            "; restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "rebound_speed" && summary.restitution)
     return "restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
   if (key == "force_below_weight")
-    return (summary.force_below_weight->velocity > 0 ? "going on at " : "rebounding at ") +
+    return (summary.force_below_weight->velocity > 0 ? "moving on at " : "rebounding at ") +
            brief_quantity(std::abs(summary.force_below_weight->velocity), "m/s", units, digits);
   if (key == "energy_absorbed_fraction")
     return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits)) +
@@ -134,7 +134,7 @@ std::string tolerance_text(const Summary& summary) {
 /// The end of a completed run.
 std::string end_of_contact(const Summary& summary) {
   if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
-    return "The impactor left the pad and goes on, more slowly than the body behind it.";
+    return "The impactor left the pad and moves on, more slowly than the body behind it.";
   return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
                                  : "The pad stopped the impactor and does not push it back.";
 }

@@ -89,31 +89,33 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
     unsaid.push_back({key, value, rule});
   };
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
-    add("impactor.nose", 0, "the 1984 program knows no nose but a sphere");
-  if (impact.blows) add("blows", 0, "the 1984 program knows one blow only");
+    add("impactor.nose", 0, "the 1984 program supports no nose other than a sphere");
+  if (impact.blows) add("blows", 0, "the 1984 program supports only one blow");
   if (const double depth = impact.pad.earlier_penetration; depth > 0)
-    add("pad.earlier_penetration", depth, "the 1984 program knows no pad that was struck before");
+    add("pad.earlier_penetration", depth, "the 1984 program does not support a pad that was struck before");
   if (impact.pad.sheet > 0)
-    add("pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program knows no sheet on the pad");
-  if (impact.pad.area) add("pad.area", *impact.pad.area, "the 1984 program knows no pad with an edge");
+    add("pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program does not support a sheet on the pad");
+  if (impact.pad.area)
+    add("pad.area", *impact.pad.area, "the 1984 program does not support a pad with an edge");
   if (impact.impactor.gravity != 0)
-    add("impactor.gravity", impact.impactor.gravity, "the 1984 program knows no gravity");
+    add("impactor.gravity", impact.impactor.gravity, "the 1984 program does not support gravity");
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (const double value = parameter.of(impact.backing); value != 0)
       add(std::string("support.") + parameter.key, value,
           "the support of the 1984 program has no mass, loses nothing and stands on the ground");
   if (!impact.pad.layers.empty())
-    add("pad.layers", double(impact.pad.layers.size()), "the 1984 program knows no pad of several layers");
+    add("pad.layers", double(impact.pad.layers.size()),
+        "the 1984 program does not support a pad of several layers");
   else if (impact.pad.material.law.index() >= laws_of_1984)
     add("pad.law", 0,
-        "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is none of them");
+        "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is not one of them");
   const std::size_t points = impact.support.points().size();
   if (points == 0)
     add("support.type", 0,
         "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; give a stiff linear one");
   if (points > 4)
     add("support.points", static_cast<double>(points),
-        "the 1984 program takes four points of a support curve at most");
+        "the 1984 program takes at most four points of a support curve");
   return unsaid;
 }
 

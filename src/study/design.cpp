@@ -64,7 +64,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);
-  return "is no quantity of the case that can vary" + input::meant_or_listed(key, known);
+  return "is not a quantity of the case that can vary" + input::meant_or_listed(key, known);
 }
 
 bool is_of_law(const std::string& key) {
@@ -90,7 +90,7 @@ Application::Application(const Study& study) {
       continue;
     }
     const CaseQuantity* const found = quantities.find(factor.key);
-    if (found == nullptr) throw std::invalid_argument("no quantity of the case: " + factor.key);
+    if (found == nullptr) throw std::invalid_argument("not a quantity of the case: " + factor.key);
     steps_.push_back(found->set);
   }
 }

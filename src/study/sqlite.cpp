@@ -24,17 +24,15 @@ bool is_damage(int code) {
 std::string advice(int code, int system_error) {
   if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY ||
       code == SQLITE_READONLY_CANTINIT)
-    return "a run was cut short and the file has to be put in order, but it or its folder is read-only: copy "
-           "it, with "
-           "the -wal or -journal beside it, to where you may write";
+    return "a run was interrupted and the file needs recovery, but it or its folder is read-only: copy it, "
+           "with the -wal or -journal file beside it, to a writable folder";
   const std::string reason = system_error == 0 ? "" : fmt::format(" ({})", std::strerror(system_error));
   switch (code & 0xff) {
     case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return "another program has it open: wait for its end, or close it there, and try again";
+    case SQLITE_LOCKED: return "another program has it open: wait until it ends, or close it, and try again";
     case SQLITE_FULL:
-      return "the disk is full; all rows written so far are kept: make room and give the same command again";
-    case SQLITE_NOTADB: return "it is no store of a study: give another name";
+      return "the disk is full; all rows written so far are kept: free some space and repeat the command";
+    case SQLITE_NOTADB: return "it is not the store of a study: give another name";
     case SQLITE_ERROR:
     case SQLITE_MISMATCH:
     case SQLITE_TOOBIG:
@@ -45,9 +43,8 @@ std::string advice(int code, int system_error) {
     case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
     case SQLITE_IOERR:
       return "the disk refuses to read or write" + reason +
-             "; all rows written so far are kept: see to the disk (its room, limits on the size of files) "
-             "and "
-             "give the same command again";
+             "; all rows written so far are kept: check the disk (free space, limits on file size) and "
+             "repeat the command";
     default: return fmt::format("it cannot be read or written (SQLite's error {})", code);
   }
 }

@@ -145,10 +145,9 @@ Store::~Store() {
 
 void Store::check_in_place() const {
   if (file_->database.has_moved())
-    throw std::runtime_error(
-        file_->database.name() +
-        ": it was deleted, renamed or replaced while the study ran, and its rows are not "
-        "there: give the same command again, and leave the file alone until it ends");
+    throw std::runtime_error(file_->database.name() +
+                             ": it was deleted, renamed or replaced while the study ran, and its rows are "
+                             "missing: repeat the command, and do not touch the file until it ends");
 }
 
 const std::string& Store::file() const { return file_->database.name(); }

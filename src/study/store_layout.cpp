@@ -109,11 +109,11 @@ void check_units(const Database& database, const StoreHeading& heading) {
   const Json resolved = Json::parse(heading.resolved, nullptr, false);
   const Json factors = resolved.is_object() ? resolved.value("factors", Json()) : Json();
   if (!factors.is_array() || factors.size() != heading.factors.size())
-    database.damaged("it does not tell its study");
+    database.damaged("the study is not readable");
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const StoredColumn& column = heading.factors[i];
     if (!factors[i].is_object() || factors[i].value("key", Json()) != column.name)
-      database.damaged("it does not tell its study");
+      database.damaged("the study is not readable");
     if (factors[i].value("unit", Json()) != column.unit) changed(column.name);
   }
 }
@@ -159,7 +159,7 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
 
 StoreHeading read_heading(const Database& database) {
   if (single_integer(database, "PRAGMA application_id") != application)
-    throw DamagedStore(database.name() + ": it is no store of a study: give another name");
+    throw DamagedStore(database.name() + ": it is not the store of a study: give another name");
   if (const std::int64_t found = single_integer(database, "PRAGMA user_version"); found != layout)
     throw std::runtime_error(
         fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "

@@ -28,7 +28,7 @@ constexpr off_t place_of_lock = off_t{1} << 62;
   std::string why = std::string{"it cannot be opened ("} + std::strerror(error) + ")";
   if (error == EACCES || error == EPERM || error == EROFS)
     why = "it cannot be written to: its file or its folder is read-only";
-  if (error == EAGAIN) why = "another run is writing it: wait for its end, or stop it, and try again";
+  if (error == EAGAIN) why = "another run is writing it: wait until it ends, or stop it, and try again";
   throw std::runtime_error(file.string() + ": " + why);
 }
 
@@ -43,8 +43,8 @@ void check_room(const fs::path& file, std::uint64_t needed) {
   const fs::space_info space = fs::space(fs::absolute(file).parent_path(), error);
   if (!error && needed > space.available)
     refuse(file,
-           fmt::format("the study needs about {:.1f} MB on the disk, where {:.1f} MB are free: make room, or "
-                       "ask for fewer rows or responses",
+           fmt::format("the study needs about {:.1f} MB of disk space, of which {:.1f} MB are free: free "
+                       "some space, or reduce the number of rows or responses",
                        1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
 }
 
@@ -53,12 +53,12 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    refuse(file, "it is no file: give the name of a file");
+    refuse(file, "it is not a file: give the name of a file");
   const fs::path folder = fs::absolute(file).parent_path();
   if (!fs::is_directory(folder, error))
     refuse(file, "there is no folder " + folder.string() + ": make it first");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
-    refuse(file, "its folder is read-only: choose another, or change its rights");
+    refuse(file, "its folder is read-only: choose another, or change its permissions");
   if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
 }
 
@@ -84,9 +84,9 @@ std::uint64_t count_rows(const Database& database, const StoreHeading& heading) 
 std::string of_another_program(const Database& database, const StoreHeading& stored,
                                const StoreHeading& wanted) {
   return fmt::format(
-      "Dashpad {} computed its {} of {} rows, and this is Dashpad {}; one store holds rows of one program "
-      "only. To keep them, go on with that program; to compute all rows with this one, give another name or "
-      "delete the file. Any program may read it (summary, export)",
+      "Dashpad {} computed its {} of {} rows, and this is Dashpad {}; a store holds rows of one version "
+      "only. To keep them, continue with that version; to compute all rows with this one, give another name "
+      "or delete the file. Either version can read it (summary, export)",
       stored.program, count_rows(database, stored), stored.rows, wanted.program);
 }
 
@@ -225,12 +225,12 @@ Store Store::open_for(const Study& study, const fs::path& file) {
 Store Store::open_to_read(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) refuse(file, "there is no such file");
-  if (!fs::is_regular_file(file, error)) refuse(file, "it is no file");
+  if (!fs::is_regular_file(file, error)) refuse(file, "it is not a file");
   Database database{file, Access::read};
   require_whole(database);
   // The transaction keeps one view of the file while the store is open, whatever a running study adds.
   database.execute("BEGIN");
-  if (is_empty(database)) refuse(file, "it is no store of a study: it is empty");
+  if (is_empty(database)) refuse(file, "it is not the store of a study: it is empty");
   StoreHeading heading = read_heading(database);
   auto opened = std::make_unique<File>(std::move(database), std::move(heading));
   opened->rows_done = count_rows(opened->database, opened->heading);

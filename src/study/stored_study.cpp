@@ -273,7 +273,7 @@ Json sampling_json(const Study& study) {
 
 Study stored_study(const Store& store) {
   const std::string damaged =
-      store.file() + ": it is damaged, or another version made it: it does not tell its study any more";
+      store.file() + ": it is damaged, or another version made it: the study is no longer readable";
   try {
     Study study = study_of(Json::parse(store.resolved_text()));
     study.text = store.study_text();

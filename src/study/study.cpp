@@ -54,7 +54,7 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
   }
   for (const double value : levels->values)
     if (!(value >= 0 && value < static_cast<double>(study.materials.size()) && value == std::floor(value)))
-      broken.push_back({key, value, "is no number of a material"});
+      broken.push_back({key, value, "is not a numeric key of a material"});
   for (std::size_t i = 0; i < study.materials.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (study.materials[i].name == study.materials[j].name) {
@@ -127,7 +127,7 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
     const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
     if (!std::ranges::count(known, name))
-      broken.push_back({key, no_value, name + " is no response" + input::meant_or_listed(name, known)});
+      broken.push_back({key, no_value, name + " is not a response" + input::meant_or_listed(name, known)});
     if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         study.responses.begin() + static_cast<std::ptrdiff_t>(i))
       broken.push_back({key, no_value, name + " is given twice"});

@@ -211,7 +211,7 @@ void read_correlation(input::TableReader& table, const FactorLines& lines, Study
       if (factors.back() == study.factors.size() &&
           !std::ranges::count(lines.at_fault, "factors." + name.text))
         table.faults().add(name, table.full_key("between") + name.key,
-                           "is none of the factors" + input::did_you_mean(name.text, keys));
+                           "is not one of the factors" + input::did_you_mean(name.text, keys));
     }
     if (factors.size() != 2)
       table.fault("between", "must name two factors, such as [\"impactor.speed\", \"pad.thickness\"]");

@@ -158,14 +158,14 @@ void add_continuation(const ImpactCase& impact, const Summary& summary, Open& op
       by_curves = true;
     } else {
       open.sources.push_back({Source::continuation,
-                              fmt::format("what the law is worth beyond a strain of {:.3g}", *tested),
-                              fmt::format("the law {} has no number of its own for what comes beyond its fit",
+                              fmt::format("the validity of the law beyond a strain of {:.3g}", *tested),
+                              fmt::format("the law {} has no parameter for strains beyond its fit",
                                           name_of(part.material->law))});
     }
   }
   if (!by_curves) return;
   open.sources.push_back(
-      {Source::continuation, fmt::format("how the foam goes on beyond a strain of {:.3g}", first), ""});
+      {Source::continuation, fmt::format("the stress beyond a strain of {:.3g}", first), ""});
   open.lines.push_back(
       {.source = Source::continuation, .ends = {-1, 1}, .at = [impact, beyond](double place) {
          return with_parts(impact, [&](Material& material, PadCondition&, std::size_t i) {
@@ -183,13 +183,13 @@ void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
     if (!range || (part.rate <= range->highest_rate && part.rate >= range->lowest_rate)) continue;
     const double tested = part.rate > range->highest_rate ? range->highest_rate : range->lowest_rate;
     const std::string what = fmt::format(
-        "what the foam does at {} per second, {} {}", plain_number(part.rate),
+        "the stress at {} per second, {} {}", plain_number(part.rate),
         range->highest_rate > 10 * range->lowest_rate ? "tested up to" : "tested at", plain_number(tested));
     const std::optional<double> exponent = exponent_of(*part.material);
     if (!exponent) {
       open.sources.push_back(
           {Source::rate, what,
-           fmt::format("the law {} has no power of the rate", name_of(part.material->law))});
+           fmt::format("the law {} has no exponent of the rate", name_of(part.material->law))});
       continue;
     }
     growths.back() = Growth{tested, part.rate, *exponent};

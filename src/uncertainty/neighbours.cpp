@@ -72,8 +72,8 @@ bool is_in_misfit(const ImpactCase& impact, const Tip& tip) {
 void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open) {
   if (covers_pad(impact)) return;
   const bool is_helped = !factor_of_columns(impact).is_one();
-  const std::string words = is_helped ? "how well the help of neighbouring columns is known"
-                                      : "what columns leave out that do not help each other";
+  const std::string words =
+      is_helped ? "the effect of neighbouring columns" : "the neglected effect of neighbouring columns";
   const std::optional<Tip> tip = tip_of(impact);
   if (!tip) {
     ImpactCase without_rim = impact;
@@ -82,7 +82,7 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
                              : std::holds_alternative<Ellipsoid>(impact.impactor.nose)
                                  ? "long ellipsoid"
                                  : name_of(impact.impactor.nose);
-    open.sources.push_back({Source::neighbours, words, fmt::format("it was not computed for a {}", what)});
+    open.sources.push_back({Source::neighbours, words, fmt::format("it is not known for a {}", what)});
     return;
   }
   if (is_in_misfit(impact, *tip)) return;
@@ -114,12 +114,12 @@ std::string warning_of_model(const ImpactCase& impact) {
   const double least = 1 + (tip->is_flat ? 0.2 : 0.3) / r, most = 1 + (tip->is_flat ? 1.2 : 0.9) / r;
   if (!is_helped)
     return head + fmt::format(
-                      "columns leave out what their neighbours do, and the force is some {:.2g} to {:.2g} "
-                      "times theirs at half the thickness",
+                      "the effect of neighbouring columns is neglected; at half the thickness the force is "
+                      "some {:.2g} to {:.2g} times that of columns",
                       least, most);
   return head + fmt::format(
-                    "by the foam the force is some {:.2g} to {:.2g} times that of columns at half the "
-                    "thickness, and is computed as {:.2g} times",
+                    "depending on the foam the force at half the thickness is some {:.2g} to {:.2g} times "
+                    "that of columns, and is computed as {:.2g} times",
                     least, most, factor_of_columns(impact)(impact.pad.thickness / 2));
 }
 

@@ -57,14 +57,13 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
       unmeasured += (unmeasured.empty() ? "" : ", ") + part.material->name;
   }
   if (!unmeasured.empty())
-    open.sources.push_back({Source::scatter, "how the foam scatters from sample to sample",
-                            fmt::format("nothing says that it was measured ({})", unmeasured)});
+    open.sources.push_back({Source::scatter, "the scatter from sample to sample",
+                            fmt::format("no measurement is stated ({})", unmeasured)});
   if (std::ranges::all_of(scatter, [](double share) { return share == 0; })) return;
-  open.sources.push_back(
-      {Source::scatter,
-       fmt::format("how the foam scatters from sample to sample (standard deviation {:.2g} %)",
-                   100 * std::ranges::max(scatter)),
-       ""});
+  open.sources.push_back({Source::scatter,
+                          fmt::format("the scatter from sample to sample (standard deviation {:.2g} %)",
+                                      100 * std::ranges::max(scatter)),
+                          ""});
   Line line{.source = Source::scatter};
   line.ends = {-line.deviations, line.deviations};
   line.at = [impact, scatter](double place) {
@@ -102,8 +101,7 @@ void add_posterior(const ImpactCase& impact, const std::vector<Part>& parts, Ope
            .deviations = 1});
     }
   }
-  if (any)
-    open.sources.push_back({Source::posterior, "what the data of the fit leave open of its unknowns", ""});
+  if (any) open.sources.push_back({Source::posterior, "the uncertainty of the fitted parameters", ""});
 }
 
 void add_misfit(const std::vector<Part>& parts, Open& open) {
@@ -121,7 +119,7 @@ void add_misfit(const std::vector<Part>& parts, Open& open) {
   open.shares.push_back(shares);
   open.sources.push_back(
       {Source::misfit,
-       fmt::format("what the fitted law misses of {} {} impact{}", worst->impacts,
+       fmt::format("the misfit of the fitted law over {} {} impact{}", worst->impacts,
                    worst->is_held_out ? "predicted" : "fitted", worst->impacts == 1 ? "" : "s"),
        ""});
 }
@@ -139,9 +137,9 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
       const bool crushes = std::holds_alternative<CrushableFoam>(part.material->law);
       if (crushes || !part.material->fitted)
         open.sources.push_back(
-            {Source::way_back, "what the foam gives back",
-             crushes ? "by its law it stays crushed; a real one comes back more"
-                     : "the way back is that of the law " + law + ", and nothing says that it was tested"});
+            {Source::way_back, "the unloading of the foam",
+             crushes ? "by its law it stays crushed; real foam recovers more"
+                     : "it follows the law " + law + ", and the card does not say that it was tested"});
       continue;
     }
     const bool has_rate = !std::holds_alternative<NoRateEffect>(foam->curves.rate_effect);
@@ -154,9 +152,9 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
   if (recoil || unloading) {
     open.sources.push_back({Source::way_back,
                             recoil && unloading
-                                ? "what the foam gives back, slowly and at the rate of the impact"
-                            : recoil ? "what the foam gives back at the rate of the impact"
-                                     : "what the foam gives back",
+                                ? "the unloading of the foam, in slow tests and at the rate of the impact"
+                            : recoil ? "the unloading of the foam at the rate of the impact"
+                                     : "the unloading of the foam",
                             ""});
     // Place 1 has the largest loss, -1 the smallest.
     open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact, of_part](double place) {
@@ -171,7 +169,7 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
   }
   if (!lag) return;
   if (!recoil && !unloading)
-    open.sources.push_back({Source::way_back, "how soon the stress turns round with the rate", ""});
+    open.sources.push_back({Source::way_back, "how quickly the stress follows a change of the rate", ""});
   open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact](double place) {
                           return with_parts(impact, [&](Material& material, PadCondition&, std::size_t) {
                             auto* const foam = std::get_if<Foam>(&material.law);

@@ -145,7 +145,7 @@ TEST_F(ComparePulseTest, SaysWhatToBewareOf) {
   const Outcome bottomed =
       dashpad({"compare", examples + "rigid-floor-bottoming.toml", "--pulse", file("drop.csv")});
   EXPECT_EQ(bottomed.exit_code, 0) << bottomed.err;
-  EXPECT_THAT(bottomed.out, AllOf(StartsWith("There is no whole computed pulse to compare with."),
+  EXPECT_THAT(bottomed.out, AllOf(StartsWith("There is no complete computed pulse to compare with."),
                                   HasSubstr("BOTTOMED at ")));
 }
 

@@ -117,13 +117,13 @@ TEST_F(ExportTest, KeepsTheNumberOfACurveThatIsNotThere) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(count(outcome.out, "\n*DEFINE_CURVE_TITLE\n"), 1u);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("\n$ FLAG: BOTTOMED at "), HasSubstr("\n         2         0"),
-                                 HasSubstr("curve 1: not there: the impactor did not leave the pad")));
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("not there"), HasSubstr("BOTTOMED at ")));
+                                 HasSubstr("curve 1: not available: the impactor did not leave the pad")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("not available"), HasSubstr("BOTTOMED at ")));
 
   const Outcome nothing =
       dashpad({"export", case_file(), "--format", "csv", "--out", file("u.csv"), "--curves", "unloading"});
   EXPECT_EQ(nothing.exit_code, 1);
-  EXPECT_THAT(nothing.err, HasSubstr("nothing was written: unloading is not there"));
+  EXPECT_THAT(nothing.err, HasSubstr("nothing was written: unloading is not available"));
   EXPECT_THAT(other_files(), IsEmpty());
 }
 

@@ -66,10 +66,11 @@ class FitTest : public CommandTest {
 TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--output", file("card.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model misses"),
-                             HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
-                                       "data determine all of them. 2 of 2 starts")));
+  EXPECT_THAT(
+      outcome.out,
+      testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model deviates from"),
+                     HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
+                               "data determine all of them. 2 of 2 starts")));
   const std::string with_card =
       with(elastic_case(), "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"",
            "material = \"card.toml\"");
@@ -160,7 +161,8 @@ TEST_F(FitTest, FitsAWholePulse) {
   EXPECT_THAT(outcome.err, HasSubstr("drop.csv"));
   EXPECT_THAT(outcome.err, HasSubstr("1 unknown from"));
   const std::string page = read_file(file("fit.html"));
-  EXPECT_NE(page.find("The data determine the unknown; the model misses the pulses by"), std::string::npos);
+  EXPECT_NE(page.find("The data determine the unknown; the model deviates from the pulses by"),
+            std::string::npos);
 }
 
 TEST_F(FitTest, RefusesAPulseWithoutOnsetAndWritesNothing) {
@@ -185,7 +187,7 @@ TEST_F(FitTest, StopsAndGoesOn) {
   const Outcome stopped =
       shell(command + " &\n" + slowed_until("[ -e '" + file("fit.state") + "' ]") + "kill -TERM $!; wait $!");
   EXPECT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written but"));
+  EXPECT_THAT(stopped.err, HasSubstr("Stopped; nothing was written except"));
   EXPECT_EQ(stopped.out, "");
   ASSERT_TRUE(fs::exists(file("fit.state")));
   EXPECT_FALSE(fs::exists(file("fit.state.new")));
@@ -239,7 +241,7 @@ TEST_F(FitTest, RefusesAStateWithANumberThatBecameText) {
   const Outcome outcome =
       dashpad({"fit", file("fit.toml"), "--state", file("fit.state"), "--output", file("card.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is no state of a fit: misfit must be a finite number"));
+  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is not the state of a fit: misfit must be a finite number"));
   EXPECT_EQ(other_files(), before);
 }
 
@@ -256,7 +258,7 @@ starts = 2
 TEST_F(FitTest, KeepsWhatWasFoundOfACase) {
   write_file(file("fit.toml"), fit_of_a_support);
   const Outcome without = dashpad({"fit", file("fit.toml")});
-  EXPECT_THAT(without.out, HasSubstr("support.stiffness: no card holds that; --case FILE keeps it"));
+  EXPECT_THAT(without.out, HasSubstr("support.stiffness cannot be part of a card; --case FILE writes it"));
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("--case FILE")));
@@ -269,7 +271,7 @@ TEST_F(FitTest, RefusesACaseOfWhichNothingWasSought) {
   const auto before = other_files();
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit is one of the case"));
+  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit belongs to the case"));
   EXPECT_EQ(other_files(), before);
 }
 

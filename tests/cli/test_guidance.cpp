@@ -92,7 +92,7 @@ TEST_F(GuidanceTest, HelpTeaches) {
     EXPECT_EQ(outcome.err, "");
   }
   EXPECT_THAT(dashpad({"--help"}).out, AllOf(HasSubstr("Exit codes:"), HasSubstr("dashboard-20mph.toml"),
-                                             HasSubstr("3  no verdict, or not reliable: ")));
+                                             HasSubstr("3  not reliable or no verdict: ")));
   EXPECT_THAT(dashpad({"run", "--help"}).out, HasSubstr("Units:"));
 }
 

@@ -45,11 +45,11 @@ TEST_F(Implausible, PulsesAreRefused) {
   const std::vector<std::string> pulse{"pulse", file("p.csv")},
       compare{"compare", file("case.toml"), "--pulse", file("p.csv")};
   for (const auto& [peak, step, words] : {std::tuple{1e130, 1e-4, "no sensor gives more"},
-                                          {1e-310, 1e-4, "there is no impact"},
-                                          {5e-324, 1e-4, "there is no impact"},
-                                          {1e-20, 1e-4, "there is no impact"},
-                                          {50.0, 1e-30, "no sensor is read more often"},
-                                          {50.0, 1e-318, "no sensor is read more often"},
+                                          {1e-310, 1e-4, "the range of impacts"},
+                                          {5e-324, 1e-4, "the range of impacts"},
+                                          {1e-20, 1e-4, "the range of impacts"},
+                                          {50.0, 1e-30, "no sensor is sampled faster"},
+                                          {50.0, 1e-318, "no sensor is sampled faster"},
                                           {50.0, 1e300, "no sensor gives more"}}) {
     write_pulse(peak, step);
     expect_refused(pulse, words);

@@ -122,7 +122,7 @@ TEST_F(MaterialCommandTest, SeveralFoamsGoIntoAFolder) {
 TEST_F(MaterialCommandTest, UnitsAreNeededAndKnown) {
   expect_refused({file("foam.k")}, "--units: is needed");
   expect_refused({file("foam.k"), "--units", "cgs"}, "kg-mm-ms");
-  expect_refused({file("foam.k"), "--units", "t-mm-s", "--rate", "1 1/s"}, "--rate: is for tables");
+  expect_refused({file("foam.k"), "--units", "t-mm-s", "--rate", "1 1/s"}, "--rate: applies only to tables");
 }
 
 TEST_F(MaterialCommandTest, BadDecksAreRefusedWithTheirLine) {
@@ -132,14 +132,14 @@ TEST_F(MaterialCommandTest, BadDecksAreRefusedWithTheirLine) {
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4,0.01"), "bad.k:10: curve 1: stress = 10000");
   expect_refused_deck(with(foam_deck, "0.7,0.11", "70,0.11"), "bad.k:11: curve 1: strain = 70");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4   0.03"),
-                      "bad.k:10: curve 1: A3 = 0.4   0.03: is no number");
+                      "bad.k:10: curve 1: A3 = 0.4   0.03: is not a number");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "\xff,0.03"), "bad.k:10: curve 1: A3 = ");
   expect_refused_deck(with(foam_deck, "*DEFINE_CURVE\n1\n", "*DEFINE_CURVE\n2\n"),
                       "bad.k:4: *MAT_057: LCID = 1");
   expect_refused_deck(with(foam_deck, "2.5\n", ""), "bad.k:2: *MAT_057: ends after 1 of 2 lines");
   expect_refused_deck(foam_deck.substr(0, foam_deck.find("0.4,0.03")), "bad.k:6: curve 1: has 1 points");
   expect_refused_deck("*KEYWORD\n*END\n", "holds no *MAT_057");
-  expect_refused_deck("nothing\n", "is no deck");
+  expect_refused_deck("nothing\n", "is not a deck");
   expect_refused({file("absent.k"), "--units", "t-mm-s"}, "no such file");
   expect_refused({file(""), "--units", "t-mm-s"}, "is a folder");
 }
@@ -185,7 +185,7 @@ TEST_F(MaterialCommandTest, BadTablesAreRefusedWithTheirLine) {
   expect("", "is empty");
   write_file(file("good.csv"), "strain,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n");
   expect_refused({file("good.csv"), "--rate", "fast"}, "--rate");
-  expect_refused({file("good.csv"), "--units", "t-mm-s"}, "--units: a table says its units");
+  expect_refused({file("good.csv"), "--units", "t-mm-s"}, "--units: a table states its units");
 }
 
 TEST_F(MaterialCommandTest, ExportsACardThatIsImportedAsTheSame) {
@@ -226,7 +226,7 @@ TEST_F(MaterialCommandTest, ADeckSaysWhatItDoesNotSay) {
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("*KEYWORD\n$ Dashpad "), HasSubstr("$ Not in this deck: The curve is that"),
                     HasSubstr("\n*MAT_LOW_DENSITY_FOAM_TITLE\nSoft foam\n"), HasSubstr("*END\n")));
-  EXPECT_THAT(outcome.err, HasSubstr("which the deck cannot say"));
+  EXPECT_THAT(outcome.err, HasSubstr("which the deck cannot state"));
 }
 
 TEST_F(MaterialCommandTest, OnlyWhatFitsIsExported) {

@@ -225,27 +225,26 @@ TEST_F(PulseTest, SaysThatSamplesAreTooFewForTheFilter) {
   std::string text = "t_ms,a_g\n";
   for (int i = 0; i < 50; ++i) text += std::to_string(0.8 * i) + ",1\n";
   write_file(file("slow.csv"), text);
-  const auto remark = HasSubstr("REMARK: sampled at 1.25 kHz; CFC180 wants 1.8 kHz at least\n");
+  const auto remark = HasSubstr("REMARK: sampled at 1.25 kHz; CFC180 requires at least 1.8 kHz\n");
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180"}).out, remark);
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180", "--resample", "0.1 ms"}).out, remark);
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC60"}).out, Not(HasSubstr("REMARK")));
   EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000"}).out, Not(HasSubstr("REMARK")));
   EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000", "--resample", "0.2 ms"}).out,
-              HasSubstr("REMARK: sampled at 5 kHz; CFC1000 wants 10 kHz at least\n"));
+              HasSubstr("REMARK: sampled at 5 kHz; CFC1000 requires at least 10 kHz\n"));
 }
 
 TEST_F(PulseTest, BridgesGapsOnlyIfAsked) {
   write_file(file("gap.csv"), "t_ms,a_g\n0,0\n1,1\n2,2\n3,3\n50,3\n51,2\n52,1\n");
-  EXPECT_THAT(
-      refused({file("gap.csv")}),
-      HasSubstr("gap.csv:6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; "
-                "--bridge-gaps takes a straight line"));
+  EXPECT_THAT(refused({file("gap.csv")}),
+              HasSubstr("gap.csv:6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms "
+                        "apart; --bridge-gaps interpolates linearly"));
   const Outcome outcome = pulse({file("gap.csv"), "--bridge-gaps"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              HasSubstr("REMARK: between lines 5 and 6 47 ms are missing; a straight line was taken\n"));
+              HasSubstr("REMARK: between lines 5 and 6 47 ms are missing; interpolated linearly\n"));
   EXPECT_THAT(refused({file("test"), "--channel", "1", "--bridge-gaps"}),
-              HasSubstr("--bridge-gaps: is for tables"));
+              HasSubstr("--bridge-gaps: applies only to tables"));
 }
 
 TEST_F(PulseTest, RoundingNoiseInTimesIsShownAsZero) {
@@ -289,14 +288,14 @@ TEST_F(PulseTest, RefusesWithAllThatIsWrong) {
                "--json", file("none/x.json")}),
       AllOf(HasSubstr("bad.csv:3: acc [g] = x: must be a number\n"), HasSubstr("bad.csv:5: time [ms] = 1"),
             HasSubstr("--window -1: must be more than 0 ms\n"), HasSubstr("--resample 5: a time needs"),
-            HasSubstr("--dwell x: "), HasSubstr("--corner: is for a filter"), HasSubstr("there is no folder"),
-            HasSubstr("7 faults")));
+            HasSubstr("--dwell x: "), HasSubstr("--corner: applies only with --filter"),
+            HasSubstr("there is no folder"), HasSubstr("7 faults")));
 }
 
 TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refused({file("none.csv")}), HasSubstr("none.csv: no such file"));
-  EXPECT_THAT(refused({file("drop.csv"), "--channel", "1"}), HasSubstr("--channel: is for ISO-MME"));
-  EXPECT_THAT(refused({file("test"), "--time", "1"}), HasSubstr("--time: is for tables"));
+  EXPECT_THAT(refused({file("drop.csv"), "--channel", "1"}), HasSubstr("--channel: applies only to ISO-MME"));
+  EXPECT_THAT(refused({file("test"), "--time", "1"}), HasSubstr("--time: applies only to tables"));
   EXPECT_THAT(refused({file("drop.csv"), "--picture", file("x.bmp")}), HasSubstr("must end in .svg"));
   EXPECT_THAT(refused({file("drop.csv"), "--filter", "CFC100"}), HasSubstr("CFC60"));
   EXPECT_THAT(refused({file("drop.csv"), "--list", "--json", "-"}), Not(IsEmpty()));

@@ -103,7 +103,7 @@ TEST_F(PulseOffsetTest, SaysWhatAnOffsetDoesToHic) {
                                  HasSubstr("samples from -8 to -"), HasSubstr(" ms; scatter 0 g\n")));
   EXPECT_THAT(unwrapped(outcome.out),
               AllOf(HasSubstr("REMARK: an offset of 1.2 g before the impact: HIC15 is " + two_digits(higher) +
-                              " % higher with it than without; --zero auto takes it off\n"),
+                              " % higher with it than without; --zero auto subtracts it\n"),
                     Not(HasSubstr("PULSE CUT"))));
   const json offset = result({drop}).at("offset");
   EXPECT_NEAR(offset.at("mean_g").at(0).get<double>(), 1.2, 1e-9);
@@ -210,8 +210,7 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
 /// Cut on either side, the rest of the pulse gives less.
 TEST_F(PulseOffsetTest, ACutPulseIsToldAndItsFiguresAreLowerBounds) {
   const std::string consequence =
-      "or the sensor has an offset; of a pulse that is not whole HIC, clips and velocity change are lower "
-      "bounds\n";
+      "or the sensor has an offset; HIC, clips and velocity change of an incomplete pulse are lower bounds\n";
   const Outcome end = pulse({written(table(0, -8, 5))});
   EXPECT_EQ(end.exit_code, 0);
   EXPECT_THAT(
@@ -244,15 +243,14 @@ TEST_F(PulseOffsetTest, NoiseIsNoCut) {
 
 TEST_F(PulseOffsetTest, RefusesWhatHasNoMeaning) {
   const std::string drop = written(table(0));
-  EXPECT_THAT(
-      refused({drop, "--zero", "1 ms,5", "--speed", "-3 m/s", "--drop-height", "1", "--sensitivity", "10 mV",
-               "--interval", "0 ms"}),
-      AllOf(HasSubstr("--zero 1 ms,5: a time needs a unit"),
-            HasSubstr("--speed -3 m/s: must be more than 0\n"),
-            HasSubstr("--drop-height 1: a length needs a unit"),
-            HasSubstr("--drop-height: is for a speed that is not known; give --speed or --drop-height\n"),
-            HasSubstr("--sensitivity 10 mV: must be a voltage per acceleration, such as \"10 mV/g\""),
-            HasSubstr("--interval 0 ms: must be more than 0\n"), HasSubstr("6 faults")));
+  EXPECT_THAT(refused({drop, "--zero", "1 ms,5", "--speed", "-3 m/s", "--drop-height", "1", "--sensitivity",
+                       "10 mV", "--interval", "0 ms"}),
+              AllOf(HasSubstr("--zero 1 ms,5: a time needs a unit"),
+                    HasSubstr("--speed -3 m/s: must be more than 0\n"),
+                    HasSubstr("--drop-height 1: a length needs a unit"),
+                    HasSubstr("--drop-height: give --speed or --drop-height, not both\n"),
+                    HasSubstr("--sensitivity 10 mV: must be a voltage per acceleration, such as \"10 mV/g\""),
+                    HasSubstr("--interval 0 ms: must be more than 0\n"), HasSubstr("6 faults")));
   EXPECT_THAT(refused({drop, "--zero", "5 ms"}),
               HasSubstr("must be auto, or two times with a comma between them"));
   EXPECT_THAT(refused({drop, "--zero", "0,5 ms,1 ms"}), HasSubstr("must be auto, or two times"));
@@ -261,9 +259,9 @@ TEST_F(PulseOffsetTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(
       refused({drop, "--zero", "30 ms,40 ms"}),
       HasSubstr("--zero 30 ms,40 ms: holds fewer than two samples; the samples are from -8 to 20 ms\n"));
-  EXPECT_THAT(
-      refused({drop, "--interval", "1 ms", "--time", "1", "--bridge-gaps"}),
-      AllOf(HasSubstr("--time: is for a table with times"), HasSubstr("--bridge-gaps: is for a table with")));
+  EXPECT_THAT(refused({drop, "--interval", "1 ms", "--time", "1", "--bridge-gaps"}),
+              AllOf(HasSubstr("--time: applies only to a table with times"),
+                    HasSubstr("--bridge-gaps: applies only to a table with")));
 }
 
 TEST_F(PulseOffsetTest, ReadsALoggerFileOfOneColumnWithAnInterval) {
@@ -275,8 +273,8 @@ TEST_F(PulseOffsetTest, ReadsALoggerFileOfOneColumnWithAnInterval) {
     volts += std::to_string(10 * acceleration(0.01 * i, 0)) + "\n";
   }
   const std::string advice =
-      "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
-      "tells the time between two samples\n  2 | ";
+      "has one column of numbers and no times; if that is the acceleration, give the sample interval, such "
+      "as --interval \"0.1 ms\"\n  2 | ";
   for (const std::string& each : {text, german}) {
     EXPECT_THAT(refused({written(each)}), HasSubstr(advice));
     EXPECT_NEAR(hic15({written(each), "--interval", "0.01 ms"}), exact_hic, 1e-5 * exact_hic);

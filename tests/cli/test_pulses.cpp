@@ -106,7 +106,7 @@ TEST_F(PulsesTest, ACutPulseIsALowerBound) {
   EXPECT_EQ(judgement["criteria"][0]["lower_bound"], true);
   EXPECT_TRUE(judgement["criteria"][0]["margin"].is_null());  // what is left of the limit is none
   EXPECT_THAT(pulses({file("low.csv"), "--standard", file("limits.toml")}).out,
-              StartsWith("Undecided: the pulse is cut, and its figures can only grow\n"));
+              StartsWith("Undecided: the pulse is cut, and its figures are lower bounds\n"));
 }
 
 TEST_F(PulsesTest, SeveralStandOnOnePageWithMeanAndDeviation) {
@@ -123,7 +123,8 @@ TEST_F(PulsesTest, SeveralStandOnOnePageWithMeanAndDeviation) {
             json::parse(
                 pulses({file("low.csv"), "--standard", file("limits.toml"), "--json", "-"}).out)["figures"]);
   EXPECT_THAT(read_file(file("both.md")), HasSubstr("| Pulse | Peak acceleration | HIC15 |"));
-  EXPECT_THAT(read_file(file("both.html")), HasSubstr("The accelerations, each from where contact begins"));
+  EXPECT_THAT(read_file(file("both.html")),
+              HasSubstr("The accelerations, each from the beginning of contact"));
   EXPECT_THAT(read_file(file("both.svg")), HasSubstr("high.csv"));
 }
 
@@ -135,7 +136,7 @@ TEST_F(PulsesTest, FaultsOfAllFilesAreToldAtOnce) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("bad.csv:3"), HasSubstr("none.csv"), HasSubstr("--csv: is of one pulse"),
+              AllOf(HasSubstr("bad.csv:3"), HasSubstr("none.csv"), HasSubstr("--csv: takes one pulse"),
                     HasSubstr("did you mean"), HasSubstr("--window -1")));
   EXPECT_EQ(outcome.err.find("--window -1"), outcome.err.rfind("--window -1"));
   EXPECT_FALSE(fs::exists(file("out.json")));

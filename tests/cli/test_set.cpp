@@ -79,7 +79,8 @@ TEST_F(SetTest, FaultsAreThoseOfTheOption) {
            {"pad.thicknes=30 mm", R"(--set: pad.thicknes = "30 mm": unknown key; did you mean "thickness"?)"},
            {"impactor.speed=-3 m/s", R"(--set: impactor.speed = "-3 m/s": must be more than 0)"},
            {"pad.parameters.friction=0.9", "--set: pad.parameters.friction = 0.9: must be at least 0"},
-           {"pad.parameters.frction=0.1", "--set: pad.parameters.frction = 0.1: is no number of this case"},
+           {"pad.parameters.frction=0.1",
+            "--set: pad.parameters.frction = 0.1: is not a numeric key of this case"},
            {"pad.thickness.x=3", "--set: pad.thickness.x = 3: thickness is a value"},
            {"pad.thickness", "--set: pad.thickness must be KEY=VALUE"}})
     EXPECT_THAT(complaint(helmet, setting), AllOf(StartsWith(words), HasSubstr("1 fault; nothing was run")));

@@ -131,7 +131,7 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
       heading({"--limit", "peak_acceleration > 30 g"}),
       ContainsRegex("In [0-9.]+ % of cases peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
-              ContainsRegex("Rebound speed follows impact speed most: [0-9.]+ % of its scatter$"));
+              ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its scatter$"));
 }
 
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.
@@ -176,7 +176,7 @@ TEST_F(StudyTest, ASignalStopsItAndTheSameCommandGoesOn) {
                                   until(begun) + "kill -" + signal + " $!; wait $!");
     if (stopped.exit_code == 0) return false;
     EXPECT_EQ(stopped.exit_code, code) << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("The same command goes on"));
+    EXPECT_THAT(stopped.err, HasSubstr("The same command continues"));
     EXPECT_EQ(stopped.out, "");
     EXPECT_THAT(dashpad({"study", "summary", file("long.db")}).out, HasSubstr("NOT COMPLETE: "));
     return true;
@@ -288,7 +288,7 @@ TEST_F(StudyTest, ReplaysARowWithoutTheFilesOfTheStudy) {
       {"study", "replay", file("drawn.db"), "17", "--json", file("row.json"), "--csv", file("row.csv")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("Row 17: impactor.speed = "), HasSubstr("came back, to the last bit")));
+              AllOf(HasSubstr("Row 17: impactor.speed = "), HasSubstr("were reproduced to the last bit")));
   std::istringstream rows(csv_of("drawn.db"));
   std::string line;
   for (int i = 0; i <= 18; ++i) std::getline(rows, line);
@@ -337,7 +337,7 @@ TEST_F(StudyTest, PageAndStill) {
   if (report.exit_code == 2 && report.err.find("without the page") != std::string::npos)
     GTEST_SKIP() << report.err;
   EXPECT_EQ(report.exit_code, 0) << report.err;
-  EXPECT_THAT(read_file(file("drawn.html")), AllOf(HasSubstr("Which factor matters"), HasSubstr("Scatter")));
+  EXPECT_THAT(read_file(file("drawn.html")), AllOf(HasSubstr("Effect of the factors"), HasSubstr("Scatter")));
 }
 
 TEST_F(StudyTest, Exports) {
@@ -383,12 +383,13 @@ TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   expect_refused({file("drawn.toml"), "--out", store, "--threads", "0"}, "--threads");
   expect_refused({"summary", file("missing.db")}, "missing.db");
   expect_refused({"summary", case_file()}, "case.toml");
-  expect_refused({"summary", store, "--response", "hic51"}, "no response of this study; it keeps peak_force");
+  expect_refused({"summary", store, "--response", "hic51"},
+                 "not a response of this study; it has peak_force");
   expect_refused({"summary", store, "--limit", "peak_force"}, "must be a response, > and a value");
   expect_refused({"summary", store, "--limit", "peak_force > much"}, "peak_force > much");
   expect_refused({"summary", store, "--limit", "peak_force > 5"}, "peak_force > 5");
   expect_refused({"summary", store, "--limit", "peak_force > 5 kg"}, "peak_force > 5 kg");
-  expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is no response");
+  expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is not a response");
   expect_refused({"summary", store, "--picture", file("still.gif")}, ".svg, .png or .pdf");
   expect_refused({"summary", store, "--json", file("drawn.toml")}, "exists already");
   expect_refused({"replay", store, "800"}, "has rows 0 to 799");

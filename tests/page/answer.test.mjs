@@ -51,7 +51,7 @@ test("verdict, curve and figures are on the first screen", async () => {
     assert.ok(box.width > 0 && box.y + box.height < 1000, `${part} ends at ${box.y + box.height}`);
   }
   const bar = page.locator(".key-figures .limit").first();
-  assert.match(await bar.getAttribute("aria-label"), /^95 % of the limit, \d+ to \d+ % with what is not known$/);
+  assert.match(await bar.getAttribute("aria-label"), /^95 % of the limit, \d+ to \d+ % including uncertainty$/);
   await page.screenshot({ path: picture("answer.png") });
 });
 

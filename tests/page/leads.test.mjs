@@ -86,7 +86,7 @@ test("a material test says what it rests on, and how far the foam was tested", a
   const reached = page.locator(".key-figures li", { hasText: "Strain reached" });
   assert.match(await reached.innerText(), /tested up to 0\.55/);
   assert.equal(await reached.getAttribute("class"), "doubtful");
-  const basis = page.locator("section", { has: page.locator("h2", { hasText: "What it rests on" }) });
+  const basis = page.locator("section", { has: page.locator("h2", { hasText: "Basis" }) });
   assert.match(await basis.innerText(), /tested up to a strain of 0\.55[^]*Landauer/);
 });
 
@@ -99,7 +99,7 @@ test("a study's quantiles are bars towards its limit", async () => {
 test("an assessment shows how much of the foam it used", async () => {
   const file = written("assess", "assess", example("dashboard-20mph"), "--standard", "fmvss-201-instrument-panel", ...cards);
   const page = await open(file);
-  const basis = page.locator("section", { has: page.locator("h2", { hasText: "What it rests on" }) });
+  const basis = page.locator("section", { has: page.locator("h2", { hasText: "Basis" }) });
   assert.match(await basis.locator("figure h3").innerText(), /^The foam is used to a strain of 0\.979, beyond the 0\.95 that was fitted$/);
   assert.match(await basis.locator("figure").innerText(), /first loading at 1 per second/);
 });

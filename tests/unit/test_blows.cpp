@@ -192,7 +192,7 @@ std::string told(const ImpactCase& impact) {
 
 TEST(BlowTexts, AnswerFirstHowThePeaksGrow) {
   const std::string text = told(struck(sample_law<Foam>(), 3, 0));
-  EXPECT_THAT(text, HasSubstr("From blow 1 to blow 3 the peak acceleration goes from "));
+  EXPECT_THAT(text, HasSubstr("From blow 1 to blow 3 the peak acceleration changes from "));
   EXPECT_EQ(text.find("From blow 1"), 0U);
   EXPECT_LT(text.find("Blow 3:\n"), text.find("  Peak acceleration"));
   EXPECT_LT(text.find("  Peak acceleration"), text.find("Peak acceleration, g"));

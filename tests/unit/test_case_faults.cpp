@@ -185,7 +185,7 @@ const std::vector<Edit> edits{
     {"speed = \"20 mph\"", "drop_height = \"1 Mm\"", {{5, "impactor.drop_height", "the speed of the fall"}}},
     {"speed = \"20 mph\"",
      "drop_height = \"1 m\"\ngravity = \"0 m/s2\"",
-     {{5, "impactor.drop_height", "without gravity nothing falls"}}},
+     {{5, "impactor.drop_height", "a fall needs gravity"}}},
     // Mass or weight.
     {"weight = \"10 lbf\"", "weight = \"10 lb\"", {{4, "impactor.weight", "lb and kg are masses"}}},
     {"weight = \"10 lbf\"", "weight = \"-10 lbf\"", {{4, "impactor.weight", "the mass must be more than 0"}}},
@@ -198,9 +198,13 @@ const std::vector<Edit> edits{
     // No oblique blows.
     {"weight = \"10 lbf\"",
      "weight = \"10 lbf\"\nangle = \"30 deg\"",
-     {{5, "impactor.angle", "there is no oblique blow; with the normal part of the speed alone, friction"}}},
-    {"[support]\n", "[support]\nTilt = 3\n", {{10, "support.Tilt", "there is no oblique blow"}}},
-    {"thickness = ", "angle = \"30 deg\"\nthickness = ", {{7, "pad.angle", "there is no oblique blow"}}},
+     {{5, "impactor.angle",
+       "oblique impacts are not supported. Using the normal component of the speed alone neglects "
+       "friction"}}},
+    {"[support]\n", "[support]\nTilt = 3\n", {{10, "support.Tilt", "oblique impacts are not supported"}}},
+    {"thickness = ",
+     "angle = \"30 deg\"\nthickness = ",
+     {{7, "pad.angle", "oblique impacts are not supported"}}},
     {"radius",
      "half_angle = \"30 deg\"\nradius",
      {{3, "impactor.half_angle", "unknown key; known here are"}}},

@@ -89,7 +89,7 @@ TEST(case_file, neighbours_are_nominal_for_foams_by_uniaxial_tests_alone) {
   EXPECT_EQ(pad_with("material = \"ensolite-aac-9\"").neighbours, 0);
   EXPECT_EQ(pad_with("material = \"vn600\"").neighbours, 0.8);
   EXPECT_EQ(pad_with("material = \"vn600\"").floor, Floor::bonded);
-  EXPECT_EQ(pad_with("material = \"ensolite-33-tests\"").neighbours, 0) << "measured by strikes of a sphere";
+  EXPECT_EQ(pad_with("material = \"ensolite-33-tests\"").neighbours, 0) << "measured in impacts of a sphere";
   EXPECT_EQ(pad_with("material = \"vn600\"\nneighbours = 0").neighbours, 0);
   EXPECT_EQ(pad_with("material = \"ensolite-aac-9\"\nneighbours = 0.7").neighbours, 0.7);
   EXPECT_EQ(pad_with("material = \"vn600\"\nfloor = \"frictionless\"").floor, Floor::frictionless);

@@ -183,7 +183,7 @@ TEST(Exports, OfASolutionSayHowItWasThinned) {
   EXPECT_THAT(file.flags, Contains(StartsWith("BOTTOMED")));
   // 0.02 of 3, rounded up.
   EXPECT_EQ(file.curves[0].remark, "2 of 4 points, off by at most 0.67 % of the largest value");
-  EXPECT_EQ(file.curves[1].remark, "not there: the impactor did not leave the pad (bottomed out)");
+  EXPECT_EQ(file.curves[1].remark, "not available: the impactor did not leave the pad (bottomed out)");
   EXPECT_THAT(file.curves[2].remark, HasSubstr("of this impact"));
   EXPECT_THROW(output::curve_file(test::example_case(), solution, {"power"}), std::invalid_argument);
 }

@@ -361,7 +361,7 @@ TEST_F(RecoilTest, IsSoughtWhereNobodyStatedItAndImpactsShowIt) {
   EXPECT_NEAR(value_of(report, "pad.parameters.recoil"), 0.2, 0.02);
   EXPECT_TRUE(report.unknowns[1].is_added);
   EXPECT_THAT(output::to_terminal(output::fit_document(report, plain_si()), output::Detail::main),
-              HasSubstr("pad.parameters.recoil\n  is sought too"));
+              HasSubstr("pad.parameters.recoil is\n  fitted too"));
   const auto& range = report.material.uncertainty.recoil;
   ASSERT_TRUE(range);
   EXPECT_LT(range->low, 0.2);

@@ -100,8 +100,9 @@ TEST_F(FitStateTest, RefusesWhatWasChanged) {
           std::regex_replace(state, *part, std::string(key) + value, std::regex_constants::format_first_only);
       ASSERT_NE(changed, state);
       std::ofstream(folder.path() / "fit.state") << changed;
-      EXPECT_THAT([&] { check_state(made.fit, options()); },
-                  testing::ThrowsMessage<std::runtime_error>(HasSubstr("fit.state: is no state of a fit: ")))
+      EXPECT_THAT(
+          [&] { check_state(made.fit, options()); },
+          testing::ThrowsMessage<std::runtime_error>(HasSubstr("fit.state: is not the state of a fit: ")))
           << key << value;
     }
 }

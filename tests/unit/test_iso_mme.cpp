@@ -199,7 +199,7 @@ TEST(iso_mme, remarks) {
   EXPECT_THAT(input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"})
                   .value()
                   .measured.remarks,
-              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and used"));
+              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and is used"));
 }
 
 TEST(iso_mme, choices_that_are_not_clear_are_told) {

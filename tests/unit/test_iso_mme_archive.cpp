@@ -131,7 +131,7 @@ TEST(iso_mme_archive, archives_that_lead_elsewhere_are_refused) {
   pack(folder.path() / "cut.zip", sample_test());
   fs::resize_file(folder.path() / "cut.zip", 100);
   EXPECT_THAT(said(folder.path() / "cut.zip", {.channel = "1"}),
-              HasSubstr("cannot be unpacked: it is no zip, tar or gzipped tar, or it is damaged"));
+              HasSubstr("cannot be unpacked: it is not a zip, tar or gzipped tar, or it is damaged"));
 }
 
 TEST(iso_mme_archive, archives_that_unpack_without_end_are_refused) {

@@ -115,7 +115,7 @@ TEST(LayerCases, ThatAreBadAreRefusedWithOneFault) {
       {law,
        "law = \"rigid-foam\"\n[pad.layers.parameters]\ncrush_stress = \"200 kPa\"\ncrush_strain = 0.6\n"
        "second_stress = \"400 kPa\"\nsecond_strain = 0.8",
-       "pad.layers[2].law", "rigid on the way back"},
+       "pad.layers[2].law", "rigid in unloading"},
       {law,
        "law = \"viscoelastic-foam\"\n[pad.layers.parameters]\nfirst_modulus = \"30 kPa\"\nfirst_exponent = "
        "6\n"

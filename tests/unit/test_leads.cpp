@@ -74,10 +74,10 @@ Lead lead_of(const laboratory::MaterialTestReport& report) {
 
 TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
   const Lead lead = lead_of(with_a_wall());
-  EXPECT_EQ(lead.answer, "Best used at 50 kPa: it has then taken 20 kJ/m³ (at 50 per second)");
+  EXPECT_EQ(lead.answer, "Best used at 50 kPa, where it has absorbed 20 kJ/m³ (at 50 per second)");
   EXPECT_THAT(labels_of(lead.figures),
-              ElementsAre("Best used at", "Energy taken by then", "Runs out at a strain of", "Given back",
-                          "Strain reached", "Largest stress"));
+              ElementsAre("Best used at", "Energy absorbed by then", "Bottoms out at a strain of",
+                          "Given back", "Strain reached", "Largest stress"));
   EXPECT_EQ(figure_of(lead.figures, "Given back").value, "25 %");
   EXPECT_EQ(figure_of(lead.figures, "Largest stress").value, "617000 kPa");  // three digits
   const ValueRow reached = figure_of(lead.figures, "Strain reached");
@@ -92,7 +92,7 @@ TEST(MaterialTestLead, AFoamThatHasNotRunOutIsNotSaidToHaveABestStress) {
   laboratory::MaterialTest test;
   test.strain = 0.4;
   const Lead lead = lead_of(run_material_test(spring_card(), test));
-  EXPECT_THAT(lead.answer, HasSubstr("and has not run out there"));
+  EXPECT_THAT(lead.answer, HasSubstr("without bottoming out"));
   EXPECT_THAT(labels_of(lead.figures),
               ElementsAre("Energy taken", "Given back", "Strain reached", "Largest stress"));
   EXPECT_EQ(figure_of(lead.figures, "Strain reached").tone, Tone::plain);
@@ -104,7 +104,7 @@ TEST(MaterialTestLead, AnswersTheStressLimitThatWasAskedFor) {
   test.rates = {5};
   test.stress_limits = {30e3, 130e3};
   const Lead lead = lead_of(run_material_test(spring_card(), test));
-  EXPECT_EQ(lead.answer, "Takes 1.5 kJ/m³ before its stress reaches 30 kPa (at 5 per second)");
+  EXPECT_EQ(lead.answer, "Absorbs 1.5 kJ/m³ before its stress reaches 30 kPa (at 5 per second)");
   EXPECT_EQ(figure_of(lead.figures, "Energy below 130 kPa").remark, "which is not reached");
 }
 
@@ -114,7 +114,7 @@ TEST(MaterialTestLead, OfAHoldItSaysWhatIsLeft) {
   test.strain = 0.4;
   test.rates = {5};
   const Lead lead = lead_of(run_material_test(spring_card(), test));
-  EXPECT_EQ(lead.answer, "Keeps 100 % of its stress for 1000 ms at a strain of 0.4 (at 5 per second)");
+  EXPECT_EQ(lead.answer, "Retains 100 % of its stress over 1000 ms at a strain of 0.4 (at 5 per second)");
   EXPECT_THAT(lead.curve->panels.at(0).x.label, HasSubstr("Time"));
 }
 
@@ -306,9 +306,9 @@ TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {
                            .draws = 3}};
     return answer_to(answers);
   };
-  EXPECT_EQ(with_low(0.5), "Peak acceleration follows impact speed most: 76 % of its scatter");
+  EXPECT_EQ(with_low(0.5), "Peak acceleration depends most on impact speed: 76 % of its scatter");
   EXPECT_EQ(with_low(0.3),
-            "The draws do not decide which factor peak acceleration follows most; impact speed leads");
+            "The draws do not determine which factor affects peak acceleration most; impact speed leads");
 }
 
 TEST(StudyAnswer, OfDrawsThatBottomOutSaysHowManyFirst) {
@@ -346,7 +346,7 @@ TEST(StudyAnswer, OfDrawsAtSeveralLevelsTheMediansWithTheirPlaces) {
   answers.groups[1].group.levels = {2};
   answers.groups[1].distributions = {study::distribution(std::vector<double>{50, 100, 150}, true)};
   EXPECT_EQ(answer_to(answers),
-            "The median of peak acceleration goes from 10.2 g at impact speed 2 m/s to 20.4 g at impact "
+            "The median of peak acceleration ranges from 10.2 g at impact speed 2 m/s to 20.4 g at impact "
             "speed 1 m/s");
   EXPECT_EQ(output::study_key_figures(answers, unit_system("si")).at(1).value, "20.4 g");
 }

@@ -406,8 +406,8 @@ TEST_F(MaterialDeckTest, EachFaultNamesItsLine) {
               ElementsAre(HasSubstr("7: curve 1: stress = 10000: must be more than the stress before, 20000"),
                           HasSubstr("8: curve 1: stress = 10000")));
   EXPECT_THAT(curve("0.1       0.02\n"),
-              ElementsAre(HasSubstr("6: curve 1: A1 = 0.1       0.02: is no number (columns 1 to 20)")));
-  EXPECT_THAT(curve("0.1\t0.02\n"), Contains(HasSubstr("6: holds a tab")));
+              ElementsAre(HasSubstr("6: curve 1: A1 = 0.1       0.02: is not a number (columns 1 to 20)")));
+  EXPECT_THAT(curve("0.1\t0.02\n"), Contains(HasSubstr("6: contains a tab")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.03\n"), ElementsAre(HasSubstr("4: curve 1: has 2 points")));
   EXPECT_THAT(curve("0.1,&peak\n"), ElementsAre(HasSubstr("is a parameter")));
   EXPECT_THAT(curve("0.1,1e999\n"), ElementsAre(HasSubstr("is too large or too small")));
@@ -430,11 +430,11 @@ TEST_F(MaterialDeckTest, DecksThatAreCutShortAreRefused) {
   EXPECT_THAT(faults("*MAT_ELASTIC\n1\n"),
               ElementsAre(AllOf(HasSubstr("holds no *MAT_057"), HasSubstr("*MAT_ELASTIC"))));
   EXPECT_THAT(faults("/MAT/LAW1/1\n"), ElementsAre(HasSubstr("/MAT/LAW1")));
-  EXPECT_THAT(faults("title = \"a card\"\n"), ElementsAre(HasSubstr("is no deck")));
+  EXPECT_THAT(faults("title = \"a card\"\n"), ElementsAre(HasSubstr("is not a deck")));
   EXPECT_THAT(faults(""), ElementsAre(HasSubstr("is empty")));
   EXPECT_THAT(faults(std::string("*MAT\0", 5)), ElementsAre(HasSubstr("is not text")));
   EXPECT_THAT(faults(low_density_foam() + curve_1 + curve_1),
-              ElementsAre(HasSubstr("10: curve 1: stands twice; first in line 4")));
+              ElementsAre(HasSubstr("10: curve 1: appears twice; first in line 4")));
 }
 
 TEST_F(MaterialDeckTest, OptionsWithoutACounterpartAreRefused) {

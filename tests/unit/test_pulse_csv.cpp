@@ -99,9 +99,9 @@ const std::vector<Style> styles{
      {"2 samples that repeat the one before were left out, the first in line 3"}},
     {"# t_ms a_g\n0 1\n2 3\n", {"names of columns were read from the comment in line 1"}},
     {"0,1\n2,3\n",
-     {"of the two columns the first is taken for the time, the second for the acceleration"},
+     {"the first of the two columns is taken as the time, the second as the acceleration"},
      in_ms_and_g},
-    {"t_s,a_g\n0,1\n2,3\n", {"t_s: the file says s; ms was given and used"}, {.time_unit = "ms"}},
+    {"t_s,a_g\n0,1\n2,3\n", {"t_s: the file says s; ms was given and is used"}, {.time_unit = "ms"}},
 };
 
 TEST(pulse_csv, every_style_gives_the_same_pulse) {
@@ -179,13 +179,11 @@ std::string at_times(const std::vector<double>& times) {
 
 TEST(pulse_csv, missing_rows_are_refused_unless_they_are_to_be_bridged) {
   const std::string text = at_times({0, 1, 2, 3, 50, 51, 52});
-  EXPECT_EQ(
-      said(text),
-      ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps takes "
-      "a straight line");
+  EXPECT_EQ(said(text),
+            ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps "
+            "interpolates linearly");
   const injury::MeasuredPulse bridged = read(text, {.bridge_gaps = true});
-  EXPECT_THAT(bridged.remarks,
-              ElementsAre("between lines 5 and 6 47 ms are missing; a straight line was taken"));
+  EXPECT_THAT(bridged.remarks, ElementsAre("between lines 5 and 6 47 ms are missing; interpolated linearly"));
   EXPECT_EQ(bridged.pulse.time.size(), 7U);
   EXPECT_THAT(
       said(at_times({0, 1, 2, 3, 5, 6, 7, 9, 10})),
@@ -371,8 +369,8 @@ std::vector<Bad> bad_files() {
       // One column.
       {"t_ms\n1\n2\n", ":2: has one column of numbers, and no times"},
       {"acc [g]\n0.1\n0.3\n0.2\n",
-       ":2: has one column of numbers, and no times; if that is the acceleration, "
-       "--interval \"0.1 ms\" tells the time between two samples"},
+       ":2: has one column of numbers and no times; if that is the acceleration, give the sample interval, "
+       "such as --interval \"0.1 ms\""},
       {"acc [g]\n0,1\n0,3\n0,2\n", ":2: has one column of numbers"},
       {"Logger 12 34\nacc [g]\n0.1\n0.3\n0.2\n0.1\n", ":3: has one column of numbers"},
       {"1\n3\n", ": column 1: the acceleration needs a unit", {.interval = 2e-3}},
@@ -388,7 +386,7 @@ std::vector<Bad> bad_files() {
        "column 2 "
        "is in mV, for which --sensitivity is needed, such as \"10 mV/g\""},
       {"t_ms,ch1 [mV]\n0,1\n2,3\n",
-       ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", makes an acceleration of it",
+       ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", converts it to an acceleration",
        {.acceleration = {"2"}}},
       {"t_ms,a_g\n0,1\n2,3\n",
        ":1: a_g: is in g; --sensitivity is for a column in V or mV",

@@ -84,7 +84,7 @@ inline constexpr std::array<Parameter<Pad>, 5> Pad::parameters{{
     {"sheet_mass_per_area", "", "kg/m2", &Pad::sheet, wide(1e-3, 1e3), "mass per area of the sheet",
      LeftOut::none},
     {"neighbours", "c", "1", &Pad::neighbours, in_words(0, 2, "from 0 (columns alone) to 2"),
-     "help of the columns' neighbours", LeftOut::computed, "0.2.0"},
+     "effect of neighbouring columns", LeftOut::computed, "0.2.0"},
 }};
 
 /// A series of equal blows with rests in between.

@@ -34,9 +34,9 @@ struct Options {
 
 inline constexpr std::array<Parameter<Options>, 2> Options::parameters{{
     {"tolerance", "", "1", &Options::tolerance, in_words(1e-8, 1e-2, "at least 1e-8 and at most 1e-2"),
-     "relative error asked for", LeftOut::computed},
+     "required relative error", LeftOut::computed},
     {"time_limit", "", "s", &Options::time_limit, in_words(0, infinite, "more than 0", false),
-     "time after first contact at which an impact is given up", LeftOut::computed},
+     "time after first contact at which the run is stopped", LeftOut::computed},
 }};
 
 /// Contact ends where the force falls below this share of its peak (theory.md, Eq. 28).

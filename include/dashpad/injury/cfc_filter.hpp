@@ -27,7 +27,7 @@ enum class Ends {
   mirrored,
   /// No samples. Steady start.
   held,
-  /// As mirrored, but the first two outputs of a run are the mean of its first ten inputs.
+  /// Like mirrored, but the first two outputs of a run are the mean of its first ten inputs.
   mirrored_from_mean,
   /// -x before the pulse, for pulses that start at 0, and 2 x(end) - x after it: 10 ms before, one sample
   /// more after, then nine samples of 2 x(end) - x on both sides. Steady start.

@@ -48,7 +48,7 @@ struct CushionFigures {
 };
 CushionFigures cushion_figures(const ColumnTest& test);
 
-/// What a foam absorbs without exceeding a stress: the point of the first loading at which the stress first
+/// The energy that a foam absorbs up to a stress: the point of the first loading at which the stress first
 /// reaches `limit`, Pa, > 0 (std::invalid_argument otherwise). Nothing if the test never reaches it.
 ///
 /// Between places ln(stress) is the cubic in ln(strain) through the nearest four, before the first a power of

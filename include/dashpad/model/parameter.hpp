@@ -80,7 +80,7 @@ class Member {
   int Owner::*count_ = nullptr;
 };
 
-/// What happens to a number that a case leaves out.
+/// The treatment of a number that a case leaves out.
 enum class LeftOut {
   refused,     ///< it must be given
   as_default,  ///< it has the value of a default-constructed owner

@@ -62,7 +62,7 @@ struct Lead {
   std::vector<ValueRow> figures = {};
 };
 
-/// Where a section is shown.
+/// The outputs in which a section is shown.
 enum class Seen {
   always,
   in_brief,  ///< only on a terminal without --all

@@ -26,11 +26,11 @@ struct MaterialDeckOptions {
   int first_id = 1;  ///< of the material and of its curves
 };
 
-/// What forbids the deck: a law that the format has no card for, no density, numbers out of range, a format
-/// that is none. Empty where nothing does.
+/// The reason why the deck cannot be written: a law for which the format has no card, no density, numbers
+/// out of range, or an unknown format. Empty if it can.
 std::string why_no_material_deck(const Material& material, const MaterialDeckOptions& options);
 
-/// What the deck does not say, or says otherwise, a sentence each. It has them as comments.
+/// Sentences on what the deck leaves out or says otherwise, which it also has as comments.
 std::vector<std::string> not_in_material_deck(const Material& material, const MaterialDeckOptions& options);
 
 /// The material with its curves, ready to be included. A number that was read from such a deck is written

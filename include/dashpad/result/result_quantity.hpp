@@ -26,7 +26,7 @@ enum class Growth {
   with_motion,  ///< a lower bound at the time limit; final where the pad bottoms out on a rigid support
 };
 
-/// What an impact must have for a figure to exist.
+/// The property that an impact must have for a figure to exist.
 enum class Needs { nothing, release, support };
 
 /// The figure whose uncertainty, if it is known as a share (Eq. 58), gives the interval of a quantity.
@@ -40,7 +40,7 @@ enum class Doubt {
   of_rebound
 };
 
-/// Where a quantity is shown, and what is known of it beforehand.
+/// The places where a quantity is shown, and its properties known beforehand.
 struct ResultRole {
   int row = 0;              ///< number of its row in a result, from 1; 0: in files only
   bool is_main = false;     ///< whether people ask for it first

@@ -36,7 +36,7 @@ class Archive {
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) fail("is not a regular file");
     archive_.reset(::archive_read_new());
-    if (!archive_) fail("cannot be read: no memory");
+    if (!archive_) fail("cannot be read: not enough memory");
     ::archive_read_support_format_zip_seekable(archive_.get());
     ::archive_read_support_format_tar(archive_.get());
     ::archive_read_support_filter_gzip(archive_.get());
@@ -94,7 +94,7 @@ class Archive {
   }
 
   static constexpr const char* no_archive =
-      "cannot be unpacked: it is no zip, tar or gzipped tar, or it is damaged, cut short or encrypted";
+      "cannot be unpacked: it is not a zip, tar or gzipped tar, or it is damaged, truncated or encrypted";
 
   void count_size() {
     const std::int64_t size = ::archive_entry_size_is_set(entry_) != 0 ? ::archive_entry_size(entry_) : 0;

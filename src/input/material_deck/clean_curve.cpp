@@ -30,7 +30,7 @@ bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& fault
   if (i > 0 && is_sound_point(curve, i - 1) && e <= curve.strain[i - 1]) {
     faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
                e == curve.strain[i - 1]
-                   ? "stands twice; a strain has one stress"
+                   ? "appears twice; a strain has only one stress"
                    : fmt::format("must be more than the strain before, {:.6g}", curve.strain[i - 1]));
     return false;
   }
@@ -45,7 +45,7 @@ bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean
   const double stress = curve.stress[i];
   const std::string key = curve.name + ": stress";
   if (!(stress > 0)) {
-    faults.add(curve.lines[i], key, written_number(stress), "must be positive where the strain is");
+    faults.add(curve.lines[i], key, written_number(stress), "must be positive at a positive strain");
     return false;
   }
   const double before =

@@ -47,15 +47,14 @@ inline constexpr const char* no_averaging = "the rate is not averaged over time 
 inline constexpr const char* no_filter = "the rate is not filtered; see lag_strain";
 
 // --- LS-DYNA ---
-inline constexpr DeckField low_density_1[]{
-    {"MID", whole},
-    {"RO", density},
-    {"E", stress},
-    {"LCID", whole},
-    {"TC", number, no_tension},
-    {"HU"},
-    {"BETA", number, "the loss of the unloading does not fade with time here"},
-    {"DAMP", number, no_damping}};
+inline constexpr DeckField low_density_1[]{{"MID", whole},
+                                           {"RO", density},
+                                           {"E", stress},
+                                           {"LCID", whole},
+                                           {"TC", number, no_tension},
+                                           {"HU"},
+                                           {"BETA", number, "the hysteresis does not fade with time here"},
+                                           {"DAMP", number, no_damping}};
 inline constexpr DeckField low_density_2[]{{"SHAPE"},
                                            {"FAIL", number, no_tension},
                                            {"BVFLAG", number, no_bulk_viscosity},
@@ -85,7 +84,7 @@ inline constexpr DeckField fu_chang_3[]{
 inline constexpr DeckField fu_chang_4[]{
     {"C3", number, unread},  {"C4", number, unread},   {"C5", number, unread},   {"AIJ", number, unread},
     {"SIJ", number, unread}, {"MINR", number, unread}, {"MAXR", number, unread}, {"SHAPE"}};
-inline constexpr DeckField fu_chang_5[]{{"EXPON"}, {"RIULD", number, "the unloading is as recoil says"}};
+inline constexpr DeckField fu_chang_5[]{{"EXPON"}, {"RIULD", number, "the unloading follows recoil"}};
 inline constexpr DeckField crushable_1[]{{"MID", whole},
                                          {"RO", density},
                                          {"E", stress},
@@ -134,7 +133,7 @@ inline constexpr DeckField law_62_flags[]{{"Nu", number, zero_is_taken, 20},
 inline constexpr DeckField law_70_elastic[]{
     {"E0", stress, nullptr, 20},
     {"nu", number, no_widening, 20},
-    {"E_max", stress, "the stress follows its curves at once, by no modulus", 20},
+    {"E_max", stress, "the stress follows its curves immediately, without a modulus", 20},
     {"EPS_max", number, unread, 20},
     {"Itens", whole, no_tension}};
 inline constexpr DeckField law_70_flags[]{{"Fcut", number, no_filter, 20},

@@ -15,7 +15,7 @@ constexpr double highest_number_of_anything = 2'147'483'647;
 std::string rule_for_deck_number(NumberKind kind) {
   if (kind == NumberKind::not_finite) return "must be a finite number";
   if (kind == NumberKind::out_of_range) return "is too large or too small a number";
-  return "is no number";
+  return "is not a number";
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, Me
   }
   if (rest.find('\t') != std::string_view::npos)
     faults.add(line.number, "", "",
-               "holds a tab, so that its columns cannot be told; put blanks in its place");
+               "contains a tab, so that its columns are ambiguous; replace it with blanks");
   widths_ = widths;
   for (const std::size_t width : widths) {
     fields_.push_back(without_blanks(rest.substr(0, width)));
@@ -77,7 +77,7 @@ void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
   const auto found = blocks_.find(id);
   if (found != blocks_.end()) {
     faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
-               fmt::format("stands twice; first in line {}", found->second.head.number));
+               fmt::format("appears twice; first in line {}", found->second.head.number));
     return;
   }
   blocks_.emplace(id, std::move(block));

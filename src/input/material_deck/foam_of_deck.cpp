@@ -202,11 +202,13 @@ void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& dif
   differences.emplace_back(
       "Beyond its last strain a curve is continued until the foam is compressed to nothing.");
   if (foam.loading.size() > 1) {
-    differences.emplace_back("Above the highest rate the curve of that rate holds; the solver extrapolates.");
+    differences.emplace_back(
+        "Above the highest rate the curve of that rate is used here; the solver extrapolates.");
     if (!foam.crushable)
       differences.emplace_back(
-          "Where the rate turns the stress follows within a small strain (lag_strain), and the rate's stress "
-          "resists the way back (recoil); the solver's stress jumps to the unloading.");
+          "Where the rate reverses, the stress follows within a small strain (lag_strain), and the "
+          "rate-dependent stress resists the recovery (recoil); the solver's stress jumps to the unloading "
+          "curve.");
   }
 }
 

@@ -54,7 +54,7 @@ void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& fo
     return;
   }
   if (*id < 0)
-    foam.differences.push_back(fmt::format("{} is negative: the option that this switches on.", field.name));
+    foam.differences.push_back(fmt::format("{} is negative: the option that this selects.", field.name));
   auto rows = ls_dyna_table(from, std::labs(*id), field.key, field.line.line());
   if (rows) foam.loading = *std::move(rows);
 }

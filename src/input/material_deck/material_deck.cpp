@@ -61,7 +61,7 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
     if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
     const Solver solver = solver_of(text);
     if (solver == Solver::unknown)
-      faults.refuse(0, "", "", "is no deck: no line begins with * (LS-DYNA) or / (Radioss)");
+      faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA) or / (Radioss)");
     const DeckUnits deck_units(units);
     std::vector<DeckFoam> foams = solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
                                                             : read_radioss(text, units, deck_units, faults);

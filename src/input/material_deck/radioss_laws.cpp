@@ -49,7 +49,7 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
   }
   if (whole_stress != 1)
     foam.differences.push_back(fmt::format(
-        "Flag_Visc = {}: only the deviatoric stress relaxes in the solver; here the whole stress.",
+        "Flag_Visc = {}: only the deviatoric stress relaxes in the solver; here the whole stress does.",
         whole_stress));
   foam.differences.emplace_back(
       "The nominal stress relaxes here, in the solver the second Piola-Kirchhoff stress: the same for a "
@@ -82,7 +82,7 @@ void settle_unloading(long flag, double shape, double factor, std::vector<DeckRa
     foam.unloading_shape = or_one(shape, "Shape", foam);
     foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver takes for 1: no loss");
     if (flag == 3)
-      foam.differences.emplace_back("Iflag = 3 lessens shear stresses only; here the whole stress.");
+      foam.differences.emplace_back("Iflag = 3 lessens shear stresses only; here the whole stress does.");
   } else if (ways_back.empty()) {
     foam.assumptions.emplace_back(
         "There is no unloading function, so the foam unloads along its slowest curve.");
@@ -91,9 +91,8 @@ void settle_unloading(long flag, double shape, double factor, std::vector<DeckRa
     if (ways_back.size() > 1)
       foam.differences.emplace_back("Of the unloading functions only the first, the slowest, was taken.");
     foam.differences.emplace_back(
-        "The unloading function is that of the way back from the last strain; from smaller strains it is "
-        "scaled "
-        "with the work done, where the solver drops to one and the same curve.");
+        "The unloading function applies to unloading from the last strain; from smaller strains it is scaled "
+        "with the work done, whereas the solver always drops to the same curve.");
   }
 }
 

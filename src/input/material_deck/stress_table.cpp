@@ -75,7 +75,7 @@ void add_stress(const injury::MeasuredColumn& column, StressHeader header, std::
   }
   if (!header.rate.empty()) {
     const auto rate = rate_in(header.rate);
-    if (!rate) faults.add(line, column.name, header.rate, "is no strain rate above 0, such as 10 1/s");
+    if (!rate) faults.add(line, column.name, header.rate, "is not a strain rate above 0, such as 10 1/s");
     stress.rate = rate.value_or(0);
   }
   columns.stresses.push_back(std::move(stress));

@@ -174,7 +174,7 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
                        examples);
   const bool in_volts = kind == ColumnKind::acceleration && is_voltage(unit);
   if (in_volts && !sensitivity)
-    return fmt::format("is in {}; --sensitivity, such as \"10 mV/g\", makes an acceleration of it", unit);
+    return fmt::format("is in {}; --sensitivity, such as \"10 mV/g\", converts it to an acceleration", unit);
   if (sensitivity && !in_volts)
     return fmt::format("is in {}; --sensitivity is for a column in V or mV", unit);
   try {
@@ -205,7 +205,8 @@ std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
                                           const std::string& unit_of_file) {
   if (column.unit_origin != "given" || unit_of_file.empty() || unit_of_file == column.unit)
     return std::nullopt;
-  return fmt::format("{}: the file says {}; {} was given and used", column.name, unit_of_file, column.unit);
+  return fmt::format("{}: the file says {}; {} was given and is used", column.name, unit_of_file,
+                     column.unit);
 }
 
 Sensitivity sensitivity_of(const std::string& text) {

@@ -293,8 +293,7 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
   if (!options.interval && columns.all.size() == 2 && time.empty() && acceleration.empty() && !any_known) {
     time = {"1"};
     acceleration = {"2"};
-    remarks.emplace_back(
-        "of the two columns the first is taken for the time, the second for the acceleration");
+    remarks.emplace_back("the first of the two columns is taken as the time, the second as the acceleration");
   }
   if (columns.names != nullptr && columns.names->fields.size() < header.width && score(*columns.names) > 0)
     faults.add(

@@ -211,12 +211,12 @@ void judge_gaps(const NumberReader& numbers, const injury::MeasuredColumn& time,
   if (!bridge)
     for (const PulseGap& gap : gaps.all)
       faults.add(numbers.lines[gap.after + 1], time.name, "",
-                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps takes a straight line",
+                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps interpolates linearly",
                              words(gap), 1e3 * gaps.usual_step));
   for (std::size_t i = 0; i < std::min(gaps.all.size(), max_gap_remarks); ++i)
-    remarks.push_back(words(gaps.all[i]) + "; a straight line was taken");
+    remarks.push_back(words(gaps.all[i]) + "; interpolated linearly");
   if (gaps.all.size() > max_gap_remarks)
-    remarks.push_back(fmt::format("{} more gaps between the times; straight lines were taken",
+    remarks.push_back(fmt::format("{} more gaps between the times; interpolated linearly",
                                   gaps.all.size() - max_gap_remarks));
 }
 
@@ -230,10 +230,9 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     const CsvTable table = csv_table_in(content, faults, !two_are_named);
     CsvColumns columns = name_columns(table.header);
     if (table.has_one_column && !options.interval)
-      faults.refuse(
-          table.header.first_line, "", "",
-          "has one column of numbers, and no times; if that is the acceleration, --interval \"0.1 ms\" "
-          "tells the time between two samples");
+      faults.refuse(table.header.first_line, "", "",
+                    "has one column of numbers and no times; if that is the acceleration, give the sample "
+                    "interval, such as --interval \"0.1 ms\"");
     injury::MeasuredPulse result{.format = "CSV", .resultant = options.resultant};
     choose_columns(columns, table.header, options, faults, result.remarks);
     faults.throw_if_any();

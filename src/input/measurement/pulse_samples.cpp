@@ -21,19 +21,17 @@ void judge_pulse(const Pulse& pulse, std::size_t line, MeasurementFaults& faults
         line, "time", "",
         fmt::format("goes to {:.3g} s; must be within {:g} s: is the unit right?", latest, times.most));
   else if (step > 0 && step < times.least)
-    faults.add(
-        line, "time", "",
-        fmt::format("samples are {:.3g} s apart; must be {:g} s or more, as no sensor is read more often: "
-                    "is the unit right?",
-                    step, times.least));
+    faults.add(line, "time", "",
+               fmt::format("samples are {:.3g} s apart; must be {:g} s or more, since no sensor is sampled "
+                           "faster: is the unit right?",
+                           step, times.least));
   double peak = 0;
   for (const double value : pulse.acceleration) peak = std::max(peak, std::abs(value));
   if (!accelerations.admit(peak))
-    faults.add(
-        line, "acceleration", "",
-        fmt::format("its largest magnitude is {:.3g} m/s2; must be between {:g} and {:g} m/s2, as beyond "
-                    "there is no impact: is the unit right?",
-                    peak, accelerations.least, accelerations.most));
+    faults.add(line, "acceleration", "",
+               fmt::format("its largest magnitude is {:.3g} m/s2; must be between {:g} and {:g} m/s2, the "
+                           "range of impacts: is the unit right?",
+                           peak, accelerations.least, accelerations.most));
 }
 
 namespace {

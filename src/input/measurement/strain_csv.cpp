@@ -135,7 +135,7 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file) {
     if (const double begin = table.time.front(); begin != 0) {
       for (double& time : table.time) time -= begin;
       table.remarks.push_back(
-          fmt::format("the first time, {:g} s, is first contact; it was taken off all times", begin));
+          fmt::format("the first time, {:g} s, is first contact; it was subtracted from all times", begin));
     }
     return table;
   });

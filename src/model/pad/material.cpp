@@ -28,7 +28,7 @@ void check_conditions(const Material& material, std::vector<Violation>& broken) 
     if (!(*exponent >= 0 && *exponent <= 5))
       broken.push_back({"density_exponent", *exponent, "must be from 0 to 5"});
     if (!material.density)
-      broken.push_back({"density_exponent", *exponent, "needs the density of the material beside it"});
+      broken.push_back({"density_exponent", *exponent, "needs the density of the material as well"});
   }
   const auto& [temperature, factor] = material.temperature_table;
   if (temperature.size() != factor.size())

@@ -45,7 +45,7 @@ std::vector<Violation> violations(const PadCondition& condition, const Material&
   if (const auto& density = condition.density) {
     if (!material.density_exponent || !material.density)
       broken.push_back({"density", *density,
-                        "the material says nothing of other densities: its card has no density_exponent"});
+                        "the material has no data for other densities: its card has no density_exponent"});
     else if (!(*density >= *material.density / 10 && *density <= *material.density * 10))
       broken.push_back(
           {"density", *density,
@@ -56,7 +56,7 @@ std::vector<Violation> violations(const PadCondition& condition, const Material&
     if (material.temperature_table.temperature.empty())
       broken.push_back(
           {"temperature", *temperature,
-           "the material says nothing of other temperatures: its card has no temperature table"});
+           "the material has no data for other temperatures: its card has no temperature table"});
     else if (const auto rule = broken_rule(*temperature, PadCondition::parameters[2].bounds, "K"))
       broken.push_back({"temperature", *temperature, *rule});
   }

@@ -19,8 +19,8 @@ namespace {
 std::string why_missing(const Curve& curve, const Summary& summary) {
   const bool ran = summary.status != Status::not_run;
   if (ran && !summary.release)
-    return "not there: the impactor did not leave the pad (" + to_string(summary.status) + ")";
-  return "not there: the " + curve.name + " has no two points";
+    return "not available: the impactor did not leave the pad (" + to_string(summary.status) + ")";
+  return "not available: the " + curve.name + " has fewer than two points";
 }
 
 /// A fraction as a percentage of two digits, rounded up so that a bound does not look smaller than it is.
@@ -47,7 +47,7 @@ FileCurve file_curve(const std::string& name, const Solution& solution,
     of.remark = fmt::format("{} points", all);
   }
   if (of.curve.exists() && of.curve.abscissa.meaning != "time")
-    of.remark += "; of this impact: another nose or speed gives another curve";
+    of.remark += "; valid for this impact only: another nose or speed gives another curve";
   return of;
 }
 
@@ -59,7 +59,7 @@ std::string consequence(const Flag& flag, const Summary& summary) {
   if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && bottomed_on_rigid_support(summary)))
     return "; the curves end there";
   if (flag.name == "BOTTOMED")
-    return "; what the force does meanwhile belongs to the support and is not in the curves over penetration";
+    return "; the force during that time is that of the support and is not in the curves over penetration";
   return "";
 }
 

@@ -48,7 +48,7 @@ void tell_of_rates(const FoamCurves& curves, const MaterialDeckFormat& format, c
                    std::vector<std::string>& remarks) {
   const bool has_effect = !std::holds_alternative<NoRateEffect>(curves.rate_effect);
   if (!format.has_rates)
-    remarks.push_back(fmt::format("The curve is that of {:g} 1/s, which the deck cannot say{}.",
+    remarks.push_back(fmt::format("The curve is that of {:g} 1/s, which the deck cannot state{}.",
                                   curves.slowest_rate, has_effect ? "; the rate effect is left out" : ""));
   if (!format.has_rates || !has_effect) return;
   if (!points.linear_in_rate && std::string(format.name) != "ls-dyna-083")
@@ -110,8 +110,8 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
       },
       material.law);
   remarks.emplace_back(
-      "Between its points the card's curve is a monotone cubic, the solver's straight lines; beyond "
-      "the last one each goes on in its own way (continuation_exponent).");
+      "Between its points the card's curve is a monotone cubic, the solver's straight lines; beyond the last "
+      "one each is continued differently (continuation_exponent).");
   if (format->law == Foam::name)
     remarks.emplace_back(
         "The modulus is the steepest line of the curves; the solver uses it for tension, contact "

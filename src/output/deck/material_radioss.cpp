@@ -84,7 +84,7 @@ std::string law_70(const Material& material, const Foam& foam, const MaterialPoi
             card_line(deck::function_row, {{"fct_ID", id_back}, {"Fscale", 1}}, numbers);
   text += loading_functions(points, id, numbers);
   if (points.unloading)
-    text += function_text(*points.unloading, id_back, "Way back from the last strain", false, numbers);
+    text += function_text(*points.unloading, id_back, "Unloading from the last strain", false, numbers);
   return text;
 }
 

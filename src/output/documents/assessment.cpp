@@ -134,7 +134,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::CriterionResult* const next = closest(assessment.results);
   if (next == nullptr)
     return is_cut(summary) ? "Undecided: the run ends before the impact does"
-                           : "Undecided: the pulse says too little";
+                           : "Undecided: the pulse is incomplete";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin = margin_words(*next, units, 3);
   switch (assessment.verdict) {
@@ -147,7 +147,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
   const std::string limit =
       brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
-  return fmt::format("Undecided: {} is {}, and {} {} is asked for", injury::title_of(open.criterion),
+  return fmt::format("Undecided: {} is {}, and {} {} is required", injury::title_of(open.criterion),
                      interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
                      limit);
 }
@@ -200,9 +200,9 @@ std::vector<std::string> interval_lines(const AssessmentReport& report, const Un
     if (!result.interval || !intervals || result.interval->sources.empty()) continue;
     const std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
     lines.push_back(
-        fmt::format("{} is {} at 95 %, by {}{}.", injury::title_of(result.criterion),
+        fmt::format("{} is {} at 95 %, due to {}{}.", injury::title_of(result.criterion),
                     interval_words(*result.interval, units), sources.front(),
-                    sources.size() == 1 ? "" : fmt::format(", and by {} more (--all)", sources.size() - 1)));
+                    sources.size() == 1 ? "" : fmt::format(", and to {} more (--all)", sources.size() - 1)));
   }
   return lines;
 }
@@ -235,7 +235,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   std::vector<std::string> brief = interval_lines(report, units);
   for (std::string& line : case_lines(report.assessed, units)) brief.push_back(std::move(line));
   if (replaced.lines.empty())
-    brief.push_back("Nothing of the case was replaced.");
+    brief.push_back("No values of the case were replaced.");
   else
     document.lead->subject.push_back(
         fmt::format("Replaced in the case: {}.", fmt::join(replaced.lines, "; ")));
@@ -248,7 +248,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
     std::vector<std::string> limited;
     for (const injury::CriterionResult& result : assessment.results)
       limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
-    document.sections.push_back({.heading = "How sure the figures are",
+    document.sections.push_back({.heading = "Uncertainty of the figures",
                                  .paragraphs = {source_paragraph(*intervals)},
                                  .tables = {interval_table(report.solution.summary, units, limited)}});
   }
@@ -346,7 +346,7 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid nose on a flat pad: no test to the standard and no certification.";
+      "A computation with one rigid nose on a flat pad; not a test to the standard nor a certification.";
   return caveat;
 }
 
@@ -356,8 +356,8 @@ Document assessment_document(const AssessmentReport& report, const UnitSystem& u
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs = {"In SI, with the impactor of the standard. Kept as a file, it is a case that dashpad "
-                      "run repeats."},
+       .paragraphs =
+           {"In SI, with the impactor of the standard. Saved as a file, this is a case for dashpad run."},
        .copy = case_toml(report.assessed, {})});
   return document;
 }

@@ -11,7 +11,7 @@
 
 namespace dashpad::output {
 
-inline constexpr const char* basis_heading = "What it rests on";
+inline constexpr const char* basis_heading = "Basis";
 
 struct Basis {
   std::string what;

@@ -50,22 +50,23 @@ RangeBar bar_of(const fit::FittedUnknown& unknown, const UnitSystem& units) {
 /// Findings that could change the answer.
 std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSystem& units) {
   std::vector<std::string> all;
-  for (const std::string& line : open_matters(report)) all.push_back("NOT TOLD APART: " + line);
+  for (const std::string& line : open_matters(report)) all.push_back("NOT DISTINGUISHED: " + line);
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (!unknown.is_identified() && !unknown.is_nuisance)
       all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
                                 factor_words(unknown.key), interval_words(unknown, units)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
-      all.push_back(fmt::format("FROM ITS PRIOR: {} is what its prior says; the data add little.",
+      all.push_back(fmt::format("FROM ITS PRIOR: {} is determined by its prior; the data add little.",
                                 factor_words(unknown.key)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data want it beyond.",
+      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data favour a value beyond it.",
                                 factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
-    all.push_back(fmt::format("ONE START: {} of {} starts came to this misfit; there may be a better fit.",
-                              report.starts_at_best, report.starts));
+    all.push_back(
+        fmt::format("ONE START: {} of {} starts converged to this misfit; there may be a better fit.",
+                    report.starts_at_best, report.starts));
   return all;
 }
 
@@ -117,16 +118,16 @@ Plot leading_curve(const fit::FitReport& report, const UnitSystem& units) {
 }
 
 Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) {
-  Section unknowns{.heading = "What was found", .seen = Seen::on_pages};
+  Section unknowns{.heading = "Fitted values", .seen = Seen::on_pages};
   unknowns.paragraphs = {
-      "Value and 95 % interval of each unknown, on the way from its lowest to its highest admitted value. "
-      "Where a bar fades, the interval is open: the data do not end it."};
+      "Value and 95 % interval of each unknown, between its lowest and highest permitted values. Where a bar "
+      "fades, the interval is open: the data do not bound it."};
   for (const fit::FittedUnknown& unknown : report.unknowns) unknowns.ranges.push_back(bar_of(unknown, units));
   return unknowns;
 }
 
 Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
-  Section misfit{.heading = "How well it meets the data", .seen = Seen::always};
+  Section misfit{.heading = "Agreement with the data", .seen = Seen::always};
   const auto add = [&](const char* caption, Table table) {
     if (table.rows.empty()) return;
     table.caption = caption;
@@ -135,7 +136,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
   add("Peak, HIC and rebound of impacts, measured and of the model", table_of_comparison(report, units));
   add("Model minus test, root mean square, and its share of the largest stress",
       table_of_tests(report, units));
-  add("Energy given back over energy put in, by the strain where the test turns", table_of_loops(report));
+  add("Energy returned over energy put in, by the strain at which the test reverses", table_of_loops(report));
   add("Figures of impacts", table_of_figures(report, units));
   add("Pulses of impacts", table_of_pulses(report, units));
   return misfit;
@@ -143,7 +144,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
 
 /// The unknowns by their keys, for users who edit the fit file next.
 Section keys_section(const fit::FitReport& report, const UnitSystem& units) {
-  return {.heading = "What was found", .seen = Seen::in_brief, .tables = {table_of_unknowns(report, units)}};
+  return {.heading = "Fitted values", .seen = Seen::in_brief, .tables = {table_of_unknowns(report, units)}};
 }
 
 Document failed(const fit::FitReport& report) {
@@ -151,8 +152,8 @@ Document failed(const fit::FitReport& report) {
           .lead = Lead{.answer = "The fit did not converge: " + one_line(report.why_not),
                        .tone = Tone::bad,
                        .subject = {one_line(report.title)}},
-          .summary = {"There is no card. Start nearer (start = ...), narrow the bounds, try more starts, or "
-                      "leave unknowns out that the data do not show."}};
+          .summary = {"No card was made. Start closer (start = ...), narrow the bounds, try more starts, or "
+                      "fix unknowns that the data do not determine."}};
 }
 
 }  // namespace
@@ -171,11 +172,11 @@ Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pic
     document.sections.push_back(curves_section(report, units));
   }
   if (pictures == Pictures::drawn && violations(report.material).empty())
-    document.sections.push_back({.heading = "The foam that was found",
+    document.sections.push_back({.heading = "The fitted foam",
                                  .seen = Seen::on_pages,
                                  .figures = {{.name = "Stress in a first loading",
                                               .plot = material_plot(report.material, units),
-                                              .note = "By the card, at each rate that it was tested at."}}});
+                                              .note = "From the card, at each tested rate."}}});
   document.sections.push_back(unknowns_section(report, units));
   document.sections.push_back(keys_section(report, units));
   document.sections.push_back(misfit_section(report, units));

@@ -162,7 +162,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   document.sections.push_back(std::move(figures));
   if (summary.intervals && !summary.intervals->figures.empty()) {
     document.sections.push_back({.seen = Seen::in_brief, .paragraphs = interval_paragraphs(summary, units)});
-    document.sections.push_back({.heading = "How sure the figures are",
+    document.sections.push_back({.heading = "Uncertainty of the figures",
                                  .paragraphs = {source_paragraph(*summary.intervals)},
                                  .tables = {interval_table(summary, units)}});
   }
@@ -180,7 +180,7 @@ void add_case(Document& document, const ImpactReport& report) {
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs = {"In SI, as it was computed. Kept as a file, it is a case that dashpad run repeats."},
+       .paragraphs = {"In SI, as it was computed. Saved as a file, this is a case for dashpad run."},
        .copy = case_toml(report.impact, report.options)});
 }
 

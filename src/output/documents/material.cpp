@@ -116,7 +116,7 @@ std::string fitted_words(const Material& material) {
   return range ? fmt::format("up to a strain of {} and at strain rates from {} to {} 1/s",
                              brief(range->highest_strain), brief(range->lowest_rate),
                              brief(range->highest_rate))
-               : "range not stated: no result can be called extrapolated";
+               : "range not stated: extrapolation cannot be detected";
 }
 
 Table card_table(const Material& material) {
@@ -132,10 +132,9 @@ Table card_table(const Material& material) {
   for (std::vector<std::string>& row : law_rows(material)) table.rows.push_back(std::move(row));
   add("Fitted", fitted_words(material));
   if (material.nose_over_pad)
-    add("Strikes",
-        fmt::format("measured by strikes of a sphere with {} times the radius that the pad was thick: what "
-                    "neighbouring columns do is in its numbers",
-                    brief(*material.nose_over_pad)));
+    add("Strikes", fmt::format("measured in impacts of a sphere with a radius of {} times the pad thickness: "
+                               "its parameters include the effect of neighbouring columns",
+                               brief(*material.nose_over_pad)));
   return table;
 }
 
@@ -199,7 +198,7 @@ Document material_document(const Material& material, const UnitSystem& units, Pi
   for (const auto& [name, value] : material.also_published)
     published.rows.push_back({one_line(name), one_line(value)});
   document.sections.push_back(
-      {.heading = "Published too, but not used by the law", .seen = Seen::always, .tables = {published}});
+      {.heading = "Also published, but not used by the law", .seen = Seen::always, .tables = {published}});
   return document;
 }
 

@@ -50,10 +50,10 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
   }
   const bool has_best = runs_out(run);
   if (has_best) add("Best used at", shown.stress(best.stress), "the highest energy for its stress");
-  add(has_best ? "Energy taken by then" : "Energy taken", shown.energy(best.energy),
+  add(has_best ? "Energy absorbed by then" : "Energy taken", shown.energy(best.energy),
       "efficiency " + brief(best.efficiency, 3));
   if (has_best)
-    add("Runs out at a strain of", brief(best.strain, 3), "beyond, stress grows faster than energy");
+    add("Bottoms out at a strain of", brief(best.strain, 3), "beyond, stress grows faster than energy");
   if (run.unloads)
     add("Given back",
         of_run.energy_in > 0 ? MaterialTestValues::share(of_run.energy_returned / of_run.energy_in) : "none",
@@ -136,7 +136,7 @@ void add_plots(Document& document, const MaterialTestReport& report, const UnitS
            figure(efficiency_over_strain(report), "Efficiency is energy over the largest stress so far."),
            figure(ideality_over_strain(report), "Ideality is efficiency over the strain."),
            figure(efficiency_over_stress(report, units),
-                  "The foam is used best at the stress where the efficiency is highest.")}});
+                  "The foam is best used at the stress of highest efficiency.")}});
 }
 
 }  // namespace

@@ -69,12 +69,12 @@ Document post_impact_document(const Body& first, const Body& second, const Impac
        .paragraphs =
            {"The report calls C the coefficient of restitution, but it multiplies energy: the ratio of "
             "the speeds of separation and approach is its square root."}},
-      {.heading = "Where the energy is",
+      {.heading = "Energy balance",
        .seen = Seen::always,
-       .tables = {energies("When the force is largest",
+       .tables = {energies("At the largest force",
                            {{"Motion", split.kinetic_at_peak},
                             {"Stored in the support", split.support_at_peak},
-                            {"Put into the pad", split.pad_at_peak}},
+                            {"Work on the pad", split.pad_at_peak}},
                            split.impact, units),
                   energies("At the end",
                            {{"Rebound", split.rebound},

@@ -113,10 +113,10 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
   }
   if (text.empty()) return {};
   text += uncertainty.compared_with.empty()
-              ? ", k = 2. What a filter before the file took away is not in it"
+              ? ", k = 2. The effect of a filter applied before the file was written is not included"
               : fmt::format(
-                    ", k = 2, the filter beside {}. What another one before the "
-                    "file took away is not in it",
+                    ", k = 2, including the filter compared with {}. The effect of another filter applied "
+                    "before the file was written is not included",
                     uncertainty.compared_with);
   return {text + (uncertainty.calibration ? "." : ", nor is the calibration, which --calibration states.")};
 }
@@ -125,7 +125,7 @@ std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty&
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
-  if (next == nullptr) return "Undecided: the pulse is cut, and its figures can only grow";
+  if (next == nullptr) return "Undecided: the pulse is cut, and its figures are lower bounds";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin = margin_words(*next, units, 3);
   switch (verdict) {
@@ -239,11 +239,10 @@ Document pulse_document(const injury::PulseReport& report, const UnitSystem& uni
   if (report.limits)
     document.sections.push_back(
         {.seen = Seen::always,
-         .paragraphs = {
-             "Figures of a pulse beside the limits of a standard: whether the test was made as the "
-             "standard asks is not judged, and nothing is certified."}});
+         .paragraphs = {"Figures of a pulse compared with the limits of a standard: whether the test was "
+                        "carried out as the standard requires is not assessed, and nothing is certified."}});
   document.sections.push_back(
-      {.heading = "What it rests on",
+      {.heading = "Basis",
        .seen = Seen::always,
        .paragraphs = {fmt::format("HIC and severity index are in g^2.5 s; the pulse is linear between its "
                                   "samples (dashpad {}).",

@@ -126,8 +126,8 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
   if (is_onset_doubtful(report.comparison))
     lines.push_back(fmt::format(
         "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
-        "{}; "
-        "noise or an offset may be taken for the impact: --zero auto, --filter and --align peak help",
+        "{}; noise or an offset may have been taken for the impact: --zero auto, --filter and --align peak "
+        "help",
         100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
         brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
   for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
@@ -140,7 +140,7 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
 
 std::string comparison_answer(const PulseComparisonReport& report) {
   if (!report.comparison.computed)
-    return "There is no whole computed pulse to compare with. " + outcome(report.solution.summary);
+    return "There is no complete computed pulse to compare with. " + outcome(report.solution.summary);
   const std::string peak = more_or_less(*figure_of(report, "peak_acceleration").share(), "above", "below");
   std::string text = peak.empty() ? "The case predicts the peak of the measured pulse to within 0.5 %"
                                   : "The case predicts a peak " + peak + " that of the measured pulse";
@@ -195,7 +195,7 @@ Document pulse_comparison_document(const PulseComparisonReport& report, const Un
   of_case.push_back(solver_basis(report.solution.summary));
   document.sections = {
       {.heading = "Figures", .seen = Seen::on_pages, .tables = {comparison_table(report, units)}},
-      {.heading = "What it rests on",
+      {.heading = "Basis",
        .seen = Seen::always,
        .paragraphs = comparison_notes(report, units),
        .tables = {captioned("The case", basis_table(of_case)),

@@ -115,7 +115,7 @@ std::vector<std::string> reservations_of(const Reports& reports) {
 }  // namespace
 
 Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units) {
-  Panel panel{.title = "The accelerations, each from where contact begins",
+  Panel panel{.title = "The accelerations, each from the beginning of contact",
               .x = axis_of("time", units),
               .y = axis_of("acceleration", units)};
   const double time_factor = value_in(units, 1, "s");

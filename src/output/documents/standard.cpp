@@ -109,7 +109,7 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
   Document document{.title = one_line(standard.title), .lead = Lead{.answer = one_line(standard.title)}};
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
     document.warnings = {"UNVERIFIED: " + plural(unverified, "value") +
-                         " not read in the standard or a source that repeats it, marked so below."};
+                         " not read in the standard or a source that quotes it, marked so below."};
   Table reading{.columns = {"", ""}, .rows = {{"Name", full_name(standard)}}};
   const auto add = [&reading](const char* what, const std::string& text) {
     if (!text.empty()) reading.rows.push_back({what, one_line(text)});
@@ -128,12 +128,11 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
       last.tables.push_back(table_of(variant, units));
   else if (const std::string others = other_variants_text(standard); !others.empty())
     last.paragraphs.push_back(others);
-  document.sections = {
-      {.seen = Seen::always, .tables = {std::move(reading)}},
-      {.heading = "What is struck with", .seen = Seen::always, .tables = {std::move(impactor)}},
-      {.heading = "What is asked for", .seen = Seen::always, .tables = {std::move(criteria)}},
-      std::move(last),
-      {.seen = Seen::always, .paragraphs = {assessment_caveat()}}};
+  document.sections = {{.seen = Seen::always, .tables = {std::move(reading)}},
+                       {.heading = "Impactor", .seen = Seen::always, .tables = {std::move(impactor)}},
+                       {.heading = "Requirements", .seen = Seen::always, .tables = {std::move(criteria)}},
+                       std::move(last),
+                       {.seen = Seen::always, .paragraphs = {assessment_caveat()}}};
   return document;
 }
 

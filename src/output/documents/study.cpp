@@ -85,7 +85,7 @@ void add_pictures(Document& document, const study::StudyAnswers& answers, const 
   std::vector<CaptionedPlot> maps = map_figures(answers, units);
   for (CaptionedPlot& figure : coloured_scatter_figures(answers, units)) maps.push_back(std::move(figure));
   add(document, "Maps", std::move(maps));
-  add(document, "Which factor matters", index_figures(answers));
+  add(document, "Effect of the factors", index_figures(answers));
   if (answers.groups.front().group.drawn)
     add(document, "Distributions", distribution_figures(answers, units));
   add(document, "Scatter", scatter_figures(answers, units));
@@ -105,12 +105,11 @@ Document study_document(const study::StudyAnswers& answers, const UnitSystem& un
                          .subject = {document.title},
                          .figures = study_key_figures(answers, units)};
   if (!answers.records.rows.empty())
-    document.sections = {
-        {.heading = "What was studied", .seen = Seen::always, .tables = {factor_table(answers, units)}},
-        {.heading = "Answers",
-         .seen = Seen::always,
-         .paragraphs = {interval_note(answers)},
-         .tables = study_tables(answers, units)}};
+    document.sections = {{.heading = "Study", .seen = Seen::always, .tables = {factor_table(answers, units)}},
+                         {.heading = "Answers",
+                          .seen = Seen::always,
+                          .paragraphs = {interval_note(answers)},
+                          .tables = study_tables(answers, units)}};
   if (pictures == Pictures::drawn) add_pictures(document, answers, units);
   return document;
 }

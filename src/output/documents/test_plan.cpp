@@ -145,13 +145,13 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
   const Table plan = plan_table(all);
   Document document{
       .title = counted(all),
-      .lead = Lead{.answer = counted(all),
-                   .tone = worst.document.lead->tone,
-                   .subject = {fmt::format("Test plan: cases {}, standards {}", plan.rows.size(),
-                                           plan.columns.size() - 1),
-                               fmt::format("{}: {}. {}.",
-                                           rank(worst) == 2 ? "Least to spare" : "First to look at",
-                                           full_title(worst), worst.document.lead->answer)}},
+      .lead =
+          Lead{.answer = counted(all),
+               .tone = worst.document.lead->tone,
+               .subject = {fmt::format("Test plan: cases {}, standards {}", plan.rows.size(),
+                                       plan.columns.size() - 1),
+                           fmt::format("{}: {}. {}.", rank(worst) == 2 ? "Smallest margin" : "Most critical",
+                                       full_title(worst), worst.document.lead->answer)}},
       .warnings = reservations(all)};
   for (const Combination* combination : sorted) {
     ValueRow row = combination->next;
@@ -162,12 +162,12 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
   document.sections.push_back({.heading = "The plan", .seen = Seen::always, .tables = {plan}});
   if (!document.warnings.empty())
     document.sections.back().paragraphs = {
-        "* with a reservation, which the assessment of that case by that standard has in full."};
+        "* with a reservation, stated in full in the assessment of that case by that standard."};
   for (const Combination& combination : all)
     document.sections.push_back(section_of(combination, units, pictures));
   document.sections.push_back(
       {.seen = Seen::in_brief,
-       .paragraphs = {"--all shows every assessment as a whole, --report all of them on a page."}});
+       .paragraphs = {"--all shows every assessment in full, --report all of them on a page."}});
   document.sections.push_back({.seen = Seen::always, .paragraphs = {assessment_caveat()}});
   return document;
 }

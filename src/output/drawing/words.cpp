@@ -65,7 +65,7 @@ std::string support_words(const Scene& scene) {
     const auto& points = support.points();
     const Support::Point& last = points.back();
     text = points.size() == 1 ? "a spring of " + shown(last.force / last.deflection, "N/m")
-                              : fmt::format("a spring by a curve up to {} at {}", shown(last.force, "N"),
+                              : fmt::format("a spring with a curve up to {} at {}", shown(last.force, "N"),
                                             shown(last.deflection, "m"));
     if (backing.unloading_stiffness > 0) text += ", which crushes";
   }
@@ -177,8 +177,8 @@ std::string drawing_description(const Scene& scene) {
   text += " " + strain_words(moments) + "; columns of the pad are shaded by their strain.";
   text += " Nose and pad are true to scale; parts of the support";
   text += impact.pad.sheet > 0 ? " and the sheet on the pad are symbols." : " are symbols.";
-  if (scene.layout.pad_is_cut) text += " A stretch of the pad is left out.";
-  if (scene.layout.sink_is_cut) text += " The way of the support is drawn shorter than it is.";
+  if (scene.layout.pad_is_cut) text += " Part of the pad is left out.";
+  if (scene.layout.sink_is_cut) text += " The deflection of the support is drawn shorter than it is.";
   return text;
 }
 
@@ -236,7 +236,7 @@ std::vector<std::string> caption_lines(const Scene& scene) {
   add("Nose: " + nose_words(scene));
   if (const std::string pad = pad_words(scene); !pad.empty()) add("Pad: " + pad);
   add("Support: " + support_words(scene));
-  if (scene.layout.sink_is_cut) add("The way of the support is not to scale.");
+  if (scene.layout.sink_is_cut) add("The deflection of the support is not to scale.");
   return lines;
 }
 

@@ -74,9 +74,9 @@ std::string bar_of(const ValueRow& figure) {
   std::string inside = rect(class_of_tone(figure.tone), 0, place_of(*figure.share));
   if (const auto& range = figure.share_range) {
     words += std::isfinite(range->second)
-                 ? fmt::format(", {:.0f} to {:.0f} % with what is not known", 100 * range->first,
+                 ? fmt::format(", {:.0f} to {:.0f} % including uncertainty", 100 * range->first,
                                100 * range->second)
-                 : fmt::format(", {:.0f} % or more with what is not known", 100 * range->first);
+                 : fmt::format(", {:.0f} % or more including uncertainty", 100 * range->first);
     inside +=
         rect("interval", place_of(range->first), place_of(range->second) - place_of(range->first), 0.55);
   }

@@ -71,7 +71,7 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
       {std::move(stress), std::move(off)},
       fmt::format("dashpad {}; {:.3g} to {:.3g} 1/s", version(), test.lowest_rate, test.highest_rate)};
   if (test.offset)
-    figure.note = fmt::format("The model is shown with the shift of the force zero that was found, {}.",
+    figure.note = fmt::format("The model is shown with the fitted shift of the force zero, {}.",
                               brief_quantity(*test.offset, "Pa", units, 3));
   return figure;
 }
@@ -96,7 +96,7 @@ CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& uni
                  {},
                  fmt::format("dashpad {}; time since the onset of the pulse", version())};
   if (pulse.computed.empty()) {
-    figure.note = "This impact has no whole pulse with the material that was found.";
+    figure.note = "With the fitted material this impact has no complete pulse.";
     figure.plot.panels = {std::move(over_time)};
     return figure;
   }

@@ -22,7 +22,7 @@ std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
   const double kept = summary.energy_absorbed_fraction;
   if (summary.status != Status::released || !(kept > -rounding && kept < 1 + rounding))
     return "Force over displacement and penetration";
-  return fmt::format("Of an impact energy of {} the pad keeps {:.0f} %",
+  return fmt::format("Of an impact energy of {} the pad retains {:.0f} %",
                      brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
 }
 

@@ -89,7 +89,7 @@ std::string rests_text(const PadLaw& law, const Blows& blows) {
     case BlowMemory::none:
       return std::holds_alternative<Elastic>(law)
                  ? "by its law the pad recovers fully"
-                 : "by its law the pad recovers fully in rests long against its relaxation";
+                 : "by its law the pad recovers fully in pauses that are long compared with its relaxation";
     case BlowMemory::crater: return "the pad stays crushed";
     case BlowMemory::largest_strain: break;
   }

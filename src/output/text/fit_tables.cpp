@@ -36,8 +36,8 @@ Table table_of_unknowns(const fit::FitReport& report, const UnitSystem& units) {
          unknown.standard_error ? brief_quantity(*unknown.standard_error, unknown.unit, units, 2) : "none",
          interval_words(unknown, units),
          unknown.wants_beyond()     ? unknown.is_at_lowest ? "at its lower bound" : "at its upper bound"
-         : unknown.is_at_lowest     ? "as small as it can be"
-         : unknown.is_at_highest    ? "as large as it can be"
+         : unknown.is_at_lowest     ? "at its smallest possible value"
+         : unknown.is_at_highest    ? "at its largest possible value"
          : unknown.rests_on_prior() ? "mostly from its prior"
                                     : ""});
   return table;

@@ -83,12 +83,12 @@ std::string fit_headline(const fit::FitReport& report) {
                          : fmt::format("The data determine {} of {}{}", of.by_data, plural(of.all, "unknown"),
                                        beside_data(of));
   const std::string missed = words_of(misses(report, false));
-  return text + (missed.empty() ? "." : "; the model misses " + missed + ".");
+  return text + (missed.empty() ? "." : "; the model deviates from " + missed + ".");
 }
 
 std::string prediction_words(const fit::FitReport& report) {
   const std::string missed = words_of(misses(report, true));
-  return missed.empty() ? "" : "Predicted, not fitted: the model misses " + missed + ".";
+  return missed.empty() ? "" : "Predicted, not fitted: the model deviates from " + missed + ".";
 }
 
 std::string fit_answer(const fit::FitReport& report) {
@@ -113,9 +113,9 @@ std::string fit_answer(const fit::FitReport& report) {
   text += of.by_data == of.all ? ": the data determine all of them. "
                                : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
-    return text + "The best fit was met away from all starts, on the way along a profile.";
+    return text + "The best fit was found along a profile, not from any of the starts.";
   return text + fmt::format(
-                    "{} of {} starts came to the same misfit{}.", report.starts_at_best, report.starts,
+                    "{} of {} starts converged to the same misfit{}.", report.starts_at_best, report.starts,
                     report.starts_failed > 0
                         ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
                         : "");
@@ -123,9 +123,8 @@ std::string fit_answer(const fit::FitReport& report) {
 
 std::string words_on_added(const fit::FitReport& report) {
   if (std::ranges::none_of(report.unknowns, &fit::FittedUnknown::is_added)) return "";
-  return "How much of the stress that the rate adds resists the way back was not stated: "
-         "pad.parameters.recoil "
-         "is sought too, from 0 to 1. State it where it is known.";
+  return "How much of the rate-dependent stress resists the recovery was not stated: pad.parameters.recoil "
+         "is fitted too, from 0 to 1. State it if it is known.";
 }
 
 std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units) {
@@ -149,12 +148,13 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
   std::vector<std::string> all;
   for (const std::vector<std::string>& keys : report.flat_directions)
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
-                                                   : " are not told apart by these data."));
+                                                   : " cannot be distinguished by these data."));
   for (const fit::StrongCorrelation& correlation : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} go together: correlation {:.3f}.", correlation.first,
+    all.push_back(fmt::format("The errors of {} and {} are correlated: {:.3f}.", correlation.first,
                               correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
-    all.push_back("The end of an interval is rough, since the refits for it ran out: " + end + ".");
+    all.push_back("The end of an interval is approximate, since the limit of refits was reached: " + end +
+                  ".");
   return all;
 }
 
@@ -162,25 +162,25 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   std::vector<std::string> all;
   if (!report.noise_is_stated)
     all.emplace_back(
-        "Noise: not stated for all data; where it is not, it is taken from what the fit leaves, one share of "
-        "the largest stress of each test.");
+        "Noise: not stated for all data; where it is not, it is estimated from the residuals of the fit, as "
+        "one fraction of the largest stress of each test.");
   else if (report.degrees_of_freedom <= 0)
     all.emplace_back(
-        "Noise: there are as many unknowns as data, so that the misfit says nothing about the model.");
+        "Noise: there are as many unknowns as data, so the misfit contains no information about the model.");
   else if (report.variance_scale > 1)
     all.push_back(
-        fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so that the "
-                    "model misses the data by more than noise; errors are multiplied by {:.3g}.",
+        fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so the model "
+                    "deviates from the data by more than noise; errors are multiplied by {:.3g}.",
                     report.misfit_per_degree(), std::sqrt(report.variance_scale)));
   else
     all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
                               report.misfit_per_degree()));
   const auto add = [&](const auto& given, const std::string& file, std::size_t points) {
     if (given.is_held_out || !(given.effective_points < static_cast<double>(points))) return;
-    all.push_back(fmt::format(
-        "{}: neighbouring residuals are correlated by {:.2f}, so that {} points are worth {:.0f}; "
-        "errors and intervals are widened by that.",
-        file, given.autocorrelation, points, given.effective_points));
+    all.push_back(
+        fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so {} points count as {:.0f}; "
+                    "errors and intervals are widened accordingly.",
+                    file, given.autocorrelation, points, given.effective_points));
   };
   for (const fit::MetTest& test : report.tests) add(test, test.file, test.points);
   for (const fit::MetPulse& pulse : report.pulses) add(pulse, pulse.pulse_file, pulse.time.size());

@@ -43,8 +43,8 @@ std::string figure_words(const FigureInterval& interval, const Intervals& interv
   const ResultQuantity& quantity = result_quantity(interval.key);
   const std::string value = brief_quantity(interval.nominal, quantity.si_unit, units, 4);
   if (interval.sources.empty())
-    return fmt::format("{} {}: nothing that is open moves it.", quantity.title, value);
-  return fmt::format("{} {}, {} at 95 %, by {}.", quantity.title, value, interval_words(interval, units),
+    return fmt::format("{} {}: none of the uncertainties affects it.", quantity.title, value);
+  return fmt::format("{} {}, {} at 95 %, due to {}.", quantity.title, value, interval_words(interval, units),
                      joined(source_words(interval, intervals, units)));
 }
 
@@ -86,7 +86,7 @@ void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const Un
 
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked) {
   const Intervals& intervals = *summary.intervals;
-  Table table{.caption = "By what each figure may be otherwise", .columns = {"Figure", "All together"}};
+  Table table{.caption = "Uncertainty of each figure by source", .columns = {"Figure", "All together"}};
   std::vector<Source> open;
   for (const OpenSource& source : intervals.sources)
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
@@ -111,9 +111,8 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
 std::string source_paragraph(const Intervals& intervals) {
   std::vector<std::string> all;
   for (const OpenSource& source : intervals.sources)
-    all.push_back(
-        fmt::format("{}: {}{}", to_string(source.source), one_line(source.words),
-                    source.why_not.empty() ? "" : "; no interval, for " + one_line(source.why_not)));
+    all.push_back(fmt::format("{}: {}{}", to_string(source.source), one_line(source.words),
+                              source.why_not.empty() ? "" : "; no interval: " + one_line(source.why_not)));
   return all.empty() ? "" : capitalised(joined(all)) + ".";
 }
 

@@ -21,7 +21,7 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
                                 const MaterialTestValues& shown) {
   const std::string hold = brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed && run.relaxed->at_end_of_ramp > 0)
-    return fmt::format("Keeps {} of its stress for {} at a strain of {}",
+    return fmt::format("Retains {} of its stress over {} at a strain of {}",
                        MaterialTestValues::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp), hold,
                        brief(report.test.strain, 3));
   if (run.crept)
@@ -31,14 +31,14 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
   if (!run.at_limits.empty()) {
     const std::string limit = shown.stress(report.test.stress_limits.front());
     if (const std::optional<CushionPoint>& at = run.at_limits.front())
-      return fmt::format("Takes {} before its stress reaches {}", shown.energy(at->energy), limit);
-    return fmt::format("Takes {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
+      return fmt::format("Absorbs {} before its stress reaches {}", shown.energy(at->energy), limit);
+    return fmt::format("Absorbs {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
   }
   const CushionPoint& best = run.figures.best_efficiency;
   if (runs_out(run))
-    return fmt::format("Best used at {}: it has then taken {}", shown.stress(best.stress),
+    return fmt::format("Best used at {}, where it has absorbed {}", shown.stress(best.stress),
                        shown.energy(best.energy));
-  return fmt::format("Takes {} up to a strain of {}, and has not run out there", shown.energy(best.energy),
+  return fmt::format("Absorbs {} up to a strain of {}, without bottoming out", shown.energy(best.energy),
                      brief(best.strain, 3));
 }
 
@@ -131,12 +131,11 @@ std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report) 
       "Energies are per volume. Efficiency is energy over the largest stress so far, ideality that over the "
       "strain; of the first loading."};
   if (!range_of(report.material))
-    notes.emplace_back("The card states no fitted range: no result can be called extrapolated.");
+    notes.emplace_back("The card states no fitted range: extrapolation cannot be detected.");
   if (report.test.steps_of_1984)
     notes.emplace_back(
         "1984: the explicit update of the report's Eq. 16, in the arithmetic of its machine. A jump above "
-        "zero "
-        "at the end of the first loading is what the report calls the stress-discontinuity artifact.");
+        "zero at the end of the first loading is the stress-discontinuity artifact of the report.");
   for (const std::string& remark : report.test.history_remarks)
     notes.push_back("REMARK: " + one_line(remark));
   return notes;

@@ -85,9 +85,9 @@ std::string index_answer(const study::StudyAnswers& answers) {
       return &other == &*most || !(other.total.high >= most->total.low);
     });
     if (!is_decided || !(most->total.low > 0))
-      return fmt::format("The draws do not decide which factor {} follows most; {} leads",
+      return fmt::format("The draws do not determine which factor affects {} most; {} leads",
                          uncapitalised(name), factor_words(most->factor));
-    return fmt::format("{} follows {} most: {} of its scatter", name, factor_words(most->factor),
+    return fmt::format("{} depends most on {}: {} of its scatter", name, factor_words(most->factor),
                        per_cent(std::min(most->total.value, 1.0)));
   }
   return "";
@@ -145,7 +145,7 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
                        three_digits(name, study::quantile(group.distributions.front(), 0.5)->value, units),
                        words_of_levels(answers, group.group, units));
   };
-  return fmt::format("The median of {} goes from {} to {}", uncapitalised(title_of(name)), part(*least),
+  return fmt::format("The median of {} ranges from {} to {}", uncapitalised(title_of(name)), part(*least),
                      part(*greatest));
 }
 

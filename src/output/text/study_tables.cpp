@@ -146,7 +146,7 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
       answers, units, add_distributions)};
   if (!answers.limits.empty())
     tables.push_back(over_groups(
-        {.caption = drawn ? "Probability of more than a limit" : "Share of rows above a limit",
+        {.caption = drawn ? "Probability of exceeding a limit" : "Share of rows above a limit",
          .columns = with_struck_through(
              answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
         answers, units, add_exceedances));
@@ -178,9 +178,10 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
     if (count > 0) texts.push_back(fmt::format("{} {} of {} rows {}", name, count, rows, words));
   };
   if (rows < answers.rows)
-    texts.push_back(fmt::format(
-        "NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same command goes on.",
-        rows, answers.rows));
+    texts.push_back(
+        fmt::format("NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same "
+                    "command continues.",
+                    rows, answers.rows));
   add(records.doubtful, "DOUBTFUL:",
       "miss the tolerance, make no valid case or lack a figure that was asked for. No limit is decided by "
       "them.");
@@ -225,9 +226,8 @@ std::string unstratified_factors(const study::Study& study) {
 
 std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
-    return "A grid has no probabilities: figures are over its levels as they are, each row counting the "
-           "same, "
-           "and have no intervals. A range in brackets is that of undecided rows.";
+    return "A grid has no probabilities: figures are over its levels, with equal weight for each row, and "
+           "have no intervals. A range in brackets is due to undecided rows.";
   std::string note =
       "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
       "probabilities by Clopper and Pearson. They cover the sampling only.";

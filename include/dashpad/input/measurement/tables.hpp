@@ -25,8 +25,8 @@ struct PulseFile {
   std::vector<InputFile> files;  ///< source files; for a test, all its parts
 };
 
-/// What the file may not say itself. Columns are named by their headers, with or without unit, or by numbers
-/// from 1.
+/// Settings for what the file may not say itself. Columns are named by their headers, with or without unit,
+/// or by numbers from 1.
 struct PulseCsvOptions {
   std::string time = {};                       ///< empty for the column that looks like one
   std::vector<std::string> acceleration = {};  ///< up to three; empty likewise

@@ -47,8 +47,8 @@ struct Profile {
 };
 
 inline constexpr std::array<Parameter<Profile>, 1> Profile::parameters{{
-    {"scale", "k", "1", &Profile::scale, from_to(1e-3, 1e3),
-     "by what the lengths of the profile are multiplied", LeftOut::as_default},
+    {"scale", "k", "1", &Profile::scale, from_to(1e-3, 1e3), "factor on the lengths of the profile",
+     LeftOut::as_default},
 }};
 
 }  // namespace dashpad

@@ -31,15 +31,15 @@ struct CrushableFoam {
 };
 
 inline constexpr std::array<Parameter<CrushableFoam>, 5> CrushableFoam::parameters{{
-    {"unloading_modulus", "E", "Pa", &CrushableFoam::unloading_modulus, positive, "slope of the unloading"},
+    {"unloading_modulus", "E", "Pa", &CrushableFoam::unloading_modulus, positive, "unloading modulus"},
     {"lag_strain", "l", "1", &CrushableFoam::lag_strain, lag_strains,
-     "strain over which the rate's stress follows the rate", LeftOut::as_default},
+     "strain over which the stress follows a change of the rate", LeftOut::as_default},
     {"continuation_exponent", "n", "1", &CrushableFoam::continuation_exponent, continuation_exponents,
      "exponent of one minus the strain beyond the last tested strain", LeftOut::as_default},
     {"gentlest_continuation", "n_low", "1", &CrushableFoam::gentlest_continuation, continuation_exponents,
-     "the smallest it may be", LeftOut::as_default},
+     "lower bound of this exponent", LeftOut::as_default},
     {"steepest_continuation", "n_high", "1", &CrushableFoam::steepest_continuation, continuation_exponents,
-     "the largest it may be", LeftOut::as_default},
+     "upper bound of this exponent", LeftOut::as_default},
 }};
 
 }  // namespace dashpad

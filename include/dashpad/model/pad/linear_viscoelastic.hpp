@@ -45,7 +45,7 @@ struct LinearViscoelastic {
 
 inline constexpr std::array<Parameter<LinearViscoelastic>, 3> LinearViscoelastic::parameters{{
     {"asymptotic_modulus", "E_inf", "Pa", &LinearViscoelastic::asymptotic_modulus, positive,
-     "modulus under a lasting strain"},
+     "modulus under a sustained strain"},
     {"initial_modulus", "E_0", "Pa", &LinearViscoelastic::initial_modulus, positive,
      "modulus under a sudden strain, not below asymptotic_modulus"},
     {"relaxation_time", "tau", "s", &LinearViscoelastic::relaxation_time, positive,

@@ -62,7 +62,7 @@ struct NineParameter {
 
 inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::parameters{{
     {"asymptotic_modulus", "E_inf", "Pa", &NineParameter::asymptotic_modulus, positive,
-     "modulus of the lasting stress"},
+     "modulus of the equilibrium stress"},
     {"contact_exponent", "m", "1", &NineParameter::contact_exponent, above_to(0, 1),
      "exponent of the strain"},
     {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent, from_to(0, 4),
@@ -70,10 +70,10 @@ inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::paramete
     {"relaxation_time", "tau", "s", &NineParameter::relaxation_time, positive,
      "time constant of the relaxation"},
     {"rate_modulus", "E_r", "Pa", &NineParameter::rate_modulus, not_negative,
-     "modulus of the stress that a strain rate of 1/s adds"},
+     "modulus of the stress added by a strain rate of 1/s"},
     {"rate_exponent", "r", "1", &NineParameter::rate_exponent, above_to(0, 1), "exponent of the strain rate"},
     {"residual_strain_time", "tau*", "s", &NineParameter::residual_strain_time, positive,
-     "scale of the strain rate in the residual strain on unloading"},
+     "scale of the strain rate in the residual strain in unloading"},
     {"residual_strain_exponent", "p", "1", &NineParameter::residual_strain_exponent, above_to(0, 1),
      "its exponent"},
 }};

@@ -64,18 +64,18 @@ inline constexpr Bounds viscoelastic_exponents = from_to(-3, 50);
 inline constexpr Bounds viscoelastic_shares = from_to(0, 1000);
 inline constexpr std::array<Parameter<ViscoelasticFoam>, 8> ViscoelasticFoam::parameters{{
     {"first_modulus", "mu_1", "Pa", &ViscoelasticFoam::first_modulus, positive,
-     "modulus of the lasting curve"},
+     "modulus of the equilibrium curve"},
     {"first_exponent", "a_1", "1", &ViscoelasticFoam::first_exponent, viscoelastic_exponents,
-     "exponent of the stretch in it, not 0"},
+     "exponent of the stretch in this curve, not 0"},
     {"second_modulus", "mu_2", "Pa", &ViscoelasticFoam::second_modulus, not_negative,
-     "modulus of its second term", LeftOut::as_default},
+     "modulus of the second term", LeftOut::as_default},
     {"second_exponent", "a_2", "1", &ViscoelasticFoam::second_exponent, viscoelastic_exponents,
      "exponent of the second term, not 0", LeftOut::as_default},
     {"first_share", "g_1", "1", &ViscoelasticFoam::first_share, viscoelastic_shares,
-     "stress of the first branch over the lasting one, for a sudden strain"},
+     "stress of the first branch over the equilibrium stress, for a sudden strain"},
     {"first_time", "tau_1", "s", &ViscoelasticFoam::first_time, positive, "its relaxation time"},
     {"second_share", "g_2", "1", &ViscoelasticFoam::second_share, viscoelastic_shares,
-     "the same of a second branch", LeftOut::as_default},
+     "the same for a second branch", LeftOut::as_default},
     {"second_time", "tau_2", "s", &ViscoelasticFoam::second_time, positive, "its relaxation time",
      LeftOut::as_default},
 }};

@@ -82,20 +82,20 @@ struct Backing {
 
 inline constexpr std::array<Parameter<Backing>, 8> Backing::parameters{{
     {"unloading_stiffness", "k_u", "N/m", &Backing::unloading_stiffness, wide(1e-3, 1e15),
-     "slope on which a crushed support comes back", LeftOut::zero},
-    {"damping", "c", "N s/m", &Backing::damping, wide(1e-6, 1e12), "damping of a damper beside the support",
-     LeftOut::zero},
+     "unloading stiffness of a support that crushes", LeftOut::zero},
+    {"damping", "c", "N s/m", &Backing::damping, wide(1e-6, 1e12),
+     "coefficient of a damper parallel to the support", LeftOut::zero},
     {"loss_factor", "\\eta", "1", &Backing::loss_factor, from_to(0, 2),
-     "loss factor of the support, as a damper", LeftOut::zero},
+     "loss factor of the support, represented by a damper", LeftOut::zero},
     {"mass", "m", "kg", &Backing::mass, wide(1e-6, 1e6), "mass of the panel that carries the pad",
      LeftOut::none},
     {"body_mass", "M_b", "kg", &Backing::body_mass, wide(1e-6, 1e6), "mass of a free body behind the support",
      LeftOut::none},
     {"gap", "x_g", "m", &Backing::gap, wide(1e-5, 1e2), "gap between panel and support", LeftOut::zero},
-    {"preload", "F_p", "N", &Backing::preload, wide(1e-6, 1e12),
-     "force of the support at rest, against a stop", LeftOut::zero},
+    {"preload", "F_p", "N", &Backing::preload, wide(1e-6, 1e12), "preload of the support against a stop",
+     LeftOut::zero},
     {"earlier_force", "F_e", "N", &Backing::earlier_force, wide(1e-6, 1e12),
-     "largest force of the support before, if it crushes", LeftOut::zero},
+     "largest earlier force on a support that crushes", LeftOut::zero},
 }};
 
 }  // namespace dashpad

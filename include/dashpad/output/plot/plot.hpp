@@ -21,7 +21,7 @@ enum class SeriesStyle {
   horizontal_line,  ///< across the whole panel, at each y
 };
 
-/// Where the label of a series is placed. Labels without room go to the legend.
+/// The place of the label of a series. Labels without room go to the legend.
 enum class LabelPlace {
   by_style,  ///< a line at its end, a line across on it, everything else in the legend
   middle,    ///< a line beside its middle, for brackets and contours; a single point beside it

@@ -166,9 +166,9 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
       continue;
     }
     if (const double fall = softening_of(table.stress); fall > max_softening)
-      broken.push_back({key + ".stress", fall,
-                        fmt::format("falls by {:.0f} % behind a larger stress; at most 10 % can be followed",
-                                    100 * fall)});
+      broken.push_back(
+          {key + ".stress", fall,
+           fmt::format("falls by {:.0f} % after a larger stress; at most 10 % is possible", 100 * fall)});
     const MonotoneCurve curve(table);
     if (in_order && (slower || base)) {
       const auto slow = [&](double e) { return slower ? slower->stress(e) : base->at(strain_of(e)).stress; };
@@ -235,11 +235,10 @@ void check_rules(const CrushableFoam& law, Violations& broken) {
     before = stress;
   }
   if (law.unloading_modulus < steepest * (1 - 1e-6))
-    broken.push_back(
-        {"unloading_modulus", law.unloading_modulus,
-         fmt::format("must be at least the steepest slope of the curve, {:.6g} Pa: a foam that unloads "
-                     "more gently than it loads would give energy back",
-                     steepest)});
+    broken.push_back({"unloading_modulus", law.unloading_modulus,
+                      fmt::format("must be at least the steepest slope of the curve, {:.6g} Pa: a foam that "
+                                  "unloads less steeply than it loads would create energy",
+                                  steepest)});
 }
 
 std::vector<double> tested_rates(const FoamCurves& curves) {

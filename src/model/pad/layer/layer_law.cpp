@@ -76,7 +76,7 @@ std::optional<LayerLaw> layer_law(const PadLaw& law) {
 std::vector<Violation> violations_as_layer(const PadLaw& law) {
   if (std::holds_alternative<RigidFoam>(law))
     return {{"law", no_value,
-             must + "rigid-foam is rigid on the way back, and a stress does not tell its strain"}};
+             must + "rigid-foam is rigid in unloading, so that a stress does not determine its strain"}};
   if (std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law))
     return {{"law", no_value,
              must + "that of " + name_of(law) + " jumps and falls where the rate changes its sign"}};
@@ -90,7 +90,7 @@ std::vector<Violation> violations_as_layer(const PadLaw& law) {
     if (const auto largest = strain_of_falling_return(*foam))
       return {
           {"unloading", *largest,
-           must + fmt::format("on the way back from the strain {:.3g} it grows before it falls", *largest)}};
+           must + fmt::format("in unloading from the strain {:.3g} it increases before it falls", *largest)}};
     return of_curves(foam->curves);
   }
   return {};

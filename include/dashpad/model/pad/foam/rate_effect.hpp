@@ -62,7 +62,7 @@ inline constexpr std::size_t max_rates = 50;
 inline constexpr std::array<Parameter<PowerRateEffect>, 3> PowerRateEffect::parameters{{
     {"exponent", "a", "1", &PowerRateEffect::exponent, from_to(0, 1), "exponent of the rate at strain zero"},
     {"exponent_slope", "b", "1", &PowerRateEffect::exponent_slope, from_to(-5, 5),
-     "how it changes with the strain"},
+     "change of this exponent with the strain"},
     {"highest_rate", "r_h", "1/s", &PowerRateEffect::highest_rate, positive, "highest tested rate"},
 }};
 
