@@ -28,13 +28,13 @@ void add_parameter(const std::string& prefix, const Parameter<Owner>& parameter,
                                   double value) { parameter.set(place(impact), value); }});
 }
 
-/// Adds every number of an owner that is not absent and not excluded by `is_left`.
+/// Adds every number of an owner that is not absent and not excluded by `is_excluded`.
 template <class Owner, class Place, class Leave>
-void add_parameters(const ImpactCase& base, const std::string& prefix, Place place, Leave is_left,
+void add_parameters(const ImpactCase& base, const std::string& prefix, Place place, Leave is_excluded,
                     std::vector<CaseQuantity>& into) {
   const Owner& owner = place(base);
   for (const Parameter<Owner>& parameter : Owner::parameters)
-    if (!parameter.is_none(owner) && !is_left(parameter)) add_parameter(prefix, parameter, place, into);
+    if (!parameter.is_none(owner) && !is_excluded(parameter)) add_parameter(prefix, parameter, place, into);
 }
 
 constexpr auto none = [](const auto&) { return false; };
@@ -108,11 +108,11 @@ void add_pad(const ImpactCase& base, std::vector<CaseQuantity>& into) {
   const auto pad_in = [](auto& impact) -> auto& { return impact.pad; };
   const bool is_layered = !base.pad.layers.empty();
   const bool remembers = !is_layered && blow_memory(base.pad.material.law) != BlowMemory::none;
-  const auto is_left = [&](const Parameter<Pad>& parameter) {
+  const auto is_excluded = [&](const Parameter<Pad>& parameter) {
     return (is_layered && parameter.member == &Pad::thickness) ||
            (!remembers && parameter.member == &Pad::earlier_penetration);
   };
-  add_parameters<Pad>(base, "pad.", pad_in, is_left, into);
+  add_parameters<Pad>(base, "pad.", pad_in, is_excluded, into);
   if (!is_layered) add_material(base, "pad.", pad_in, into);
   for (std::size_t i = 0; i < base.pad.layers.size(); ++i) add_layer(base, i, into);
 }

@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "fit/determine.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::fit {
 namespace {

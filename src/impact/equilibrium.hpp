@@ -51,7 +51,7 @@ class Equilibrium {
                                  .resolution = numerics.fourth_root_resolution * last});
     if (root.place == RootPlace::at_or_above_high) at.trial.obstacle = Event::lock;
     if (root.place == RootPlace::at_or_below_low) at.trial.obstacle = Event::turning;
-    return finished(at.trial);
+    return with_drive(at.trial);
   }
 
   /// An unloading step. `just_turned`: loading has ended at this moment.
@@ -79,7 +79,7 @@ class Equilibrium {
       }
       at.trial.obstacle = Event::reloading;
     }
-    return finished(at.trial);
+    return with_drive(at.trial);
   }
 
   /// A step at constant penetration; the support's force moves the impactor.
@@ -89,7 +89,7 @@ class Equilibrium {
     if (foundation_.kind() != Foundation::Kind::at_once) {
       motion_.stick(step, trial.end);
       trial.pad = contact_.trial(0, now().time, step);
-      return finished(trial);
+      return with_drive(trial);
     }
     const double flexibility = motion_.flexibility(now().back, now().force, step);
     const double travel = std::abs(speed_to_back()) * step;
@@ -110,7 +110,7 @@ class Equilibrium {
                .resolution = numerics.rounding * std::abs(now().force),
                .stride = stride});
     trial.pad = contact_.trial(0, now().time, step);
-    return finished(trial);
+    return with_drive(trial);
   }
 
   /// A step without force, so that motion and penetration are known; in flight the latter is below zero.
@@ -163,7 +163,7 @@ class Equilibrium {
 
   /// The trial with its drive (Eq. 26) at the end of the step, m/s, and its lasting stiffness: steps that
   /// resolved the effect of a changing rate like a spring would shrink without end.
-  Trial finished(Trial trial) {
+  Trial with_drive(Trial trial) {
     const double rate = contact_.force_rate_when_held(trial.pad);
     trial.end.drive =
         trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);

@@ -292,7 +292,7 @@ class March {
       search.value_now = now_.drive, search.guess = predictor_.time_to_turning(now_);
     bracket_event(value_at, search);
     Trial found = kind.ends_after || before.step == 0 ? after : before;
-    return by_force ? equilibrium_.finished(found) : found;
+    return by_force ? equilibrium_.with_drive(found) : found;
   }
 
   // ------------------------------------------------------------------ what changes the state

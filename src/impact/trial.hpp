@@ -9,7 +9,8 @@ namespace dashpad {
 /// State of an impact: time in s, lengths in m, velocity in m/s, force in N.
 struct State {
   double time = 0, motion = 0, velocity = 0, penetration = 0, force = 0;
-  /// Speed by which the support outruns a pad held still; > 0 loads the pad (theory.md, Eq. 26).
+  /// Speed of the impactor less that at which the support gives way as the force of a pad held still relaxes,
+  /// m/s; > 0 loads the pad (theory.md, Eq. 26).
   double drive = 0;
   BackState back;  ///< stays 0 for an elastic support on the ground
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 
 namespace dashpad::laboratory {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 #include "laboratory/columns.hpp"
 #include "laboratory/viscous_stress.hpp"
 

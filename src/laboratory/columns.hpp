@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dashpad/model/pad/law.hpp"
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 #include "model/pad/column_law.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 

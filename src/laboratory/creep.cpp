@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <boost/numeric/odeint.hpp>
 
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 #include "laboratory/columns.hpp"
 #include "laboratory/viscous_stress.hpp"
 #include "model/pad/foam/foam_stress.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 #include "model/pad/foam/foam_rules.hpp"
 #include "quantities/text.hpp"
 

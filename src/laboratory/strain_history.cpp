@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 
 namespace dashpad::laboratory {
 namespace {

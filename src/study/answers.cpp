@@ -9,7 +9,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include "dashpad/quantities/constants.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::study {
 namespace {

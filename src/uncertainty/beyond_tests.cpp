@@ -9,7 +9,7 @@
 #include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/overstress.hpp"
 #include "quantities/text.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::uncertainty {
 namespace {

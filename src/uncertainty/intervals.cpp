@@ -13,7 +13,7 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "result/summary_values.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::uncertainty {
 

@@ -10,7 +10,7 @@
 
 #include "dashpad/uncertainty/intervals.hpp"
 #include "impact/neighbours.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::uncertainty {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::uncertainty {
 namespace {

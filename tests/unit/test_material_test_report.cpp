@@ -9,7 +9,7 @@
 
 #include "dashpad/output/materials.hpp"
 #include "dashpad/spit1984/run.hpp"
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 
 namespace dashpad {
 namespace {

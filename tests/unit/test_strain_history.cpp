@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "dashpad/laboratory/column_test.hpp"
-#include "laboratory/column.hpp"
+#include "laboratory/arc.hpp"
 
 namespace dashpad::test {
 namespace {

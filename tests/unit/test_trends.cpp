@@ -14,7 +14,7 @@
 #include "dashpad/report1986/validation/energy.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation/trends_least_squares.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::report1986 {
 namespace {

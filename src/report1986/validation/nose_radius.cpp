@@ -8,7 +8,7 @@
 #include "dashpad/report1986/validation/energy.hpp"
 #include "dashpad/report1986/validation/verdict.hpp"
 #include "report1986/validation/placings.hpp"
-#include "uncertainty/line.hpp"
+#include "uncertainty/open_sources.hpp"
 
 namespace dashpad::report1986 {
 
