@@ -196,16 +196,10 @@ MaterialTestReport run_material_test(const Material& material, const MaterialTes
 }
 
 std::vector<double> tested_rates(const Material& material) {
-  return std::visit(
-      [&material]<class Law>(const Law& law) -> std::vector<double> {
-        if constexpr (SharesSlip<Law>)
-          return dashpad::tested_rates(law.curves);
-        else if (material.fitted && material.fitted->lowest_rate > 0)
-          return {material.fitted->lowest_rate, material.fitted->highest_rate};
-        else
-          return {material.fitted ? material.fitted->highest_rate : 1.0};
-      },
-      material.law);
+  if (const FoamCurves* const curves = foam_curves(material.law)) return dashpad::tested_rates(*curves);
+  if (material.fitted && material.fitted->lowest_rate > 0)
+    return {material.fitted->lowest_rate, material.fitted->highest_rate};
+  return {material.fitted ? material.fitted->highest_rate : 1.0};
 }
 
 LoadingCurve loading_curve(const Material& material, double rate, double strain, int steps) {

@@ -15,10 +15,6 @@ namespace dashpad::report1986 {
 
 namespace {
 
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit.empty() || unit == "1" ? text : text + " " + shown_unit(unit);
-}
-
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
 const char* yes_or_no(bool is_so) { return is_so ? "yes" : "NO"; }
@@ -33,9 +29,10 @@ output::Table constants_table(const Study& study) {
                                   "95 % intervals over all placings"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
-    table.rows.push_back({constant.title, with_unit(brief(constant.printed), constant.unit),
-                          with_unit(short_number(constant.value), constant.unit), span(constant.confidence),
-                          yes_or_no(constant.printed_in_confidence), std::to_string(constant.tests.size()),
+    table.rows.push_back({constant.title, with_unit(brief(constant.printed), shown_unit(constant.unit)),
+                          with_unit(short_number(constant.value), shown_unit(constant.unit)),
+                          span(constant.confidence), yes_or_no(constant.printed_in_confidence),
+                          std::to_string(constant.tests.size()),
                           has_placings ? span(constant.over_placings) : "-",
                           has_placings ? yes_or_no(constant.printed_in_placings) : "-",
                           has_placings ? span(constant.confidence_over_placings) : "-"});
@@ -74,9 +71,9 @@ output::Table unplaced_table(const Study& study) {
 output::Table claims_table(const Study& study) {
   output::Table table{.columns = {"where", "statement", "printed", "computed", "agrees", "remark"}};
   for (const ReportClaim& claim : check_claims(study.data)) {
-    table.rows.push_back({claim.where, claim.claim, with_unit(brief(claim.printed), claim.unit),
-                          with_unit(short_number(claim.computed), claim.unit), yes_or_no(claim.agrees),
-                          claim.remark});
+    table.rows.push_back({claim.where, claim.claim, with_unit(brief(claim.printed), shown_unit(claim.unit)),
+                          with_unit(short_number(claim.computed), shown_unit(claim.unit)),
+                          yes_or_no(claim.agrees), claim.remark});
   }
   return table;
 }

@@ -40,11 +40,8 @@ BaseCurve cut_at(const BaseCurve& base, double strain) {
 std::optional<double> tested_strain(const Material& material) {
   std::optional<double> strain;
   if (material.fitted) strain = material.fitted->highest_strain;
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        if constexpr (SharesSlip<Law>) strain = std::min(strain.value_or(1), last_strain_of(law.curves.base));
-      },
-      material.law);
+  if (const FoamCurves* const curves = foam_curves(material.law))
+    strain = std::min(strain.value_or(1), last_strain_of(curves->base));
   return strain;
 }
 

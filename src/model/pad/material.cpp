@@ -130,14 +130,8 @@ std::string name_of(Beyond beyond) {
 
 std::optional<FittedRange> range_of(const Material& material) {
   if (material.fitted) return material.fitted;
-  return std::visit(
-      []<class Law>(const Law& law) -> std::optional<FittedRange> {
-        if constexpr (SharesSlip<Law>)
-          return tested_range(law.curves);
-        else
-          return std::nullopt;
-      },
-      material.law);
+  if (const FoamCurves* const curves = foam_curves(material.law)) return tested_range(*curves);
+  return std::nullopt;
 }
 
 std::vector<Violation> violations(const Material& material) {

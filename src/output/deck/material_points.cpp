@@ -99,15 +99,11 @@ void add_rates(const FoamCurves& curves, MaterialPoints& points) {
 
 MaterialPoints material_points(const PadLaw& law, bool with_rates) {
   MaterialPoints points;
-  std::visit(
-      [&]<class Law>(const Law& held) {
-        if constexpr (SharesSlip<Law>) {
-          points.loading.push_back({held.curves.slowest_rate, base_points(held.curves.base, points.remarks)});
-          if (with_rates) add_rates(held.curves, points);
-        }
-        if constexpr (std::is_same_v<Law, Foam>) points.unloading = held.unloading_curve;
-      },
-      law);
+  if (const FoamCurves* const curves = foam_curves(law)) {
+    points.loading.push_back({curves->slowest_rate, base_points(curves->base, points.remarks)});
+    if (with_rates) add_rates(*curves, points);
+  }
+  if (const Foam* const foam = std::get_if<Foam>(&law)) points.unloading = foam->unloading_curve;
   return points;
 }
 
