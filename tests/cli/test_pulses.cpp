@@ -32,12 +32,12 @@ std::string half_sine_of(double peak) {
 }
 
 /// Limits of the peak and of the time above 60 g; the impactor is anybody's.
-std::string limits(const std::string& peak_in_g, const std::string& time_in_ms = "9") {
+std::string limits(const std::string& peak_limit, const std::string& time_in_ms = "9") {
   const std::string origin = "source = \"a test\"\nkind = \"own text\"\nverified = true\n";
   std::string text = "title = \"Two limits\"\nsource = \"a test\"\nkind = \"own text\"\n";
   for (const char* value : {"mass", "radius", "speed"})
     text += fmt::format("[{}]\nfrom_case = true\n{}", value, origin);
-  text += "[[criteria]]\nmetric = \"peak_acceleration\"\nlimit_g = " + peak_in_g +
+  text += "[[criteria]]\nmetric = \"peak_acceleration\"\nlimit_g = " + peak_limit +
           "\ndescription = \"none above\"\n" + origin;
   return text + "[[criteria]]\nmetric = \"dwell_time\"\nlevel_g = 60\nlimit = \"" + time_in_ms + " ms\"" +
          "\ndescription = \"not for longer\"\n" + origin;
