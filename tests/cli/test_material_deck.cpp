@@ -128,7 +128,7 @@ TEST_F(MaterialCommandTest, UnitsAreNeededAndKnown) {
 TEST_F(MaterialCommandTest, BadDecksAreRefusedWithTheirLine) {
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4,nan"), "bad.k:10: curve 1: O3 = nan");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.1,0.03"),
-                      "bad.k:10: curve 1: strain = 0.1: stands twice");
+                      "bad.k:10: curve 1: strain = 0.1: appears twice");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4,0.01"), "bad.k:10: curve 1: stress = 10000");
   expect_refused_deck(with(foam_deck, "0.7,0.11", "70,0.11"), "bad.k:11: curve 1: strain = 70");
   expect_refused_deck(with(foam_deck, "0.4,0.03", "0.4   0.03"),

@@ -145,7 +145,7 @@ TEST(Exports, FlagWhatIsNotToBeReliedOn) {
   Summary summary = test::example_summary();
   summary.status = Status::tolerance_not_met;
   summary.extrapolations = {{Beyond::strain, "one"}};
-  EXPECT_THAT(output::flags_of(summary), ElementsAre(StartsWith("TOLERANCE NOT MET: asked for 0.01 %"),
+  EXPECT_THAT(output::flags_of(summary), ElementsAre(StartsWith("TOLERANCE NOT MET: a tolerance of 0.01 %"),
                                                      StartsWith("EXTRAPOLATED STRAIN: ")));
   EXPECT_THAT(output::flags_of(test::bottomed_out_summary()),
               ElementsAre(StartsWith("BOTTOMED at 5.9307 ms")));
@@ -184,7 +184,7 @@ TEST(Exports, OfASolutionSayHowItWasThinned) {
   // 0.02 of 3, rounded up.
   EXPECT_EQ(file.curves[0].remark, "2 of 4 points, off by at most 0.67 % of the largest value");
   EXPECT_EQ(file.curves[1].remark, "not available: the impactor did not leave the pad (bottomed out)");
-  EXPECT_THAT(file.curves[2].remark, HasSubstr("of this impact"));
+  EXPECT_THAT(file.curves[2].remark, HasSubstr("valid for this impact only"));
   EXPECT_THROW(output::curve_file(test::example_case(), solution, {"power"}), std::invalid_argument);
 }
 

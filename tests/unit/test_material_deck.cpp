@@ -399,7 +399,7 @@ TEST_F(MaterialDeckTest, EachFaultNamesItsLine) {
   EXPECT_THAT(curve("0.1,0.02\n0.4,nan\n0.7,0.11\n"),
               ElementsAre(HasSubstr("7: curve 1: O2 = nan: must be a finite")));
   EXPECT_THAT(curve("0.1,0.02\n0.1,0.03\n0.7,0.11\n"),
-              ElementsAre(HasSubstr("7: curve 1: strain = 0.1: stands twice")));
+              ElementsAre(HasSubstr("7: curve 1: strain = 0.1: appears twice")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.03\n1.0,0.11\n"),
               ElementsAre(HasSubstr("8: curve 1: strain = 1: must be less than 1")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.01\n0.7,0.01\n"),

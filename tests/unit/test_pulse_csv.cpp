@@ -367,7 +367,7 @@ std::vector<Bad> bad_files() {
       {"\n\n", "has no row of two numbers"},
       {"t_ms,a_g\n", "has no row of two numbers"},
       // One column.
-      {"t_ms\n1\n2\n", ":2: has one column of numbers, and no times"},
+      {"t_ms\n1\n2\n", ":2: has one column of numbers and no times"},
       {"acc [g]\n0.1\n0.3\n0.2\n",
        ":2: has one column of numbers and no times; if that is the acceleration, give the sample interval, "
        "such as --interval \"0.1 ms\""},

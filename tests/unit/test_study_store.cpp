@@ -196,12 +196,12 @@ TEST_F(StudyStore, without_shared_memory_is_written_all_the_same) {
 
 TEST_F(StudyStore, of_another_kind_is_refused_and_left_alone) {
   folder_.write("study.db", std::string(5000, 'x'));
-  EXPECT_THAT(refusal(), HasSubstr("no store"));
-  EXPECT_THAT(refusal_to_read(), HasSubstr("no store"));
+  EXPECT_THAT(refusal(), HasSubstr("not the store"));
+  EXPECT_THAT(refusal_to_read(), HasSubstr("not the store"));
   EXPECT_EQ(std::filesystem::file_size(file()), 5000U);
   std::filesystem::remove(file());
   edit(file(), "CREATE TABLE mine (x); INSERT INTO mine VALUES (1)");
-  EXPECT_THAT(refusal(), HasSubstr("no store"));
+  EXPECT_THAT(refusal(), HasSubstr("not the store"));
   edit(file(), "SELECT x FROM mine");
   std::filesystem::remove(file());
   make();
@@ -214,8 +214,8 @@ TEST_F(StudyStore, that_is_missing_or_has_no_place_is_refused) {
   EXPECT_THAT(refusal_to_read(), HasSubstr("no such file"));
   EXPECT_THAT(message_of([&] { Store::open_for(small_study(), folder_.path() / "no" / "s.db"); }),
               HasSubstr("no folder"));
-  EXPECT_THAT(message_of([&] { Store::open_for(small_study(), folder_.path()); }), HasSubstr("no file"));
-  EXPECT_THAT(message_of([&] { Store::open_for(small_study(), "/dev/null"); }), HasSubstr("no file"));
+  EXPECT_THAT(message_of([&] { Store::open_for(small_study(), folder_.path()); }), HasSubstr("not a file"));
+  EXPECT_THAT(message_of([&] { Store::open_for(small_study(), "/dev/null"); }), HasSubstr("not a file"));
   EXPECT_THAT(files(), IsEmpty());
   folder_.write("study.db", "");
   EXPECT_THAT(refusal_to_read(), HasSubstr("empty"));

@@ -24,7 +24,10 @@ class LayeredContact {
  public:
   using Parts = std::vector<LayerSeries::Part>;
 
-  LayeredContact(const Parts& parts, const Sections& nose) : parts_(parts), series_(parts), nose_(nose) {}
+  LayeredContact(const Parts& parts, const Sections& nose) : parts_(parts), series_(parts), nose_(nose) {
+    places_.reserve(max_stations);
+    for (std::vector<State>* moment : {&now_, &next_}) moment->reserve(max_stations);
+  }
   void set(const Parts& parts, const Sections& nose);
 
   [[nodiscard]] bool recovers() const { return true; }
