@@ -76,7 +76,7 @@ TEST_F(ValidateTest, NamesAllFaultsOfTheData) {
 
 TEST_F(ValidateTest, RefusesFoldersThatCannotBe) {
   EXPECT_THAT(refused({"--figures", file("none/figures")}).err, HasSubstr("there is no folder"));
-  EXPECT_THAT(refused({"--figures", case_file()}).err, HasSubstr("is no folder"));
+  EXPECT_THAT(refused({"--figures", case_file()}).err, HasSubstr("is not a folder"));
   EXPECT_THAT(refused({"--figures", file("one"), "--json", file("one")}).err,
               HasSubstr("is the file of --json too"));
   EXPECT_THAT(refused({"--figures", file("one/"), "--report", file("one")}).err,
