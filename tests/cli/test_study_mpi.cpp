@@ -114,7 +114,8 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
   for (const auto& [arguments, words] :
        {std::pair{command("one.db"), "another study"}, std::pair{missing, "missing.toml"},
         std::pair{command("new.db") + " --threads 2", "--threads"},
-        std::pair{command("no/such/folder.db"), "no folder"}, std::pair{command("study.toml"), "not the store"}})
+        std::pair{command("no/such/folder.db"), "no folder"},
+        std::pair{command("study.toml"), "not the store"}})
     expect_refused(with_ranks(3, "$RANKS " + arguments), words);
 }
 
