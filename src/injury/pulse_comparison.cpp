@@ -32,13 +32,13 @@ void find_onset(const Pulse& pulse, double level, PulseShape& shape) {
 Pulse with_peak(Pulse pulse, const Summary& summary) {
   if (!summary.peak_acceleration || !summary.time_of_peak_force) return pulse;
   const double when = *summary.time_of_peak_force;
-  const auto samples = std::ranges::equal_range(pulse.time, when);
-  const auto place = pulse.acceleration.begin() + (samples.begin() - pulse.time.begin());
-  if (!samples.empty()) {
+  const auto [first, last] = std::equal_range(pulse.time.begin(), pulse.time.end(), when);
+  const auto place = pulse.acceleration.begin() + (first - pulse.time.begin());
+  if (first != last) {
     *place = -*summary.peak_acceleration;
   } else {
     pulse.acceleration.insert(place, -*summary.peak_acceleration);
-    pulse.time.insert(samples.begin(), when);
+    pulse.time.insert(first, when);
   }
   return pulse;
 }
