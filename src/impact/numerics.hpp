@@ -2,8 +2,7 @@
 /// The constants of the runs through an impact, with their units and the reasons for their values. Those of
 /// the root and event searches and of the stations are in their own files.
 ///
-/// None of them is physics, but for the limits of rest: with finer resolution the figures converge to the
-/// same values for any of them.
+/// But for the limits of rest none is physics: with finer resolution the figures do not depend on them.
 /// Equation numbers are those of theory.md; rho is the resolution of a run.
 
 #include <cstddef>

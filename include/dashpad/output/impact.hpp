@@ -72,10 +72,9 @@ std::string result_json(const ImpactCase& impact, const Summary& summary,
                         const std::vector<BlowResult>& blows = {});
 
 /// The history as CSV with a header and a row for each time step. Columns: time, force, acceleration (in g),
-/// velocity, motion, penetration, support_deflection, contact_radius, axis_strain, and those of a moving
-/// support and of layers if there are any; the header has the units: "time_s". Signs are those of
-/// History. In plain SI numbers read back exactly, except those in g; values that are not finite are empty.
-/// RFC 4180, with LF as line end.
+/// velocity, motion, penetration, support_deflection, contact_radius, axis_strain, those of a moving support
+/// and of layers; the header has the units. Signs are those of History. In plain SI numbers read back
+/// exactly, except those in g; values that are not finite are empty. RFC 4180, with LF as line end.
 std::string history_csv(const History& history, const UnitSystem& units);
 
 /// The motion of two bodies after an impact and where its energy went. `impact` is the solved case of the
