@@ -396,9 +396,9 @@ task_nightly() {
   need_packages run test bench format lint fuzz compilers
   local tests="$root/build/release/tests" ended=() failed=0 kind compiler commit kept
   local code=(.clang-tidy CMakeLists.txt CMakePresets.json app bench cmake data examples include materials schema src
-    standards tests web)
+    standards tests web ':!*.md' ':!bench/results')
   commit="$(git -C "$root" describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)"
-  kept="$root/build/nightly/$( (cd "$root" && git ls-tree HEAD -- "${code[@]}") | git hash-object --stdin | head -c 12)"
+  kept="$root/build/nightly/$( (cd "$root" && git ls-files --stage -- "${code[@]}") | git hash-object --stdin | head -c 12)"
   if [[ -n "$(cd "$root" && git status --porcelain -- "${code[@]}")" ]]; then
     kept="$root/build/nightly/changed"
     rm -f "$kept"/*.passed
