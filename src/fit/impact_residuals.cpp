@@ -84,14 +84,14 @@ std::vector<Setter> setters_of(const Fit& fit, const std::string& file, const Im
   return setters;
 }
 
-/// A figure of the solution, SI; `no_figure` if it is absent, as a peak force after bottoming out.
-double figure_in(const Solution& solution, ImpactFigure figure) {
+/// A figure of the solution, SI; `no_figure` if it is absent. Figures of the pulse share `pulse`.
+double figure_in(const Solution& solution, std::optional<Pulse>& pulse, ImpactFigure figure) {
   const ResultQuantity* const quantity = name_of(figure).quantity;
   if (quantity->part != Part::pulse)
     return std::ranges::find(summary_quantities(), quantity, &SummaryQuantity::quantity)
         ->of(solution.summary)
         .value;
-  const std::optional<Pulse> pulse = smooth_pulse(solution);
+  if (!pulse) pulse = smooth_pulse(solution);
   if (!pulse) return no_figure;
   switch (figure) {
     case ImpactFigure::hic15: return injury::hic(*pulse, injury::hic15_window).value;
@@ -224,8 +224,9 @@ class ImpactPrediction {
       ImpactCase with_values = impact_;
       for (std::size_t i = 0; i < setters_.size(); ++i) setters_[i](with_values, values[i]);
       const Solution& solution = solvers_->local().solve(with_values, options_);
+      std::optional<Pulse> pulse;
       for (std::size_t i = 0; i < figures_.size(); ++i)
-        predicted[i] = figure_in(solution, figures_[i].figure);
+        predicted[i] = figure_in(solution, pulse, figures_[i].figure);
       if (!pulse_) return true;
       const std::optional<ComputedPulse> computed = computed_pulse(solution, *pulse_);
       if (!computed) return false;

@@ -12,7 +12,7 @@
 #include "dashpad/output/document.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/quantities/unit_system.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 
 namespace dashpad::output {
 

@@ -12,8 +12,8 @@
 #include "dashpad/spit1984/run.hpp"
 #include "dashpad/version.hpp"
 #include "json/json_values.hpp"
-#include "output/document.hpp"
 #include "output/documents/basis.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::report1986 {

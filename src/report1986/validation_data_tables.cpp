@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/report1986/validation/energy.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation/placings.hpp"
 #include "report1986/validation_tables.hpp"

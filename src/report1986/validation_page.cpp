@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 #include "report1986/validation_tables.hpp"
 

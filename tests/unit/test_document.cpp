@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dashpad/output/document.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

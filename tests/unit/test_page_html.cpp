@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/page/html.hpp"
 #include "output/page/html_elements.hpp"
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "output/document.hpp"
 #include "output/documents/basis.hpp"
+#include "output/layout.hpp"
 #include "output/page/html.hpp"
 #include "output/plot/foam_figures.hpp"
 #include "output/plot/impact_figures.hpp"

@@ -12,7 +12,7 @@
 
 #include "dashpad/laboratory/material_test.hpp"
 #include "model/pad/foam/foam_curve.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/version.hpp"
-#include "output/document.hpp"
 #include "output/documents/basis.hpp"
+#include "output/layout.hpp"
 #include "output/plot/foam_figures.hpp"
 #include "output/text/foam_words.hpp"
 #include "output/text/material_test_words.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

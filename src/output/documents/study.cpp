@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/study.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/plot/study_figures.hpp"
 #include "output/text/study_answer.hpp"
 #include "output/text/study_words.hpp"

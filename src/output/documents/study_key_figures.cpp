@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"

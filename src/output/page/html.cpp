@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dashpad/version.hpp"
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/page/html_elements.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"

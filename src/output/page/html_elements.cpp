@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "output/document.hpp"
+#include "output/layout.hpp"
 #include "output/svg/svg.hpp"
 #include "quantities/text.hpp"
 

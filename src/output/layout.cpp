@@ -1,4 +1,4 @@
-#include "output/document.hpp"
+#include "output/layout.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,8 +27,7 @@ std::string_view take_any_of(std::string_view& text, std::string_view letters) {
 }
 
 void take_signs(std::string_view& text) {
-  bool again = true;
-  while (again) {
+  for (bool again = true; again;) {
     again = !take_any_of(text, "<>~+- ").empty();
     for (const std::string_view sign : {"≤", "≥", "≈", "±", "−"}) again = take(text, sign) || again;
   }
