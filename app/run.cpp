@@ -53,7 +53,7 @@ int run(const RunRequest& request) {
       [&](const auto& files, auto& errors) { judge_result_files(request.files, files, errors); });
   std::vector<Blow> blows = solve_blows_with_progress(input.impact, input.options);
   Solution& solution = blows.back().solution;
-  if (!request.no_intervals) add_intervals_with_progress(blows.back().impact, input.options, solution);
+  if (!request.no_intervals) add_intervals_with_progress(input.impact, input.options, solution);
   publish(request.files, {input.impact, input.options, solution,
                           input.impact.blows ? std::span(blows) : std::span<const Blow>{}});
   ExitCode worst = exit_code(blows.front().solution.summary);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -122,6 +123,9 @@ std::string softening(const Summary& summary) {
 /// Relative change of a figure below which there is no reservation.
 constexpr double worth_saying = 0.01;
 
+/// Ends of the keys of an effect's figures.
+constexpr const char *lower = "_lower_fraction", *higher = "_higher_fraction";
+
 /// Effect of a source on the decisive figure that it moves most.
 struct Effect {
   std::string key;
@@ -174,9 +178,8 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
   const char* const by = extrapolation.beyond == Beyond::strain
                              ? " depending on how the curve continues there, which is a guess"
                              : " if the stress depends on the rate differently there";
-  return flag_of(
-      name, extrapolation.text + "; " + words_of(effect) + by,
-      {{effect.key + "_lower_fraction", effect.down}, {effect.key + "_higher_fraction", effect.up}});
+  return flag_of(name, extrapolation.text + "; " + words_of(effect) + by,
+                 {{effect.key + lower, effect.down}, {effect.key + higher, effect.up}});
 }
 
 }  // namespace
@@ -227,6 +230,14 @@ Flag flag_of(const std::string& name, std::string_view words, std::vector<FlagFi
   return {name, fmt::format("{}: {}", name, words), std::move(figures)};
 }
 
+double largest_effect(const Flag& flag) {
+  double largest = 0;
+  for (const FlagFigure& figure : flag.figures)
+    if (figure.key.ends_with(lower) || figure.key.ends_with(higher))
+      largest = std::max(largest, figure.value);
+  return largest;
+}
+
 std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive) {
   std::vector<Flag> all;
   const auto add = [&all](const char* name, std::string_view words, std::vector<FlagFigure> figures = {}) {
@@ -269,9 +280,12 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (std::optional<Flag> flag = striking_through(summary)) all.push_back(*std::move(flag));
   if (!summary.softening_rates.empty())
     add("SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}});
+  const std::size_t others = all.size();
   for (const Extrapolation& extrapolation : summary.extrapolations)
     if (std::optional<Flag> flag = extrapolation_flag(summary, extrapolation, decisive))
       all.push_back(*std::move(flag));
+  std::ranges::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(others), all.end(), std::greater<>(),
+                           largest_effect);
   if (summary.intervals && !summary.intervals->warning.empty())
     all.push_back({"SMALL NOSE", summary.intervals->warning});
   return all;

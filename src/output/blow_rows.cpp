@@ -70,8 +70,10 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
 std::vector<std::string> reservations(const std::vector<BlowResult>& blows) {
   std::map<std::string, std::string> blows_with;
   for (const BlowResult& blow : blows) {
+    Summary summary = blow.summary;
+    summary.intervals = blows.back().summary.intervals;  // only the last blow has its own
     std::set<std::string> names;
-    for (const Flag& flag : flags(blow.summary)) names.insert(flag.name);
+    for (const Flag& flag : flags(summary)) names.insert(flag.name);
     for (const std::string& name : names) {
       std::string& list = blows_with[name];
       list += (list.empty() ? "" : ", ") + std::to_string(blow.summary.blow);

@@ -120,7 +120,11 @@ Plot untitled(Plot plot) {
 }
 
 std::vector<std::string> by_severity(std::vector<Flag> flags) {
-  std::ranges::stable_sort(flags, {}, [](const Flag& flag) { return severity_of(flag.name); });
+  const auto severity = [](const Flag& flag) {
+    return largest_effect(flag) > 0 ? std::min(severity_of(flag.name), Severity::doubtful)
+                                    : severity_of(flag.name);
+  };
+  std::ranges::stable_sort(flags, {}, severity);
   std::vector<std::string> texts;
   for (const Flag& flag : flags) texts.push_back(one_line(flag.text));
   return texts;

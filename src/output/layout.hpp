@@ -43,7 +43,7 @@ Table captioned(std::string caption, Table table);
 /// A plot for where its title and source stand already.
 Plot untitled(Plot plot);
 
-/// The texts of flags, the most severe first.
+/// The texts of flags, the most severe first; a note that moves a figure counts as a doubt.
 std::vector<std::string> by_severity(std::vector<Flag> flags);
 
 /// Length of the words in capitals that a warning begins with: "PULSE CUT".

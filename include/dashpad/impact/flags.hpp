@@ -62,12 +62,16 @@ struct Flag {
 /// A flag with the text "`name`: `words`".
 Flag flag_of(const std::string& name, std::string_view words, std::vector<FlagFigure> figures = {});
 
+/// The largest relative change of a figure that the flag states; 0 if it states none.
+double largest_effect(const Flag& flag);
+
 /// Keys of the figures that decide about an impact where no standard names others.
 const std::vector<std::string>& usual_figures();
 
-/// Flags of a result; none if there is no reservation. EXTRAPOLATED ... appears once for each reason; if
-/// there are intervals, only where the extrapolation moves one of the `decisive` figures by more than 1 %,
-/// which the text then states. A pad that bottomed out on a rigid support is BOTTOMED, not PULSE CUT.
+/// Flags of a result; none if there is no reservation. EXTRAPOLATED ... appears once for each reason, that
+/// with the largest effect first; if there are intervals, only where the extrapolation moves one of the
+/// `decisive` figures by more than 1 %, which the text then states. A pad that bottomed out on a rigid
+/// support is BOTTOMED, not PULSE CUT.
 std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive = usual_figures());
 
 }  // namespace dashpad

@@ -1,6 +1,7 @@
 // The document of several assessments: a table of verdicts, then each assessment in full.
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "output/documents/assessment.hpp"
+#include "output/layout.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/standard_words.hpp"
 #include "quantities/text.hpp"
@@ -100,27 +102,33 @@ Table plan_table(const std::vector<Combination>& all) {
   return table;
 }
 
-/// Each kind of reservation once, in the words of the first that has it, and how many have it.
+/// Each kind of reservation once, for the combination on which it has the largest effect, which is named, and
+/// how many have it.
 std::vector<std::string> reservations(const std::vector<Combination>& all) {
-  std::vector<std::pair<std::string, std::size_t>> kinds;  // the first text, and how many
-  const auto kind_of = [](const std::string& text) { return text.substr(0, text.find(':')); };
-  for (const Combination& combination : all) {
-    std::set<std::string> counted;
-    for (const std::string& text : combination.document.warnings) {
-      if (!counted.insert(kind_of(text)).second) continue;
-      const auto known =
-          std::ranges::find_if(kinds, [&](const auto& kind) { return kind_of(kind.first) == kind_of(text); });
-      if (known == kinds.end())
-        kinds.emplace_back(text, 1);
-      else
-        ++known->second;
+  struct Kind {
+    Flag worst;
+    std::string of;
+    std::set<const Combination*> with_it;
+  };
+  std::map<std::string, Kind> kinds;
+  for (const Combination& combination : all)
+    for (const Flag& flag : combination.report.assessment.reservations) {
+      Kind& kind = kinds[flag.name];
+      if (kind.with_it.empty() || largest_effect(flag) > largest_effect(kind.worst)) {
+        kind.worst = flag;
+        kind.of = full_title(combination);
+      }
+      kind.with_it.insert(&combination);
     }
+  std::vector<Flag> worst;
+  for (auto& [name, kind] : kinds) {
+    kind.worst.text += fmt::format(" ({}", kind.of);
+    if (kind.with_it.size() > 1)
+      kind.worst.text += fmt::format("; {} of {} have such a reservation", kind.with_it.size(), all.size());
+    kind.worst.text += ")";
+    worst.push_back(std::move(kind.worst));
   }
-  std::vector<std::string> texts;
-  for (const auto& [text, count] : kinds)
-    texts.push_back(
-        count == 1 ? text : fmt::format("{} ({} of {} have such a reservation)", text, count, all.size()));
-  return texts;
+  return by_severity(std::move(worst));
 }
 
 /// An assessment as a whole: answer, reservations, criteria and figures, the curve with its limits.
