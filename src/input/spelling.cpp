@@ -74,7 +74,7 @@ std::string short_listing(const std::vector<std::string>& words) {
 
 std::string meant_or_listed(std::string_view word, std::span<const std::string> words) {
   const std::string meant = did_you_mean(word, words);
-  return meant.empty() ? "; there are " + listing(words) : meant;
+  return meant.empty() ? "; available: " + listing(words) : meant;
 }
 
 std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files) {
@@ -86,8 +86,8 @@ std::vector<std::string> names_of(const std::vector<std::filesystem::path>& file
 std::string no_such(const std::string& kind, const std::string& name, const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& files) {
   const std::vector<std::string> names = names_of(files);
-  return "no such " + kind + " in " + folder.string() + ", which has " +
-         (names.empty() ? "none" : listing(names)) + did_you_mean(name, names);
+  return "no such " + kind + " in " + folder.string() +
+         "; available: " + (names.empty() ? "none" : listing(names)) + did_you_mean(name, names);
 }
 
 }  // namespace dashpad::input

@@ -18,13 +18,13 @@ std::string listing(std::span<const std::string> words);
 /// The first twenty words, comma separated.
 std::string short_listing(const std::vector<std::string>& words);
 
-/// did_you_mean(), or else "; there are radius, mass".
+/// did_you_mean(), or else "; available: radius, mass".
 std::string meant_or_listed(std::string_view word, std::span<const std::string> words);
 
 /// The names of files without their extensions.
 std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files);
 
-/// The rule for an unknown name in a folder: "no such card in materials, which has vn600".
+/// The rule for an unknown name in a folder: "no such card in materials; available: vn600".
 std::string no_such(const std::string& kind, const std::string& name, const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& files);
 

@@ -117,7 +117,7 @@ std::vector<injury::Criterion> read_criteria(TableReader& top) {
   std::vector<injury::Criterion> criteria;
   const TomlNode* array = top.array("criteria");
   if (!array) return criteria;
-  if (array->children.empty()) top.fault("criteria", "must hold one criterion at least");
+  if (array->children.empty()) top.fault("criteria", "must have at least one criterion");
   top.each_table("criteria", *array,
                  [&](TableReader& criterion) { criteria.push_back(read_criterion(criterion)); });
   return criteria;

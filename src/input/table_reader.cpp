@@ -43,7 +43,7 @@ std::optional<std::vector<double>> read_list(TableReader& table, const std::stri
   const TomlNode* list = table.array(key);
   if (!list) return std::nullopt;
   if (list->children.size() > most) {
-    table.fault(key, fmt::format("has {} entries; {} are the most", list->children.size(), most));
+    table.fault(key, fmt::format("has {} entries; at most {} are allowed", list->children.size(), most));
     return std::nullopt;
   }
   std::vector<double> values;

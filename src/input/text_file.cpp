@@ -34,8 +34,7 @@ bool is_pipe(const std::filesystem::path& file) {
 std::string read_to_end(int descriptor, const std::filesystem::path& file) {
   std::string content = read_bytes(descriptor, file.string(), largest_stream + 1);
   if (content.size() > largest_stream)
-    refuse_file(
-        file, fmt::format("is larger than {} MiB, the most that is read from a pipe", largest_stream >> 20));
+    refuse_file(file, fmt::format("is larger than {} MiB, the limit for a pipe", largest_stream >> 20));
   return content;
 }
 

@@ -131,7 +131,7 @@ inline constexpr Ambiguous ambiguous[] = {
     {"gr", "write g, or grain"},
     {"cal calorie calories kcal", "write J; there are calories of 4.184 and of 4.1868 J"},
     {"hp", "write W; there are horsepower of 735.5 and of 745.7 W"},
-    {"rpm rps", "write 1/s of turns, or rad/s"},
+    {"rpm rps", "write 1/s, as turns per second, or rad/s"},
     {"gal gallon gallons pint quart", "write L, or in3; US and British ones differ"},
 };
 

@@ -179,7 +179,7 @@ TEST_F(MaterialCommandTest, BadTablesAreRefusedWithTheirLine) {
   expect("strain,stress\n0.1,20\n0.4,30\n0.7,110\n", "bad.csv:1: stress: a stress needs its unit");
   expect("strain,force_N\n0.1,20\n0.4,30\n0.7,110\n", "a column called stress is needed");
   expect("x,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n", "one column called strain is needed");
-  expect("strain,stress_kPa,stress_kPa\n0.1,20,30\n0.4,30,40\n0.7,110,120\n", "behind an @");
+  expect("strain,stress_kPa,stress_kPa\n0.1,20,30\n0.4,30,40\n0.7,110,120\n", "after an @");
   expect("strain,stress_kPa\n0.1,20\n0.4,none\n0.7,110\n", "bad.csv:3: stress_kPa = none");
   expect("0.1,20\n0.4,30\n0.7,110\n", "needs a line above the numbers");
   expect("", "is empty");

@@ -454,7 +454,7 @@ TEST_F(FitFileTest, NamesTheLinesOfBadData) {
   EXPECT_THAT(faults_of(good_fit), HasSubstr("test.csv:2: strain"));
   EXPECT_THAT(faults_of(good_fit), HasSubstr("is it in per cent?"));
   write("test.csv", "strain,stress_kPa\n-0.1,-10\n-0.2,-20\n");
-  EXPECT_THAT(faults_of(good_fit), HasSubstr("compression counts positive"));
+  EXPECT_THAT(faults_of(good_fit), HasSubstr("compression is positive"));
 }
 
 }  // namespace

@@ -206,20 +206,20 @@ TEST(iso_mme, choices_that_are_not_clear_are_told) {
   const auto rule = [](const input::IsoMmeOptions& options) { return said(sample_test(), options); };
   EXPECT_THAT(rule({}), HasSubstr("several channels may be meant: 11HEAD0000H3ACXA (1), "));
   EXPECT_THAT(rule({.channel = "9"}),
-              HasSubstr("--channel 9: no such channel; there are 11HEAD0000H3ACXA (1)"));
+              HasSubstr("--channel 9: no such channel; available: 11HEAD0000H3ACXA (1)"));
   EXPECT_THAT(rule({.channel = "HEAD"}), HasSubstr("a number or a code of 16 characters"));
   EXPECT_THAT(rule({.channel = "11PELV0000H3ACXA"}), HasSubstr("no such channel"));
   EXPECT_THAT(rule({.channel = "4"}), HasSubstr("Channel/v1.004:4: Unit = kN: an acceleration is needed"));
   EXPECT_THAT(rule({.channel = "1", .resultant = true}), HasSubstr("needs two or three of the directions"));
   EXPECT_THAT(rule({.channel = "????????????????", .resultant = true}),
-              HasSubstr("the resultant may be of several"));
+              HasSubstr("several resultants are possible"));
   EXPECT_THAT(rule({.channel = "1", .acceleration_unit = "kg"}), HasSubstr("--acceleration-unit kg"));
   Files two = sample_test();
   two["other.mme"] = "Title :x\n";
   EXPECT_THAT(said(two), HasSubstr("holds several tests: "));
   Files uneven = sample_test();
   uneven["Channel/v1.002"] = channel("11HEAD0000H3ACYA", "0\n1\n");
-  EXPECT_THAT(said(uneven, {.resultant = true}), HasSubstr("has other times than 11HEAD0000H3ACXA"));
+  EXPECT_THAT(said(uneven, {.resultant = true}), HasSubstr("has different times from 11HEAD0000H3ACXA"));
 }
 
 TEST(iso_mme, each_kind_of_bad_channel_is_told) {

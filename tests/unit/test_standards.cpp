@@ -444,7 +444,7 @@ TEST(standard_faults, each_fault_is_named_with_line_key_and_rule) {
 TEST(standard_faults, criteria_are_needed) {
   const std::string values = good_preset.substr(0, good_preset.find("[[criteria]]"));
   expect_faults(values, {{0, "criteria", "is missing"}});
-  expect_faults("criteria = []\n" + values, {{1, "criteria", "one criterion at least"}});
+  expect_faults("criteria = []\n" + values, {{1, "criteria", "at least one criterion"}});
   expect_faults("criteria = [3]\n" + values, {{1, "criteria[1]", "must be a table"}});
 }
 

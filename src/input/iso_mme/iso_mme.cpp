@@ -106,7 +106,7 @@ void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const I
   const std::string text = test.texts({file}, false).at(file);
   const MmeChannelText read = read_mme_channel(text, faults);
   const EvenTimes times = times_of(read.labels, read.values.size(), faults);
-  if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs two samples at least");
+  if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs at least two samples");
   injury::MeasuredColumn column{
       .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
   const std::string unit_of_file = column.unit;
@@ -118,7 +118,7 @@ void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const I
   if (result.acceleration.empty())
     first_times = times;
   else if (times != first_times || read.values.size() != result.pulse.time.size())
-    faults.add(0, "", "", "has other times than " + result.acceleration.front().name);
+    faults.add(0, "", "", "has different times from " + result.acceleration.front().name);
   faults.throw_if_any();
   if (const auto remark = overruled_unit(column, unit_of_file)) result.remarks.push_back(*remark);
   if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
@@ -202,8 +202,8 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
     if (fits) found.push_back(channel);
   }
   if (found.empty())
-    refuse_file(file, fmt::format("{}; there are {}",
-                                  wanted.empty() ? "has no channel of an acceleration (AC)"
+    refuse_file(file, fmt::format("{}; available: {}",
+                                  wanted.empty() ? "has no acceleration channel (AC)"
                                                  : fmt::format("--channel {}: no such channel", wanted),
                                   listing(all)));
   return found;
@@ -229,7 +229,7 @@ Channels directions(const std::filesystem::path& file, Channels found) {
     refuse_file(file, fmt::format("a resultant needs two or three of the directions X, Y, Z; there is {}",
                                   found.empty() ? "none" : listing(found)));
   if (!is_one_place || has_double)
-    refuse_file(file, fmt::format("the resultant may be of several: {}; choose with --channel, such as {}",
+    refuse_file(file, fmt::format("several resultants are possible: {}; choose with --channel, such as {}",
                                   listing(found), place(found.front())));
   return found;
 }

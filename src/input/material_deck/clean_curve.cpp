@@ -137,7 +137,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& d
     }
   differences.push_back(
       fmt::format("{}: up to a strain of {:.3g} the stress rises along the modulus, {:.6g} Pa, "
-                  "as the solver has it.",
+                  "as in the solver.",
                   deck_curve.name, yield, modulus));
   curve.table = std::move(limited);
   curve.lines = std::move(lines);

@@ -108,9 +108,10 @@ double or_one(double given, const char* name, DeckFoam& foam, const char* conseq
 
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
   if (exponent == exponent && exponent != 0 && exponent != 1)
-    foam.differences.push_back(fmt::format(
-        "{} = {:g}: the unloading here has the exponent 1, so the foam loses another part of its work.", name,
-        exponent));
+    foam.differences.push_back(
+        fmt::format("{} = {:g}: the unloading exponent here is 1, so the foam dissipates a different "
+                    "fraction of the work.",
+                    name, exponent));
 }
 
 std::vector<std::string> split_at(std::string_view text, char separator) {
@@ -124,7 +125,7 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
 }
 
 std::string others_listed(const std::vector<std::string>& other_materials) {
-  return other_materials.empty() ? "" : "; there are " + listing(other_materials);
+  return other_materials.empty() ? "" : "; available: " + listing(other_materials);
 }
 
 std::string missing(const std::string& block, bool includes_files, const char* include) {
@@ -134,7 +135,7 @@ std::string missing(const std::string& block, bool includes_files, const char* i
 }
 
 std::string too_many_points(std::size_t count) {
-  return fmt::format("has {} points; {} are the most", count, TableCurve::max_points);
+  return fmt::format("has {} points; at most {} are allowed", count, TableCurve::max_points);
 }
 
 }  // namespace dashpad::input

@@ -139,7 +139,7 @@ void tell_if_set(double value, const DeckField& field, DeckFoam& foam);
 
 /// The given value, or 1 for a blank or 0; then adds an assumption that ends in `consequence`.
 double or_one(double given, const char* name, DeckFoam& foam,
-              const char* consequence = ", which the solver takes for 1");
+              const char* consequence = ", which the solver treats as 1");
 
 /// Reports an exponent of the unloading that is not 1.
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
@@ -147,7 +147,7 @@ void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
 /// The parts of "MAT/LAW90/12/3" between its slashes.
 std::vector<std::string> split_at(std::string_view text, char separator);
 
-/// "; there are *MAT_001, *MAT_002", for materials that are not read.
+/// "; available: *MAT_001, *MAT_002", for materials that are not read.
 std::string others_listed(const std::vector<std::string>& other_materials);
 
 /// The rule for a block that is not in the deck; it may be in a file that `include` names.

@@ -83,7 +83,7 @@ bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
   if (foam.loading.size() > 1 && rate >= foam.loading[1].rate) rate = foam.loading[1].rate / 10;
   foam.loading.front().rate = rate;
   foam.assumptions.push_back(
-      fmt::format("The rate of the slowest curve is not stated; {:g} 1/s was taken.", rate));
+      fmt::format("The rate of the slowest curve is not stated; {:g} 1/s was used.", rate));
   return true;
 }
 
@@ -199,8 +199,7 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
   differences.emplace_back("Between its points a curve is a monotone cubic here, not straight lines.");
-  differences.emplace_back(
-      "Beyond its last strain a curve is continued until the foam is compressed to nothing.");
+  differences.emplace_back("Beyond its last strain a curve is continued until the foam is fully compressed.");
   if (foam.loading.size() > 1) {
     differences.emplace_back(
         "Above the highest rate the curve of that rate is used here; the solver extrapolates.");

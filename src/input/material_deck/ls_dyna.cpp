@@ -54,7 +54,8 @@ void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& fo
     return;
   }
   if (*id < 0)
-    foam.differences.push_back(fmt::format("{} is negative: the option that this selects.", field.name));
+    foam.differences.push_back(
+        fmt::format("{} is negative; the option this selects is ignored.", field.name));
   auto rows = ls_dyna_table(from, std::labs(*id), field.key, field.line.line());
   if (rows) foam.loading = *std::move(rows);
 }
@@ -71,18 +72,18 @@ bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
     foam.unloading_factor =
         or_one(field.number(), "HU", foam,
                foam.card == "*MAT_083" ? ": the unloading follows the slowest curve, without loss on it"
-                                       : ", which the solver takes for 1: no loss");
+                                       : ", which the solver treats as 1: no loss");
   if (name == "SHAPE") foam.unloading_shape = or_one(field.number(), "SHAPE", foam);
   if (name == "EXPON") tell_of_exponent(field.number(), "EXPON", foam);
   if (name == "SFLAG" && field.number() == 0 && foam.loading.size() > 1)
     foam.differences.emplace_back(
-        "SFLAG = 0: the rates of the table are those of the true strain; here they are taken for rates "
-        "of the nominal strain.");
+        "SFLAG = 0: the rates of the table are those of the true strain; here they are treated as rates of "
+        "the nominal strain.");
   if (name != "MODEL") return true;
   const auto model = field.whole();
   if (!model || *model == 0) return true;
   from.faults.add(field.line.line(), field.key, fmt::format("{}", *model),
-                  "must be 0: a curve over the volumetric strain is read, none over a plastic strain");
+                  "must be 0: curves against volumetric strain are read, not against plastic strain");
   return false;
 }
 
@@ -113,8 +114,8 @@ void tell_of_last_slope(DeckFoam& foam) {
       (curve.stress[n - 1] - curve.stress[n - 2]) / (curve.strain[n - 1] - curve.strain[n - 2]);
   if (std::isfinite(slope))
     foam.differences.push_back(
-        fmt::format("The foam unloads with E; newer versions of the solver take the last slope of the "
-                    "curve, {:.6g} Pa, in its place.",
+        fmt::format("The foam unloads with E; newer versions of the solver use the last slope of the curve, "
+                    "{:.6g} Pa, instead.",
                     slope));
 }
 

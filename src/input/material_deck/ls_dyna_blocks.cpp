@@ -177,7 +177,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id),
                deck.curves.find(id) != nullptr
-                   ? "is a curve; a table of curves over rates is needed"
+                   ? "is a curve; a table of curves for several rates is needed"
                    : missing(fmt::format("*DEFINE_TABLE {}", id), deck.includes_files, "*INCLUDE"));
     return std::nullopt;
   }
@@ -201,7 +201,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
       if (const auto named = row.whole(1, name + ": LCID"))
         curve = ls_dyna_curve(from, *named, name + ": LCID", lines[i].number);
     } else if (keyword_of(*block) == "DEFINE_TABLE_2D") {
-      faults.add(lines[i].number, name, "", "needs the number of a curve behind the rate (columns 21 to 40)");
+      faults.add(lines[i].number, name, "", "needs the number of a curve after the rate (columns 21 to 40)");
     } else {
       // The classic kind of table is directly followed by its *DEFINE_CURVE, in the order of the rates.
       long following = 0;

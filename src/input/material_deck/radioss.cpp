@@ -60,7 +60,7 @@ void compare_units(const DeckLine& line, const UnitSystem& system, MeasurementFa
     if (!in_si.rule.empty()) return;  // not a line of units
     if (std::abs(in_si.value / to_si("1 " + wanted[i][0], wanted[i][1]) - 1) < 1e-6) continue;
     faults.add(line.number, "units", to_utf8(stated),
-               fmt::format("is not {}, as the unit system {} has it", wanted[i][0], system.name));
+               fmt::format("is not {}, as in the unit system {}", wanted[i][0], system.name));
   }
 }
 

@@ -52,8 +52,8 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
         "Flag_Visc = {}: only the deviatoric stress relaxes in the solver; here the whole stress does.",
         whole_stress));
   foam.differences.emplace_back(
-      "The nominal stress relaxes here, in the solver the second Piola-Kirchhoff stress: the same for a "
-      "sudden strain and after long times, not for a strain that changes in between.");
+      "Here the nominal stress relaxes, in the solver the second Piola-Kirchhoff stress; the two agree for a "
+      "sudden strain and after long times, but not for a strain that changes in between.");
 }
 
 /// Points of |A + B (1 + C gamma)| at gamma = -strain, until almost no air is left.
@@ -80,16 +80,16 @@ void settle_unloading(long flag, double shape, double factor, std::vector<DeckRa
                       DeckFoam& foam) {
   if (flag >= 3) {
     foam.unloading_shape = or_one(shape, "Shape", foam);
-    foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver takes for 1: no loss");
+    foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver treats as 1: no loss");
     if (flag == 3)
-      foam.differences.emplace_back("Iflag = 3 lessens shear stresses only; here the whole stress does.");
+      foam.differences.emplace_back("Iflag = 3 reduces only the shear stresses; here the whole stress does.");
   } else if (ways_back.empty()) {
     foam.assumptions.emplace_back(
         "There is no unloading function, so the foam unloads along its slowest curve.");
   } else {
     foam.unloading = std::move(ways_back.front().curve);
     if (ways_back.size() > 1)
-      foam.differences.emplace_back("Of the unloading functions only the first, the slowest, was taken.");
+      foam.differences.emplace_back("Of the unloading functions only the first, the slowest, was used.");
     foam.differences.emplace_back(
         "The unloading function applies to unloading from the last strain; from smaller strains it is scaled "
         "with the work done, whereas the solver always drops to the same curve.");

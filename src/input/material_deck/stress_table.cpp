@@ -117,18 +117,18 @@ void settle_rates_of(StressColumns& columns, std::optional<double> rate, Measure
     StressColumn& only = columns.stresses.front();
     if (rate && only.rate > 0 && *rate != only.rate)
       faults.add(columns.line, only.of.name, "",
-                 fmt::format("the header says {:g} 1/s, and --rate {:g} 1/s", only.rate, *rate));
+                 fmt::format("the header gives {:g} 1/s, but --rate gives {:g} 1/s", only.rate, *rate));
     if (only.rate == 0) only.rate = rate.value_or(0);
     return;
   }
   if (rate)
     faults.add(columns.line, "", "",
-               "there are several columns of stress; each header says its rate, not --rate");
+               "there are several columns of stress; each header must give its rate, not --rate");
   for (const StressColumn& column : columns.stresses)
     if (column.rate == 0)
-      faults.add(
-          columns.line, column.of.name, "",
-          "of several columns of stress each says its rate behind an @, such as \"stress_kPa @ 10 1/s\"");
+      faults.add(columns.line, column.of.name, "",
+                 "with several columns of stress each header must give its rate after an @, such as "
+                 "\"stress_kPa @ 10 1/s\"");
   std::ranges::sort(columns.stresses, {}, &StressColumn::rate);
 }
 

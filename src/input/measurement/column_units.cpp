@@ -167,7 +167,7 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
                                : sensitivity            ? "V, mV"
                                                         : "g, m/s2, ...";
   if (const std::string unknown = unknown_unit(column.name); unit.empty() && !unknown.empty())
-    return fmt::format("the {} needs a unit; \"{}\" in the header is not one that is known: give {} {}",
+    return fmt::format("the {} needs a unit; \"{}\" in the header is not a known unit: give {} {}",
                        words_for(kind), unknown, option, examples);
   if (unit.empty())
     return fmt::format("the {} needs a unit; none is in the header: give {} {}", words_for(kind), option,

@@ -92,7 +92,7 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
       return std::nullopt;
     }
   }
-  faults.add(line, "", "", fmt::format("{} {}: no such column; there are {}", option, wanted, listing(all)));
+  faults.add(line, "", "", fmt::format("{} {}: no such column; available: {}", option, wanted, listing(all)));
   return std::nullopt;
 }
 
@@ -121,7 +121,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
     else if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
              !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
              looks_like(kind, injury::MeasuredColumn{.name = split_header(column.name).name}))
-      text += fmt::format("; the unit \"{}\" of column {} is not one of {}", column.unit, column.number,
+      text += fmt::format("; the unit \"{}\" of column {} is not a unit of {}", column.unit, column.number,
                           kind == ColumnKind::time ? "time" : "acceleration");
     if (text.size() > before && ++count == max_namesakes) break;
   }
@@ -293,7 +293,7 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
   if (!options.interval && columns.all.size() == 2 && time.empty() && acceleration.empty() && !any_known) {
     time = {"1"};
     acceleration = {"2"};
-    remarks.emplace_back("the first of the two columns is taken as the time, the second as the acceleration");
+    remarks.emplace_back("the first of the two columns is used as the time, the second as the acceleration");
   }
   if (columns.names != nullptr && columns.names->fields.size() < header.width && score(*columns.names) > 0)
     faults.add(

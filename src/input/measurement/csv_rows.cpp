@@ -97,7 +97,7 @@ void CsvRows::split(std::string_view line, CsvRow& row) {
       row.fields.push_back(quoted(line, at, row, at));
       while (at < line.size() && is_blank(line[at]) && !ends_field(line[at])) ++at;
       if (at < line.size() && !ends_field(line[at]) && row.fault.empty())
-        row.fault = "has text behind a closing quote";
+        row.fault = "has text after a closing quote";
       while (at < line.size() && !ends_field(line[at])) ++at;
     } else {
       const std::size_t begin = at;

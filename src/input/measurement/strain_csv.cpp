@@ -88,7 +88,7 @@ StrainTable read_rows(const CsvTable& csv, const StrainColumns& columns, Measure
       add_fault(row, columns.time, rule_for(NumberKind::out_of_range), faults);
     else if (last_time && !(*time - begin > *last_time - begin))
       add_fault(row, columns.time,
-                *time > *last_time ? "is too near the time before, so long after the first"
+                *time > *last_time ? "is too close to the time before, this long after the first"
                                    : "must be later than the time before",
                 faults);
     last_time = time;
@@ -114,8 +114,7 @@ void judge_history(const StrainTable& table, const StrainColumns& columns, Measu
   if (table.time.size() < 2) faults.refuse(0, "", "", "has one row only; a history needs two");
   const double span = table.time.back() - table.time.front(), most = measured_magnitudes("s").most;
   if (!(span <= most))
-    faults.refuse(0, columns.time.name, "",
-                  fmt::format("goes on for {:.3g} s; must be within {:g} s", span, most));
+    faults.refuse(0, columns.time.name, "", fmt::format("lasts {:.3g} s; must be within {:g} s", span, most));
   if (const double largest = std::ranges::max(table.strain); !(largest > min_strain))
     faults.refuse(0, columns.strain.name, "", largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
 }

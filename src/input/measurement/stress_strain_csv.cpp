@@ -53,7 +53,7 @@ std::optional<injury::MeasuredColumn> find_column(const std::vector<injury::Meas
   }
   if (found.size() == 1) return found.front();
   faults.add(line, wanted, "",
-             found.empty() ? fmt::format("no such column for the {}; there are {}", kind, names)
+             found.empty() ? fmt::format("no such column for the {}; available: {}", kind, names)
                            : fmt::format("several columns may be the {}: {}", kind, names));
   return std::nullopt;
 }
@@ -64,7 +64,7 @@ void settle_strain(injury::MeasuredColumn& column, const std::string& given, std
   const auto in_one = unit == "fraction" ? 1 : unit.empty() ? std::nullopt : units_in_strain_one(unit);
   if (!in_one)
     faults.add(line, column.name, "",
-               "its unit is not stated: say strain_unit = \"fraction\" or strain_unit = \"percent\"");
+               "its unit is not stated: set strain_unit = \"fraction\" or strain_unit = \"percent\"");
   column.factor = 1 / in_one.value_or(1);
 }
 
@@ -76,7 +76,7 @@ void settle_quantity(injury::MeasuredColumn& column, const std::string& given, c
   if (!is_stated)
     faults.add(
         line, column.name, unit,
-        fmt::format("its unit is not stated: put it into the header, such as {0}, or say {1} = \"{2}\"",
+        fmt::format("its unit is not stated: put it into the header, such as {0}, or set {1} = \"{2}\"",
                     si_unit == "Pa" ? "stress_kPa" : "time_s", key, si_unit == "Pa" ? "kPa" : "s"));
   column.factor = is_stated ? factor : 1;
 }
@@ -126,7 +126,7 @@ StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns
     if (*strain >= 1)
       return add_fault(row, columns.strain,
                        columns.strain.factor == 1
-                           ? "a strain is below 1: is it in per cent? Then say strain_unit = \"percent\""
+                           ? "a strain is below 1: is it in per cent? Then set strain_unit = \"percent\""
                            : "a strain is below 100 %",
                        faults);
     if (columns.time) table.time.push_back(*last_time);
@@ -143,7 +143,7 @@ void judge_test(const StressStrainTable& table, const TestColumns& columns, Meas
   const auto [least, largest] = std::ranges::minmax(table.strain);
   if (!(largest > 0) || -least > largest)
     faults.refuse(0, columns.strain.name, "",
-                  "is negative: compression counts positive here, strain and stress alike");
+                  "is negative: compression is positive here, for strain and stress alike");
   if (!(largest > min_strain_of_a_test))
     faults.refuse(0, columns.strain.name, "",
                   fmt::format("is nowhere above {:g}: nothing was compressed", min_strain_of_a_test));
@@ -152,7 +152,7 @@ void judge_test(const StressStrainTable& table, const TestColumns& columns, Meas
     faults.refuse(0, columns.stress.name, "",
                   fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
   if (!(max_stress > 0))
-    faults.refuse(0, columns.stress.name, "", "is nowhere above 0: compression counts positive here");
+    faults.refuse(0, columns.stress.name, "", "is nowhere above 0: compression is positive here");
 }
 
 }  // namespace

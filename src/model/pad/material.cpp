@@ -50,7 +50,7 @@ void check_range(const char* key, const std::optional<ValueRange>& range, std::o
   const std::string full = fmt::format("uncertainty.{}", key);
   if (!bounds.contain(range->low) || !bounds.contain(range->high))
     broken.push_back(
-        {full, range->low, fmt::format("must lie from {:g} to {:g}", bounds.lowest, bounds.highest)});
+        {full, range->low, fmt::format("must be from {:g} to {:g}", bounds.lowest, bounds.highest)});
   else if (!(range->low <= range->high))
     broken.push_back({full, range->low, "must be two numbers, the lower first"});
   else if (nominal && !(*nominal >= range->low && *nominal <= range->high))
@@ -102,7 +102,7 @@ void check_uncertainty(const Material& material, std::vector<Violation>& broken)
   if (axes.minus.size() != axes.plus.size() || axes.minus.size() > max_posterior_axes ||
       axes.keys.size() > max_posterior_keys)
     broken.push_back({"uncertainty.posterior.plus", double(axes.plus.size()),
-                      fmt::format("must have a row for each of minus, {} at most", max_posterior_axes)});
+                      fmt::format("must have a row for each of minus, at most {}", max_posterior_axes)});
   for (const auto* rows : {&axes.minus, &axes.plus})
     for (const std::vector<double>& row : *rows)
       if (row.size() != axes.keys.size())
@@ -176,7 +176,7 @@ std::vector<Extrapolation> extrapolations(const Material& material, double large
       reasons.push_back(
           {Beyond::rate, by_curves
                              ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
-                                           "and outside it the stress of the nearest tested rate is taken",
+                                           "and outside it the stress of the nearest tested rate is used",
                                            plain_number(largest_rate), rates_of(*fitted))
                              : fmt::format("strain rate reaches {} per second; the law was fitted {}",
                                            plain_number(largest_rate), rates_of(*fitted))});

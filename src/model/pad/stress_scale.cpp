@@ -96,7 +96,7 @@ std::vector<Extrapolation> extrapolations(const PadCondition& condition, const M
       {Beyond::other,
        fmt::format(
            "the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} degC, and outside it "
-           "the factor of the nearest tested temperature is taken",
+           "the factor of the nearest tested temperature is used",
            *condition.temperature - freezing_K, tested.front() - freezing_K, tested.back() - freezing_K)}};
 }
 

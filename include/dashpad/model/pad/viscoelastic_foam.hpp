@@ -72,7 +72,7 @@ inline constexpr std::array<Parameter<ViscoelasticFoam>, 8> ViscoelasticFoam::pa
     {"second_exponent", "a_2", "1", &ViscoelasticFoam::second_exponent, viscoelastic_exponents,
      "exponent of the second term, not 0", LeftOut::as_default},
     {"first_share", "g_1", "1", &ViscoelasticFoam::first_share, viscoelastic_shares,
-     "stress of the first branch over the equilibrium stress, for a sudden strain"},
+     "stress of the first branch divided by the equilibrium stress, for a sudden strain"},
     {"first_time", "tau_1", "s", &ViscoelasticFoam::first_time, positive, "its relaxation time"},
     {"second_share", "g_2", "1", &ViscoelasticFoam::second_share, viscoelastic_shares,
      "the same for a second branch", LeftOut::as_default},

@@ -135,7 +135,7 @@ void check_effect(const FactorRateEffect& effect, const FoamCurves& curves, cons
                   Violations& broken) {
   if (effect.rate.size() != effect.factor.size() || effect.rate.empty() || effect.rate.size() > max_rates)
     broken.push_back({"rate.factors", double(effect.factor.size()),
-                      fmt::format("rates and factors must be as many, 1 to {}", max_rates)});
+                      fmt::format("there must be as many factors as rates, from 1 to {}", max_rates)});
   double before = curves.slowest_rate;
   for (std::size_t i = 0; i < effect.rate.size(); ++i) {
     check_rate(effect.rate[i], before, entry("rate.rates", i), broken);
@@ -168,7 +168,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
     if (const double fall = softening_of(table.stress); fall > max_softening)
       broken.push_back(
           {key + ".stress", fall,
-           fmt::format("falls by {:.0f} % after a larger stress; at most 10 % is possible", 100 * fall)});
+           fmt::format("falls by {:.0f} % after a larger stress; at most 10 % is allowed", 100 * fall)});
     const MonotoneCurve curve(table);
     if (in_order && (slower || base)) {
       const auto slow = [&](double e) { return slower ? slower->stress(e) : base->at(strain_of(e)).stress; };
