@@ -33,7 +33,7 @@ std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
   if (!(count <= max_steps_of_1984))
     throw std::invalid_argument(
-        fmt::format("the update of 1984 would need {:.3g} steps of {:.3g} s, and at most {} are possible; "
+        fmt::format("the 1984 update would need {:.3g} steps of {:.3g} s, and at most {} are allowed; "
                     "shorten the test, or use fewer --steps",
                     count, step, max_steps_of_1984));
   std::vector<double> times;
@@ -145,12 +145,12 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
         return stress > highest_drawn * run.figures.peak_stress ||
                stress < lowest_drawn * run.figures.peak_stress;
       }))
-    flags.push_back(flag_of(
-        "OUT OF BOUNDS",
-        fmt::format("with steps of {:.3g} s the update of 1984 leaves the range from {:g} to {:g} times "
-                    "the exact peak stress; those points are not drawn",
-                    update->step, lowest_drawn, highest_drawn),
-        {{"step_s", update->step}}));
+    flags.push_back(
+        flag_of("OUT OF BOUNDS",
+                fmt::format("with steps of {:.3g} s the 1984 update leaves the range from {:g} to {:g} times "
+                            "the exact peak stress; those points are not drawn",
+                            update->step, lowest_drawn, highest_drawn),
+                {{"step_s", update->step}}));
   return flags;
 }
 
@@ -172,7 +172,7 @@ const char* to_string(TestKind kind) {
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
                                      StressUpdate update_of_1984) {
   if (test.steps_of_1984 && update_of_1984 == nullptr)
-    throw std::invalid_argument("steps of 1984 need the update of 1984");
+    throw std::invalid_argument("1984 steps need the 1984 update");
   MaterialTestReport report{material, test, {}};
   std::string unreached;
   const bool is_measured = test.kind == TestKind::history;

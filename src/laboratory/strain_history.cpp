@@ -72,7 +72,7 @@ StrainHistory cyclic_test(double rate, double strain, double low, int cycles) {
 StrainHistory measured_test(const std::vector<double>& times, const std::vector<double>& strains) {
   if (times.size() != strains.size() || times.size() < 2)
     throw std::invalid_argument(fmt::format(
-        "{} times and {} strains: there must be as many, and two at least", times.size(), strains.size()));
+        "{} times and {} strains: the numbers must be equal, and at least 2", times.size(), strains.size()));
   StrainHistory history;
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double duration = times[i] - times[i - 1];
@@ -85,7 +85,7 @@ StrainHistory measured_test(const std::vector<double>& times, const std::vector<
 std::vector<Violation> violations(const StrainHistory& history) {
   std::vector<Violation> broken;
   const auto& pieces = history.pieces;
-  if (pieces.empty()) broken.push_back({"pieces", 0, "there must be one piece at least"});
+  if (pieces.empty()) broken.push_back({"pieces", 0, "there must be at least one piece"});
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::string key = fmt::format("pieces[{}]", i);
     const std::size_t before = broken.size();

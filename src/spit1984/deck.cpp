@@ -92,7 +92,7 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
     add("impactor.nose", 0, "the 1984 program supports no nose other than a sphere");
   if (impact.blows) add("blows", 0, "the 1984 program supports only one blow");
   if (const double depth = impact.pad.earlier_penetration; depth > 0)
-    add("pad.earlier_penetration", depth, "the 1984 program does not support a pad that was struck before");
+    add("pad.earlier_penetration", depth, "the 1984 program does not support a pad that has been struck");
   if (impact.pad.sheet > 0)
     add("pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program does not support a sheet on the pad");
   if (impact.pad.area)
@@ -102,7 +102,7 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (const double value = parameter.of(impact.backing); value != 0)
       add(std::string("support.") + parameter.key, value,
-          "the support of the 1984 program has no mass, loses nothing and stands on the ground");
+          "the support of the 1984 program has no mass and no losses, and is fixed to the ground");
   if (!impact.pad.layers.empty())
     add("pad.layers", double(impact.pad.layers.size()),
         "the 1984 program does not support a pad of several layers");
@@ -137,7 +137,7 @@ std::vector<Violation> violations(const Deck& deck) {
   std::vector<Violation> broken;
   const auto check = [&](const std::string& name, double value, const char* meaning) {
     if (!(value > 0 && value <= 1e20))
-      broken.push_back({name, value, fmt::format("{} must be more than 0, and 1e20 at most", meaning)});
+      broken.push_back({name, value, fmt::format("{} must be more than 0 and at most 1e20", meaning)});
   };
   check("RAD", deck.radius_in, "the sphere's radius");
   check("VIN", deck.speed_mph, "the initial speed");
@@ -160,7 +160,7 @@ std::vector<Violation> violations(const Deck& deck) {
       const double value = deck.support_parameters[i];
       if (!(value > before && value <= 1e20))
         broken.push_back({fmt::format("SPAR({})", i + 1), value,
-                          "deflections and forces of the support must increase from 0, to 1e20 at most"});
+                          "deflections and forces of the support must increase from 0, to at most 1e20"});
     }
   return broken;
 }

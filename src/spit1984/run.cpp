@@ -259,11 +259,11 @@ AbendText text_of(Abend abend) {
       return {"too many time steps",
               "the time history is full before the impact is over: allow --most-steps"};
     case Abend::rate_sensitive_instability:
-      return {
-          "rate-sensitive instability",
-          "the end of contact cannot be found. The results serve if the speed error is a small fraction; the "
-          "coefficient of restitution is off by about twice it times impact over rebound speed. Otherwise "
-          "halve --time-step"};
+      return {"rate-sensitive instability",
+              "the end of contact cannot be found. The results are usable if the speed error is a small "
+              "fraction; the error of the coefficient of restitution is about twice that fraction, times the "
+              "ratio of impact to rebound speed. Otherwise "
+              "halve --time-step"};
     case Abend::too_many_contact_divisions:
       return {"too many contact divisions",
               "the contact field is full before the largest penetration: allow --most-stations"};
@@ -282,7 +282,7 @@ Run run(const Deck& deck, const Settings& settings, const Progress& progress) {
   if (const auto broken = violations(deck); !broken.empty())
     throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
   if (settings.max_steps < 3 || settings.max_stations < 2)
-    throw std::invalid_argument("dimensions: three time steps and two stations at least");
+    throw std::invalid_argument("dimensions: at least three time steps and two stations");
   switch (settings.arithmetic) {
     case Arithmetic::binary32: return Spit<float>(deck, settings).run(progress);
     case Arithmetic::binary64: return Spit<double>(deck, settings).run(progress);

@@ -220,7 +220,7 @@ TEST_F(MaterialTestTest, PutsTheUpdateOf1984BesideTheExactStress) {
   for (const char* kind : {"constant-rate", "cyclic", "relaxation"})
     EXPECT_EQ(material_test({"ensolite-aac-21", "--test", kind, "--explicit-1984"}).exit_code, 0) << kind;
   EXPECT_THAT(refused({"ensolite-aac-9", "--test", "relaxation", "--hold", "1e6 s", "--explicit-1984"}),
-              HasSubstr("at most 100000 are possible"));
+              HasSubstr("at most 100000 are allowed"));
 }
 
 TEST_F(MaterialTestTest, WritesCsv) {
