@@ -103,12 +103,14 @@ std::string deviation(std::optional<double> value, std::optional<double> referen
   return std::abs(percent) < 1000 ? fmt::format("{:+.2f}", percent) : "far off";
 }
 
-/// "The program of 1984 has a peak force 5.3 % above that of the same equations", or that it has no end.
+/// "The peak force of the 1984 program is 5.30 % above the accurate solution of its equations", or no end.
 std::string answer(const Comparison& comparison) {
   const ComparedRun& program = comparison.runs[Comparison::program];
   const std::string off = deviation(program.peak_force, comparison.runs[Comparison::reference].peak_force);
-  if (!program.finished || off.empty()) return "The program of 1984 does not come to the end of the impact";
-  return fmt::format("The peak force of the program of 1984 is {} % off the solution of its equations", off);
+  if (!program.finished || off.empty()) return "The 1984 program does not reach the end of the impact";
+  return fmt::format(
+      "The peak force of the 1984 program is {} the accurate solution of its equations",
+      off == "far off" ? "far above" : off.substr(1) + (off[0] == '-' ? " % below" : " % above"));
 }
 
 output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
@@ -117,7 +119,7 @@ output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
   };
   const ComparedRun& reference = comparison.runs[Comparison::reference];
   output::Table table{.columns = {"Run", in_unit("Peak force", "N"), "% off", in_unit("at", "s"),
-                                  in_unit("Peak penetration", "m"), in_unit("Peak motion", "m"),
+                                  in_unit("Peak penetration", "m"), in_unit("Peak displacement", "m"),
                                   in_unit("End speed", "m/s"), "% off", in_unit("End", "s")}};
   for (const ComparedRun& run : comparison.runs) {
     const bool is_reference = &run == &reference;
@@ -200,10 +202,9 @@ output::Document comparison_document(const Comparison& comparison, const ImpactC
       {.heading = "The runs",
        .seen = output::Seen::always,
        .paragraphs =
-           {fmt::format(
-                "% off: from \"{}\", the solution of the same equations with 17.64 in/s to the mile per "
-                "hour and 386.4 in/s2, as the program of 1984 counts.",
-                comparison.runs[Comparison::reference].name),
+           {fmt::format("% off: from \"{}\", the solution of the same equations with the 1984 program's "
+                        "constants, 1 mph = 17.64 in/s and g = 386.4 in/s2.",
+                        comparison.runs[Comparison::reference].name),
             "The end is when the force falls below the sphere's weight on rebound. Figures of a run with an "
             "ABEND may have lost their meaning some time before it."},
        .tables = {table_of(comparison, units)}},
@@ -242,7 +243,7 @@ output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& imp
   force.y.low = 0;
   const output::Panel penetration = panel(comparison, "Penetration of the pad", "Penetration", "m",
                                           &ComparedRun::penetration, reference.peak_penetration, units);
-  return {impact.title.empty() ? "The program of 1984 and the accurate solver" : impact.title,
+  return {impact.title.empty() ? "The 1984 program and the accurate solver" : impact.title,
           {force, penetration},
           fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference's peak", version())};
 }

@@ -111,7 +111,7 @@ Drawing nominal_stress(const Study& study) {
   Series certain{.label = "strain of the same test",
                  .style = SeriesStyle::points,
                  .palette_index = palette_index::measured};
-  Series placed{.label = "strain whose test is lost, in the placing of least scatter",
+  Series placed{.label = "strain whose test is lost, in the assignment with the smallest scatter",
                 .style = SeriesStyle::points,
                 .palette_index = palette_index::mended_1984};
   Interval forces = nowhere;
@@ -124,7 +124,7 @@ Drawing nominal_stress(const Study& study) {
               .y = {.label = "Nominal stress (psi)", .logarithmic = true}};
   if (!fit.points.empty()) {
     const double low = 0.8 * forces.low, high = 1.25 * forces.high;
-    panel.series = {{.label = "over all placings",
+    panel.series = {{.label = "over all assignments",
                      .style = SeriesStyle::band,
                      .x = {low, high},
                      .y = {low / fit.area_over_placings.high, high / fit.area_over_placings.high},

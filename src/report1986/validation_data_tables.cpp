@@ -25,8 +25,8 @@ std::string span(const Interval& interval) {
 
 output::Table constants_table(const Study& study) {
   output::Table table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
-                                  "tests", "over all placings", "printed within them",
-                                  "95 % intervals over all placings"}};
+                                  "tests", "over all assignments", "printed within them",
+                                  "95 % intervals over all assignments"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), shown_unit(constant.unit)),

@@ -17,8 +17,8 @@ std::string answer_of(const Tally& by_law, const Tally& held_out) {
   const std::string foam = held_out.all == 0 ? ""
                                              : fmt::format(", a foam fitted to the other tests {} of {}",
                                                            held_out.passed, held_out.all);
-  const char* const met =
-      by_law.passes_all() ? "The tests of 1986 are met" : "The tests of 1986 are not all met";
+  const char* const met = by_law.passes_all() ? "The 1986 tests are all reproduced within the rules"
+                                              : "The 1986 tests are not all reproduced within the rules";
   return fmt::format("{}: the report's foam law passes {} of {} rules{}", met, by_law.passed, by_law.all,
                      foam);
 }
@@ -67,7 +67,7 @@ output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
   else
     figure.remark += "; too few tests for a scatter";
   if (by_law != nullptr && !by_law->errors.empty())
-    figure.remark += "; by the report's law " + bias_text(by_law->bias, score.quantity);
+    figure.remark += "; with the report's law " + bias_text(by_law->bias, score.quantity);
   const double from_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
   figure.share = std::max(from_bias, score.scatter.value_or(0) / rule.scatter);
   return figure;
@@ -79,10 +79,10 @@ Series compared(const std::string& label, std::size_t palette_index, const std::
   return points;
 }
 
-/// Adds the line "predicted = measured" and the band of bias that the rule admits.
+/// Adds the line "predicted = measured" and the band of bias that the rule allows.
 void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  panel.add(Series{.label = "bias that the rule admits",
+  panel.add(Series{.label = "bias that the rule allows",
                    .style = SeriesStyle::band,
                    .x = {low, high},
                    .y = {(1 + rule.low) * low, (1 + rule.low) * high},
@@ -134,7 +134,7 @@ output::Lead validation_lead(const Study& study, output::Pictures pictures) {
           fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1; the rules "
                       "were fixed before the first run",
                       study.data.measured.tests.size()),
-          fmt::format("Figures below: a foam with {} fitted numbers at {} in, each test held out of "
+          fmt::format("Figures below: a foam with {} fitted parameters at {} in, each test held out of "
                       "its fit, ± a standard error",
                       fitted_numbers, brief(held_out_radius_in))}};
   if (pictures == output::Pictures::drawn) lead.curve = predicted_over_measured(study);

@@ -34,13 +34,13 @@ Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
   // The report's result, from the low to the high end of its speeds.
-  Series report{.label = "report: predictions over its trend",
+  Series report{.label = "report: predictions divided by its trend",
                 .style = SeriesStyle::dashed_line,
                 .palette_index = palette_index::measured};
   for (const PrintedRatio& printed : printed_ratios)
     if (printed.projectile == group.projectile)
       report.add(printed.speed_mph, study.data.constant(printed.constant));
-  panel.series = {{.label = "bias that the rule admits",
+  panel.series = {{.label = "bias that the rule allows",
                    .style = SeriesStyle::band,
                    .x = {min_speed, greatest_speed},
                    .y = {1 + rule.low, 1 + rule.low},
@@ -66,7 +66,7 @@ std::string program_of(const RadiusCriterion& criterion) {
 
 Drawing misfit_over_radius(const Study& study) {
   Panel panel{.x = {.label = "Nose radius (in)", .low = min_radius_in, .high = greatest_radius_in},
-              .y = {.label = "Misfit / least misfit", .low = 0, .high = 5}};
+              .y = {.label = "Misfit / smallest misfit", .low = 0, .high = 5}};
   for (const RadiusCriterion& criterion : study.radius.criteria) {
     double least = HUGE_VAL;
     for (const double misfit : criterion.misfit)
@@ -80,8 +80,8 @@ Drawing misfit_over_radius(const Study& study) {
     panel.add(line);
   }
   return {{panel},
-          fmt::format("Root mean square of the residuals over its least value; in brackets the number "
-                      "of readings. The first criterion decides: {:.2f} in.",
+          fmt::format("Root mean square of the residuals divided by its smallest value; in brackets the "
+                      "number of readings. The first criterion decides: {:.2f} in.",
                       study.radius.favoured_in())};
 }
 
@@ -89,7 +89,7 @@ Drawing force_ratio(const Study& study) {
   return {both_projectiles(study, ratio_panel),
           lost_readings(study, "peak_force_lb", "peak force") +
               fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
-                          "(curve A), we with each test.",
+                          "(curve A), Dashpad with each test.",
                           study.radius.of_the_report_in())};
 }
 
@@ -102,14 +102,14 @@ struct ListedFigure {
 
 constexpr ListedFigure list[] = {
     {"Figure 3-3", "Static curves of the supports", "section 3.3, Table 3-2", support_curves},
-    {"Figure 3-4", "Time to peak force over initial speed, load cell", "Table 3-1 and section 3.3",
+    {"Figure 3-4", "Time to peak force against initial speed, load cell", "Table 3-1 and section 3.3",
      time_to_peak},
-    {"Figure 3-5", "Nominal stress (Eq. 33) over peak force, load cell", "Table 3-1 and Eq. 33",
+    {"Figure 3-5", "Nominal stress (Eq. 33) against peak force, load cell", "Table 3-1 and Eq. 33",
      nominal_stress},
-    {"Figure 3-6", "Peak force over initial speed, load cell", "Table 3-1", force_over_speed},
-    {"Figure 3-7", "Rebound speed over initial speed", "Table 3-1 and section 3.3", rebound_over_speed},
-    {"Figure 3-8", "Peak force over energy", "Table 3-1 and Eqs. 35 and 36", force_over_energy},
-    {"Figure 3-9", "Peak force over initial speed, aluminium projectile", "Table 3-1 and Eqs. 36 and 37",
+    {"Figure 3-6", "Peak force against initial speed, load cell", "Table 3-1", force_over_speed},
+    {"Figure 3-7", "Rebound speed against initial speed", "Table 3-1 and section 3.3", rebound_over_speed},
+    {"Figure 3-8", "Peak force against energy", "Table 3-1 and Eqs. 35 and 36", force_over_energy},
+    {"Figure 3-9", "Peak force against initial speed, aluminium projectile", "Table 3-1 and Eqs. 36 and 37",
      curves_a_and_b},
     {"Figure 4-1", "Predicted time to peak force, load cell", "section 4", predicted_time},
     {"Figure 4-2", "Predicted peak force, load cell", "Table 3-1 and section 4",
@@ -120,9 +120,9 @@ constexpr ListedFigure list[] = {
      predicted_rebound_on_load_cell},
     {"Figure 4-5", "Predicted rebound speed, flexible plate, aluminium projectile", "Table 3-1 and section 4",
      predicted_rebound_on_plate},
-    {"Nose radius", "What each set of readings says of the nose radius", "Table 3-1 and section 4",
+    {"Nose radius", "What each set of readings says about the nose radius", "Table 3-1 and section 4",
      misfit_over_radius},
-    {"Force ratio", "The anomaly of section 4: predicted over measured peak force, load cell",
+    {"Force ratio", "The anomaly of section 4: ratio of predicted to measured peak force, load cell",
      "Table 3-1 and section 4", force_ratio}};
 
 /// "figure-3-3" for "Figure 3-3".

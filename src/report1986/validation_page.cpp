@@ -41,11 +41,11 @@ output::Section verdict_section(const Study& study, const Tables& tables,
           {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
            "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
            "and rebound, 0.05 for strain. A score of fewer than two tests cannot pass.",
-           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same; "
-           "for strain both are of the difference.",
+           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same "
+           "logarithm; for strain both refer to the difference.",
            fmt::format(
                "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
-               "measured ones. By the rules the support defect {}.",
+               "measured ones. According to the rules the support defect {}.",
                words(study.anomaly.explanation))},
       .tables =
           {captioned("Predictions of the tests", tables, "verdict"),
@@ -61,20 +61,21 @@ output::Section verdict_section(const Study& study, const Tables& tables,
                      tables, "verdict-at-the-reports-radius"),
            captioned("Anomaly at that radius: ratio of the forces", tables, "anomaly-at-the-reports-radius"),
            captioned("Anomaly at that radius: the rules", tables, "anomaly-rules-at-the-reports-radius"),
-           captioned("The accurate solver over the nose radius: bias", tables, "over-radii")},
+           captioned("Bias of the accurate solver against the nose radius", tables, "over-radii")},
       .figures = chosen(figures, {"force-ratio"})};
 }
 
 output::Section held_out_section(const Tables& tables) {
-  return {.heading = "The tests predicted by a foam",
-          .paragraphs = {fmt::format(
-                             "The law foam with {} fitted numbers, at a nose radius of {} in, instead of the "
-                             "report's law. On the load cell five folds by speed, on the plate test by test.",
-                             fitted_numbers, brief(held_out_radius_in)),
-                         seen_data},
-          .tables = {captioned("Predictions of tests that the fit has not seen", tables, "held-out"),
-                     captioned("The foam", tables, "fitted-foam"),
-                     captioned("Test by test", tables, "held-out-errors")}};
+  return {
+      .heading = "The tests predicted by a foam",
+      .paragraphs = {fmt::format("The tests are predicted with the law foam, with {} fitted parameters at a "
+                                 "nose radius of {} in, instead of the report's law. Each fit leaves out one "
+                                 "of five groups of speeds on the load cell, or one test on the plate.",
+                                 fitted_numbers, brief(held_out_radius_in)),
+                     seen_data},
+      .tables = {captioned("Predictions of tests that the fit has not seen", tables, "held-out"),
+                 captioned("The foam", tables, "fitted-foam"),
+                 captioned("Test by test", tables, "held-out-errors")}};
 }
 
 /// The part of the verdict for which a terminal has room.
@@ -82,25 +83,25 @@ output::Section brief_section(const Study& study, const Tables& tables) {
   return {
       .heading = "Verdict",
       .seen = output::Seen::in_brief,
-      .paragraphs = {"Bias and scatter are of predicted / measured, for strain of the difference.",
+      .paragraphs = {"Bias and scatter are those of predicted / measured; for strain, of the difference.",
                      seen_data},
-      .tables = {captioned(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()), tables,
-                           "verdict", {0, 1, 3, 4, 5, 6, 10}),
-                 captioned("Which radius the readings favour", tables, "nose-radius", {0, 1, 2, 3}),
-                 captioned(fmt::format("A foam of {} fitted numbers at {} in, each test held out",
-                                       fitted_numbers, brief(held_out_radius_in)),
-                           tables, "held-out"),
-                 captioned("Rebound on the load cell, between what was measured and what Table "
-                           "3-2 admits",
-                           tables, "rebound"),
-                 captioned("The anomaly of section 4, predicted over measured force", tables, "anomaly"),
-                 captioned("Its rules", tables, "anomaly-rules"),
-                 captioned(fmt::format("At {:.2f} in, where the report's statements on its own simulations "
-                                       "come back",
-                                       study.radius.of_the_report_in()),
-                           tables, "verdict-at-the-reports-radius", {0, 1, 3, 4, 5, 6, 10}),
-                 captioned("The anomaly there", tables, "anomaly-at-the-reports-radius"),
-                 captioned("Its rules there", tables, "anomaly-rules-at-the-reports-radius")}};
+      .tables = {
+          captioned(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()), tables,
+                    "verdict", {0, 1, 3, 4, 5, 6, 10}),
+          captioned("Which radius the readings favour", tables, "nose-radius", {0, 1, 2, 3}),
+          captioned(fmt::format("A foam with {} fitted parameters at {} in, each test held out",
+                                fitted_numbers, brief(held_out_radius_in)),
+                    tables, "held-out"),
+          captioned("Rebound on the load cell, between what was measured and what Table 3-2 allows", tables,
+                    "rebound"),
+          captioned("The anomaly of section 4, ratio of predicted to measured force", tables, "anomaly"),
+          captioned("Its rules", tables, "anomaly-rules"),
+          captioned(
+              fmt::format("At {:.2f} in, where the report's statements on its own simulations are reproduced",
+                          study.radius.of_the_report_in()),
+              tables, "verdict-at-the-reports-radius", {0, 1, 3, 4, 5, 6, 10}),
+          captioned("The anomaly there", tables, "anomaly-at-the-reports-radius"),
+          captioned("Its rules there", tables, "anomaly-rules-at-the-reports-radius")}};
 }
 
 std::vector<std::string> warnings(const Study& study) {
@@ -114,11 +115,11 @@ std::vector<std::string> warnings(const Study& study) {
       "in, which the strains on the plate favour{}, and at {:.2f} in, which the report's own "
       "simulations point to; spans are over {} to {} in.",
       study.radius.favoured_in(),
-      study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, no estimate)" : "",
+      study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, not an estimate)" : "",
       study.radius.of_the_report_in(), brief(min_radius_in), brief(greatest_radius_in)));
   texts.emplace_back(
-      "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; ours follows from slopes and "
-      "energies that the report prints. The form of the fitted foam was chosen with all tests in sight.");
+      "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; the curve used here follows from "
+      "slopes and energies in the report. The form of the fitted foam was chosen with all tests in sight.");
   return texts;
 }
 
@@ -129,9 +130,9 @@ output::Document validation_document(const Study& study, output::Pictures pictur
       pictures == output::Pictures::drawn ? validation_figures(study) : std::vector<ValidationFigure>{};
   const Tables tables = validation_tables(study);
   output::Document page{
-      .title = "Validation against the tests of 1986",
+      .title = "Validation against the 1986 tests",
       .lead = validation_lead(study, pictures),
-      .summary = {"The tests beside the accurate solver and the program of 1984. Units are the report's: lb, "
+      .summary = {"The tests beside the accurate solver and the 1984 program. Units are the report's: lb, "
                   "in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
@@ -146,8 +147,8 @@ output::Document validation_document(const Study& study, output::Pictures pictur
       {.heading = "Measurements", .figures = chosen(figures, {"figure-3-3", "figure-3-6", "figure-3-7"})},
       {.heading = "Regressions",
        .paragraphs = {"The constants of the report's trend lines, fitted again to the readings whose test is "
-                      "certain. \"Over all placings\": the least and the greatest value when the other "
-                      "readings are placed in every order that the scan allows."},
+                      "certain. \"Over all assignments\": the smallest and largest values when the other "
+                      "readings are assigned to tests in every order that the scan allows."},
        .tables = {captioned("Constants of the trend lines", tables, "constants")},
        .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
       {.heading = "Energy account and statements of the report",
@@ -161,9 +162,9 @@ output::Document validation_document(const Study& study, output::Pictures pictur
       {.heading = "What remains uncertain",
        .paragraphs =
            {"The scan lost the rows of some readings: their order in a column is known, their tests "
-            "are not. They take no part in scores and are not drawn."},
+            "are not. They are not counted in the scores and not drawn."},
        .tables = {captioned("Readings whose test is lost", tables, "lost-readings"),
-                  captioned("What they would say, over all placings in their order", tables, "placed")}}};
+                  captioned("What they would say, over all assignments in their order", tables, "placed")}}};
   return page;
 }
 

@@ -17,8 +17,8 @@ void add_verdict_tables(const Study& study, Tables& tables);
 
 /// The reservation about the scores of held-out tests.
 inline constexpr const char* seen_data =
-    "Seen data, no blind test: each test is predicted by a foam that was fitted without it, but the form of "
-    "the foam was chosen with all tests in sight.";
+    "Not a blind test, since the data had been seen: each test is predicted by a foam that was fitted "
+    "without it, but the form of the foam was chosen with all tests in sight.";
 
 /// "+12.3 %", or "+0.012" for strain.
 std::string bias_text(double value, Quantity quantity);

@@ -70,8 +70,8 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
 }
 
 output::Table placed_table(const Study& study) {
-  output::Table table{.columns = {"program", "quantity", "tests", "readings", "placings", "mean bias",
-                                  "bias over placings", "placings that would pass"}};
+  output::Table table{.columns = {"program", "quantity", "tests", "readings", "assignments", "mean bias",
+                                  "bias over assignments", "assignments that would pass"}};
   for (const PlacedScore& placed : study.placed) {
     const UnplacedReadings& group = placed.group;
     const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };

@@ -125,7 +125,7 @@ TEST_F(CompareTest, DrawsAPicture) {
 TEST_F(CompareTest, WritesAPageAndMarkdown) {
   ASSERT_EQ(dashpad({"compare", nine, "--report", file("a.html"), "--markdown", file("a.md")}).exit_code, 0);
   for (const char* name : {"a.html", "a.md"})
-    EXPECT_THAT(read_file(file(name)), AllOf(HasSubstr("The peak force of the program of 1984 is "),
+    EXPECT_THAT(read_file(file(name)), AllOf(HasSubstr("The peak force of the 1984 program is "),
                                              HasSubstr("1984, mended, binary64"), HasSubstr("ABEND 900")));
   EXPECT_THAT(read_file(file("a.html")), HasSubstr("<svg"));
 }

@@ -42,7 +42,8 @@ TEST_F(ValidateTest, WritesPageJsonAndFigures) {
   // No bar: it is no terminal. Where it takes more than a minute, that is said.
   EXPECT_THAT(outcome.err, MatchesRegex("([A-Z][a-z ]+ will take about [0-9]+ minutes\n)*"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("33 tests"), HasSubstr("verdict"), HasSubstr("anomaly")));
-  EXPECT_THAT(read_file(folder / "validation.html"), HasSubstr("The tests of 1986 are not all met"));
+  EXPECT_THAT(read_file(folder / "validation.html"),
+              HasSubstr("The 1986 tests are not all reproduced within the rules"));
   EXPECT_THAT(read_file(folder / "validation.json"), StartsWith("{\n  \"format\": 3,\n"));
   const json study = json::parse(read_file(folder / "validation.json"));
   EXPECT_EQ(study["tests"].size(), 33U);

@@ -130,10 +130,9 @@ TEST(MaterialTestLead, RestsOnTheCard) {
 TEST(ValidationLead, FollowsTheVerdicts) {
   report1986::Study study = test::made_up_study();
   Lead lead = report1986::validation_lead(study, output::Pictures::drawn);
-  EXPECT_EQ(
-      lead.answer,
-      "The tests of 1986 are not all met: the report's foam law passes 1 of 2 rules, a foam fitted to the "
-      "other tests 0 of 1");
+  EXPECT_EQ(lead.answer,
+            "The 1986 tests are not all reproduced within the rules: the report's foam law passes 1 of 2 "
+            "rules, a foam fitted to the other tests 0 of 1");
   EXPECT_EQ(lead.tone, Tone::bad);
   study.held_out.scores.front().passed = true;
   EXPECT_EQ(report1986::validation_lead(study, output::Pictures::drawn).tone, Tone::doubtful);
@@ -156,7 +155,7 @@ TEST(ValidationLead, ABiasStandsBesideItsRule) {
   const Lead lead = report1986::validation_lead(study, output::Pictures::drawn);
   const ValueRow figure = figure_of(lead.figures, "Bias of peak force, load cell");
   EXPECT_EQ(figure.value, "-3.0 ± 4.0\u00a0%");
-  EXPECT_EQ(figure.remark, "at most ±15 %; scatter 20.0 %, at most 25 %; by the report's law -12.5 %");
+  EXPECT_EQ(figure.remark, "at most ±15 %; scatter 20.0 %, at most 25 %; with the report's law -12.5 %");
   EXPECT_DOUBLE_EQ(*figure.share, 0.8);  // the scatter is nearer to its limit
   EXPECT_EQ(figure.tone, Tone::good);
   const output::Series& foam = lead.curve->panels.at(0).series.at(2);

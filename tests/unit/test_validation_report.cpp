@@ -68,7 +68,7 @@ TEST(ValidationFigures, ShowTheRatioOfEachTest) {
   const output::Plot plot = figure("force-ratio").plot;
   EXPECT_THAT(series_of(plot, "accurate").x, ElementsAre(12, 18));
   EXPECT_THAT(series_of(plot, "accurate").y, ElementsAre(1.2, 0.5));
-  EXPECT_THAT(series_of(plot, "report: predictions over its trend", 1).y, ElementsAre(1.4, 0.4));
+  EXPECT_THAT(series_of(plot, "report: predictions divided by its trend", 1).y, ElementsAre(1.4, 0.4));
 }
 
 TEST(ValidationTables, ComeBackFromMarkdown) {
@@ -117,14 +117,14 @@ TEST(ValidationJson, HasTheTestsHeldOut) {
   EXPECT_EQ(json["rebound_plate"]["errors"][0]["predicted"], 10.45);
   EXPECT_EQ(json["foam"]["plateau_stress_psi"], 43);
   EXPECT_EQ(json["folds"][1]["converged"], false);
-  EXPECT_THAT(json["note"].get<std::string>(), HasSubstr("no blind test"));
+  EXPECT_THAT(json["note"].get<std::string>(), HasSubstr("Not a blind test"));
 }
 
 TEST(ValidationText, SaysThatTheTestsWereSeen) {
   const std::string text = output::to_markdown(report1986::validation_document(test::made_up_study()));
   EXPECT_THAT(text, HasSubstr("1, 1 without prediction"));
   EXPECT_THAT(text, HasSubstr("+10.0 %"));
-  EXPECT_THAT(text, HasSubstr("no blind test"));
+  EXPECT_THAT(text, HasSubstr("Not a blind test"));
 }
 
 TEST(ValidationVerdict, NeedsEveryRule) {

@@ -116,7 +116,7 @@ TEST(trends_of_the_report, claims_that_fail) {
   EXPECT_THAT(failed,
               ::testing::ElementsAre("peak strains by the clay plug", "peak strains by the contact diameter",
                                      "longest: steel, 9,000 lb/in", "rebound speeds in Figure 3-7",
-                                     "least share of the impact energy that the load cell stores",
+                                     "smallest share of the impact energy that the load cell stores",
                                      "W_S, aluminium 12 mph"));
 }
 
@@ -131,7 +131,7 @@ TEST(trends_of_the_report, claims_by_number) {
   EXPECT_NEAR(computed("peak force on the plate as an elastic system, 19.6 mph"), 2572.6, 0.05);
   EXPECT_NEAR(computed("W_S, aluminium 12 mph"), 16.813, 5e-4);
   EXPECT_NEAR(computed("V_R*, steel 14.6 mph"), 10.364, 5e-4);
-  EXPECT_NEAR(computed("stiffness that 2 ms stand for, steel"), 12292, 0.5);
+  EXPECT_NEAR(computed("stiffness that 2 ms correspond to, steel"), 12292, 0.5);
 }
 
 }  // namespace

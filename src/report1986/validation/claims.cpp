@@ -70,9 +70,9 @@ void claim_counts(const ValidationData& data, Claims& claims) {
 
   const double both = claims.constant("strains_by_both");
   claims.add({where, "peak strains by the clay plug", "1", claims.constant("plug_only_strains") + both,
-              count_readings(data, "plug_strain"), 0, false, "the scan of Table 3-1 holds fewer"});
+              count_readings(data, "plug_strain"), 0, false, "the scan of Table 3-1 contains fewer"});
   claims.add({where, "peak strains by the contact diameter", "1", both,
-              count_readings(data, "diameter_strain"), 0, false, "the scan of Table 3-1 holds fewer"});
+              count_readings(data, "diameter_strain"), 0, false, "the scan of Table 3-1 contains fewer"});
 
   const auto energies = std::ranges::count_if(data.measured.tests, [](const MeasuredTest& test) {
     const double energy = impact_energy_in_lb(test.weight_lb, test.speed_mph);
@@ -101,9 +101,9 @@ void claim_times(const ValidationData& data, Claims& claims) {
   const auto [slow, fast] = std::ranges::minmax(data.measured.tests, {}, &MeasuredTest::speed_mph);
   const double excess = claims.constant("travel_in") - claims.constant("expected_travel_in");
   const auto excess_ms = [&](double speed_mph) { return 1e3 * excess / (inch_per_s_of_mph * speed_mph); };
-  claims.add("section 3.3", "least time between the lines VT = 1.65 in and 1.25 in", "least_excess_time_ms",
-             excess_ms(fast.speed_mph), 0.5, "at the highest speed of the tests");
-  claims.add("section 3.3", "greatest", "greatest_excess_time_ms", excess_ms(slow.speed_mph), 0.5,
+  claims.add("section 3.3", "shortest time between the lines VT = 1.65 in and 1.25 in",
+             "least_excess_time_ms", excess_ms(fast.speed_mph), 0.5, "at the highest speed of the tests");
+  claims.add("section 3.3", "longest", "greatest_excess_time_ms", excess_ms(slow.speed_mph), 0.5,
              "at the lowest speed of the tests");
 }
 
@@ -113,7 +113,7 @@ void claim_plate(const ValidationData& data, Claims& claims) {
                             data.plate_stiffness_lb_per_in);
   claims.add("section 3.3", "rebound speeds in Figure 3-7", "rebound_readings",
              count_readings(data, "rebound_mph"), 0,
-             "the figure is said to show all tests; the scan of Table 3-1 holds fewer");
+             "the figure is said to show all tests; the scan of Table 3-1 contains fewer");
   claims.add("section 3.3, Eq. 34", "peak force on the plate as an elastic system, 19.6 mph",
              "plate_peak_force_lb", force, 0.5, "the text cites Eq. 32");
   claims.add("section 3.3", "deflection of the plate at that force", "plate_deflection_in",
@@ -130,11 +130,11 @@ void claim_storage(const ValidationData& data, Claims& claims) {
   if (tests.empty()) return;
   const auto [least, greatest] = std::ranges::minmax(tests, {}, share);
   const std::string where = "section 3.3, Eq. 35";
-  claims.add(where, "least share of the impact energy that the load cell stores", "least_storage_fraction",
+  claims.add(where, "smallest share of the impact energy that the load cell stores", "least_storage_fraction",
              share(least), 0.005,
              fmt::format("test {}; of the tests with a certain force. Test {} gives {:.3f}", least.number,
                          tests.front().number, share(tests.front())));
-  claims.add(where, "greatest", "greatest_storage_fraction", share(greatest), 0.05,
+  claims.add(where, "largest", "greatest_storage_fraction", share(greatest), 0.05,
              fmt::format("test {}; \"about 30 percent\"", greatest.number));
 }
 
@@ -160,7 +160,7 @@ void claim_table_3_2(const ValidationData& data, const ExpectationExample& print
                 50, false, ""});
   add("U_R", "in.lb", &ExpectationExample::rebound_energy_in_lb, 0.5);
   add("W_S", "in.lb", &ExpectationExample::support_energy_in_lb, 0.5,
-      is_steel ? "the reconstructed load-cell curve was laid through this value"
+      is_steel ? "the reconstructed load-cell curve was drawn through this value"
                : fmt::format("the slope that would store it is {:.0f} lb/in, not 9,000",
                              std::pow(printed.peak_force_lb, 2) / (2 * printed.support_energy_in_lb)));
   add("V_R*/V", "1", &ExpectationExample::speed_ratio, is_steel ? 0.005 : 0.05,
@@ -173,7 +173,7 @@ void claim_table_3_2(const ValidationData& data, const ExpectationExample& print
 void claim_stiffness(const ValidationData& data, Claims& claims) {
   const double excess = claims.constant("excess_of_predicted_time_ms");
   const auto add_stiffness = [&](const std::string& name, Projectile projectile) {
-    claims.add("section 4, Eq. 32", "stiffness that 2 ms stand for, " + name,
+    claims.add("section 4, Eq. 32", "stiffness that 2 ms correspond to, " + name,
                "stiffness_of_time_" + name + "_lb_per_in",
                stiffness_of_time(weight_of(data, projectile), excess), 50, "the text cites Eq. 30");
   };

@@ -219,9 +219,9 @@ std::string remark_on(const ValidationData& data, const NominalStressFit& fit) {
   double ways = 1;
   for (const char* const column : columns) ways *= placings(data.measured, column);
   return fmt::format(
-      "The placing of least scatter, {} points of {:.2g} placings: nearly all strains have lost their tests, "
-      "and some forces. It is the most favourable choice, not the report's Figure 3-5, which has {:g} tests, "
-      "and {:g} of them in its fit; that cannot be rebuilt.",
+      "The assignment with the smallest scatter, {} points, out of {:.2g} assignments: nearly all strains "
+      "have lost their tests, and some forces. It is the most favourable choice, not the report's Figure "
+      "3-5, which has {:g} tests, and {:g} of them in its fit; that cannot be rebuilt.",
       fit.points.size(), ways, data.constant("nominal_stress_tests"),
       data.constant("nominal_stress_clustered_tests"));
 }

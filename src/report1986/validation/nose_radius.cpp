@@ -134,7 +134,7 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
     return residuals;
   };
   return radius_criterion("strains on the load cell",
-                          "plug readings of tests 28 to 33, mean over all placings; accurate solver", "1",
+                          "plug readings of tests 28 to 33, mean over all assignments; accurate solver", "1",
                           residuals_at);
 }
 

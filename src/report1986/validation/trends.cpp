@@ -133,8 +133,8 @@ void add_energy_trends(const ValidationData& data, std::vector<Trend>& trends) {
           .title = fmt::format("{} of U = (factor F)^exponent, {} on {}", constant, y, x),
           .unit = "1",
           .residual_unit = fmt::format("of {}", y),
-          .method =
-              fmt::format("least squares of {} over {}, load cell, energies above 300 in.lb{}", y, x, more)},
+          .method = fmt::format("least squares of {} against {}, load cell, energies above 300 in.lb{}", y, x,
+                                more)},
          "peak_force_lb",
          [from](const MeasuredTest& test) { return on_load_cell(test) && test.energy_in_lb > from; },
          [is_inverse, constant_of](const Tests& tests) {
@@ -155,7 +155,7 @@ std::vector<Trend> trends_of(const ValidationData& data) {
         .title = "V T, load cell",
         .unit = "in",
         .residual_unit = "ms",
-        .method = "least squares of T over 1/V; 17.64 in/s to the mile per hour, as in the report"},
+        .method = "least squares of T against 1/V; 1 mph = 17.64 in/s, as in the report"},
        "time_to_peak_ms",
        on_load_cell,
        proportional(time_over_slowness)}};
@@ -165,7 +165,7 @@ std::vector<Trend> trends_of(const ValidationData& data) {
                        .title = title,
                        .unit = "1",
                        .residual_unit = "mph",
-                       .method = "least squares of V_R over V through the origin" + of_which},
+                       .method = "least squares of V_R against V through the origin" + of_which},
                       "rebound_mph",
                       std::move(takes),
                       proportional(rebound_over_speed)});
@@ -173,10 +173,10 @@ std::vector<Trend> trends_of(const ValidationData& data) {
   add_rebound("rebound_ratio_load_cell", "V_R/V, load cell", "", on_load_cell);
   add_rebound("rebound_ratio_plate", "V_R/V, flexible plate", ", all tests on the plate", on_plate);
   const double high_speed = data.constant("plate_speed_mph");
-  add_rebound("rebound_ratio_plate", "V_R/V, flexible plate without the fastest test",
-              ", the two tests that the report lays the line by", [high_speed](const MeasuredTest& test) {
-                return on_plate(test) && test.speed_mph < high_speed;
-              });
+  add_rebound(
+      "rebound_ratio_plate", "V_R/V, flexible plate without the fastest test",
+      ", the two tests through which the report draws the line",
+      [high_speed](const MeasuredTest& test) { return on_plate(test) && test.speed_mph < high_speed; });
   add_energy_trends(data, trends);
   return trends;
 }
