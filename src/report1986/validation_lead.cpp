@@ -51,25 +51,28 @@ std::string bias_with_error(const HeldOutScore& score) {
              : fmt::format("{:+.3f} ± {:.3f}", score.bias, *score.standard_error);
 }
 
-/// The bias with its standard error. The bar shows bias or scatter, whichever is nearer to its limit.
-output::ValueRow bias_figure(const Study& study, const HeldOutScore& score) {
+/// Bias with its standard error, or scatter: whichever is nearer to its limit; the other is the remark.
+output::ValueRow score_figure(const Study& study, const HeldOutScore& score) {
   const Rule& rule = rule_of(score.quantity);
   const Score* const by_law = score_by_law(study, score.support, score.quantity);
-  output::ValueRow figure{
-      .label = fmt::format("Bias of {}, {}", to_string(score.quantity), to_string(score.support)),
-      .value = bias_with_error(score),
-      .tone = score.passed ? output::Tone::good : output::Tone::bad};
   // Rules are symmetric about zero.
-  figure.remark = "at most ±" + limit_text(rule, rule.high);
-  if (score.scatter)
-    figure.remark += fmt::format("; scatter {}, at most {}", scatter_text(*score.scatter, score.quantity),
-                                 limit_text(rule, rule.scatter));
-  else
-    figure.remark += "; too few tests for a scatter";
+  const double share_of_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
+  const double share_of_scatter = score.scatter.value_or(0) / rule.scatter;
+  const bool is_scatter = share_of_scatter > share_of_bias;
+  const std::string bias = bias_with_error(score), most_bias = "at most ±" + limit_text(rule, rule.high);
+  const std::string scatter = score.scatter ? scatter_text(*score.scatter, score.quantity) : "";
+  const std::string most_scatter = "at most " + limit_text(rule, rule.scatter);
+  output::ValueRow figure{.label = fmt::format("{} of {}, {}", is_scatter ? "Scatter" : "Bias",
+                                               to_string(score.quantity), to_string(score.support)),
+                          .value = is_scatter ? scatter : bias,
+                          .remark = (is_scatter ? most_scatter : most_bias) + "; ",
+                          .share = std::max(share_of_bias, share_of_scatter),
+                          .tone = score.passed ? output::Tone::good : output::Tone::bad};
+  figure.remark += is_scatter        ? fmt::format("bias {}, {}", bias, most_bias)
+                   : scatter.empty() ? "too few tests for a scatter"
+                                     : fmt::format("scatter {}, {}", scatter, most_scatter);
   if (by_law != nullptr && !by_law->errors.empty())
-    figure.remark += "; with the report's law " + bias_text(by_law->bias, score.quantity);
-  const double from_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
-  figure.share = std::max(from_bias, score.scatter.value_or(0) / rule.scatter);
+    figure.remark += "; with the report's law the bias is " + bias_text(by_law->bias, score.quantity);
   return figure;
 }
 
@@ -139,7 +142,7 @@ output::Lead validation_lead(const Study& study, output::Pictures pictures) {
                       fitted_numbers, brief(held_out_radius_in))}};
   if (pictures == output::Pictures::drawn) lead.curve = predicted_over_measured(study);
   for (const HeldOutScore& score : study.held_out.scores)
-    if (lead.figures.size() + 1 < output::max_key_figures) lead.figures.push_back(bias_figure(study, score));
+    if (lead.figures.size() + 1 < output::max_key_figures) lead.figures.push_back(score_figure(study, score));
   lead.figures.push_back(
       {.label = "Rules passed by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),
