@@ -37,9 +37,9 @@ constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
 
-FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
-a zip or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity.
-Repairs are reported as REMARK; gaps, text and times that run backwards are rejected; --bridge-gaps interpolates linearly
+FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or a zip
+or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity. Repairs
+are reported as REMARK; gaps, text and times that run backwards are rejected; --bridge-gaps interpolates linearly
 where times are missing. docs/pulses.md gives the rules.
 
 Offset: the reading of the sensor in the quiet part before the impact is reported, with its effect on HIC15.
