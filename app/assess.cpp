@@ -206,7 +206,8 @@ void add_assess(CLI::App& app, Action& action) {
   add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
   add_flag(sub, "--keep-nose", request.kept.nose, "Keep the nose of the case instead of the standard's");
   add_flag(sub, "--keep-speed", request.kept.speed, "Keep the speed of the case instead of the standard's");
-  add_file(sub, request.files, "--json", "Write the assessment as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--json",
+           "Write the assessment as JSON, in SI units and g (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
   add_all(sub, request.files.detail);

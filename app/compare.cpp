@@ -34,8 +34,8 @@ constexpr const char* compare_footer = R"(Examples:
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --zero auto --filter CFC1000
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --report comparison.html
 
-Without --pulse, the table has a row for the accurate solver (with exact units, and with the constants of 1984)
-and for the program of 1984 in the arithmetic of its machine, in single and in double precision, and with its
+Without --pulse, the table has a row for the accurate solver (with exact units, and with the 1984 constants)
+and for the 1984 program in the arithmetic of its machine, in single and in double precision, and with its
 defects corrected. docs/spit1984.md explains how far to trust each. --picture draws force and penetration over
 time; the format follows from the name of FILE: .svg, .png or .pdf.
 
@@ -47,7 +47,7 @@ measured pulse is relative to the case's speed unless --speed or --drop-height i
 acceleration is rejected, and so is one without an onset, whose first sample is already above 5 % of its peak.
 docs/pulses.md gives the rules and explains the flags of a pulse.
 
-Exit codes: 0 success (whatever the outcome of the runs of 1984), 1 a result could not be written, 2 invalid
+Exit codes: 0 success (whatever the outcome of the 1984 runs), 1 a result could not be written, 2 invalid
 input and nothing was run, 3 the accurate solver missed the tolerance.)";
 
 struct CompareRequest {
@@ -75,7 +75,7 @@ int compare_with_1984(const CompareRequest& request) {
   const input::CaseFile input = read_and_check(request);
   const UnitSystem& units = unit_system(request.files.units);
   const report1986::Comparison comparison = [&] {
-    ProgressLine line{"Running the program of 1984"};
+    ProgressLine line{"Running the 1984 program"};
     return report1986::compare(input.impact, input.options, 1e-3 * request.time_step_ms,
                                [&](std::size_t done, std::size_t all) { line.show(done, all); });
   }();
@@ -159,11 +159,11 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
 
 void add_compare(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<CompareRequest>(
-      app, action, "compare", "Compare a case with a measured pulse, or with the program of 1984",
+      app, action, "compare", "Compare a case with a measured pulse, or with the 1984 program",
       compare_footer, compare);
   add_case(sub, request.given);
   add_file(sub, request.files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
-  add_file(sub, request.files, "--json", "Write the table as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--json", "Write the table as JSON, in SI units (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
   CLI::Option* time_step = add_option(sub, "--time-step MS", request.time_step_ms,

@@ -31,7 +31,7 @@ writes one curve as two columns below comment lines that begin with #; iso-mme w
 test in that format, zipped, in SI and sampled at 100 kHz.
 
 Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
-are the pad's force over its penetration, up to the largest penetration and back to release. The curves are
+are the pad's force against its penetration, up to the largest penetration and back to release. The curves are
 numbered in the order in which they are named.
 
 Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), lbf-s2/in-in-s (lbf, psi).
@@ -87,16 +87,16 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
   if (format_of(request).over_time_only) {
     for (const std::string& name : request.curves)
       if (!output::is_over_time(name))
-        errors.push_back(fmt::format("--curves {}: {} takes curves over time only", name, request.format));
+        errors.push_back(fmt::format("--curves {}: {} accepts only curves over time", name, request.format));
     if (!request.system.empty())
       errors.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
   }
   for (auto name = request.curves.begin(); name != request.curves.end(); ++name)
     if (std::find(request.curves.begin(), name, *name) != name)
-      errors.push_back(fmt::format("--curves: {} is named twice", *name));
+      errors.push_back(fmt::format("--curves: {} is given twice", *name));
   if (format_of(request).holds_one_curve && curves_of(request).size() != 1)
-    errors.push_back(
-        fmt::format("--format {}: holds one curve; name it, as in --curves force", request.format));
+    errors.push_back(fmt::format(
+        "--format {}: a file of this format holds one curve; name it, as in --curves force", request.format));
   const int highest_first = output::highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
   if (request.first_id > highest_first)
     errors.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",

@@ -23,7 +23,7 @@ constexpr const char* fit_footer = R"(Examples:
   dashpad fit examples/fits/vn600.toml                         fitted values, and what the data leave open
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
-  dashpad fit my-fit.toml --report fit.html                    a page: model over data, intervals, open unknowns
+  dashpad fit my-fit.toml --report fit.html                    a page: model against data, intervals, open unknowns
   dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
   dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; the same command continues
 
@@ -50,7 +50,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   rate = "0.01 1/s"
   noise = "1 %"
 
-[[impacts]] fits the law to impacts, by figures and by whole measured pulses:
+[[impacts]] fits the law to impacts, using figures or whole measured pulses:
 
   [[impacts]]
   case = "drop.toml"
@@ -69,7 +69,7 @@ Files: - as FILE is standard output. An existing file is not overwritten unless 
 completely or not at all. A fit that did not converge writes no card.
 
 If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but --state FILE contains the finished searches
-and intervals, and the same command continues from there. The state of another fit is rejected.
+and intervals, and the same command continues from there. The state of a different fit is rejected.
 
 Exit codes: 0 success, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
 3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
@@ -144,8 +144,8 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
 int stopped(const FitRequest& request, std::size_t kept) {
   if (kept > 0) {
     write_error(
-        fmt::format("Stopped; nothing was written except {}, with {} finished searches and ends of "
-                    "intervals. The same command continues from there.\n",
+        fmt::format("Stopped; nothing was written except {}, with {} finished searches and interval limits. "
+                    "The same command continues from there.\n",
                     *request.state, kept));
   } else if (request.state) {
     write_error("Stopped before a search was finished; nothing was written.\n");
@@ -232,7 +232,7 @@ void add_fit(CLI::App& app, Action& action) {
   add_file(sub, request.files, "--case",
            "Write the case with the fitted foam and the fitted values of the case, such as its support (- "
            "for standard output)");
-  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--json", "Write everything as JSON, in SI units (- for standard output)");
   sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)
       ->type_name("N FILE");

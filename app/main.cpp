@@ -39,7 +39,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare CASE --pulse FILE              compare with a measured pulse
-  dashpad compare examples/dashboard-20mph.toml  the solver and the program of 1984 side by side
+  dashpad compare examples/dashboard-20mph.toml  the solver and the 1984 program side by side
   dashpad validate                               compare both with the validation tests of that report
   dashpad study --help                           many impacts: curves, maps, probabilities
 
@@ -74,8 +74,8 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Foams", "material-test", add_material_test},
                              {"Foams", "fit", add_fit},
                              {"Many impacts", "study", add_study},
-                             {"The report of 1986", "spit1984", add_spit1984},
-                             {"The report of 1986", "validate", add_validate}};
+                             {"The 1986 report", "spit1984", add_spit1984},
+                             {"The 1986 report", "validate", add_validate}};
 
 /// Nobody reads more lines, however many kinds of faults there are.
 constexpr std::size_t max_lines = 200;
@@ -119,8 +119,8 @@ void take_streams(const CLI::App& app) {
 
 /// Messages of libraries do not help a user.
 constexpr const char* library_failed =
-    "dashpad: a number left the range that can be computed with; this is an error in the program: please "
-    "report it, with the input files\n";
+    "dashpad: a number went out of range; this is a bug in the program: please report it, with the input "
+    "files\n";
 
 int perform(const Action& action, const CLI::App& app) {
   try {
@@ -139,11 +139,11 @@ int perform(const Action& action, const CLI::App& app) {
 std::string advice_on(const std::vector<std::string>& words, const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  if (words.empty()) return "a command is missing; there are " + input::listing(names);
+  if (words.empty()) return "a command is missing; available: " + input::listing(names);
   const std::string& word = words.front();
   if (word.ends_with(".toml")) return word + ": which command? To solve a case: dashpad run " + word;
   if (word.starts_with('-'))
-    return word + ": no such option before a command; there are " + input::listing(names);
+    return word + ": no such option before a command; the commands are " + input::listing(names);
   return word + ": no such command" + input::meant_or_listed(word, names);
 }
 

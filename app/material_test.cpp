@@ -32,7 +32,7 @@ constexpr const char* material_test_footer = R"(Examples:
 
 A single column of the pad is driven through the test; its stress is exact up to quadrature. Results: peak stress,
 energy per volume, hysteresis, efficiency and ideality, and with --stress-limit the energy absorbed up to a stress.
---explicit-1984 adds the result of the program of 1984. docs/laboratory.md explains all of them.
+--explicit-1984 adds the result of the 1984 program. docs/laboratory.md explains all of them.
 
 MATERIAL is the name of a card as listed by dashpad materials, or a file that ends in .toml. A history is a table
 with a header line that names its units: time_s,strain or "time [ms];strain [%]".
@@ -91,7 +91,7 @@ std::vector<double> rates_of(const MaterialTestRequest& request, Wrong& errors) 
                                  "must be more than 1e-12 and less than 1e9 per second", 1, errors);
     if (errors.size() > before) continue;
     if (std::ranges::find(rates, rate) != rates.end())
-      errors.push_back(fmt::format("--rate {}: is named twice", text));
+      errors.push_back(fmt::format("--rate {}: is given twice", text));
     rates.push_back(rate);
   }
   return rates;
@@ -105,7 +105,7 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
     std::string names;
     for (const laboratory::TestKind each : kinds)
       names += fmt::format("{}{}", names.empty() ? "" : ", ", to_string(each));
-    errors.push_back(fmt::format("{}: is not for --test {}, but for {}", option, to_string(kind), names));
+    errors.push_back(fmt::format("{}: applies to --test {}, not to {}", option, names, to_string(kind)));
   };
   using enum laboratory::TestKind;
   only_for(!request.rates.empty(), "--rate", {constant_rate, parabolic, relaxation, creep, cyclic});
@@ -117,10 +117,10 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
   only_for(request.history.has_value(), "--history", {history});
   if (request.explicit_1984 && kind == creep)
     errors.emplace_back(
-        "--explicit-1984: is not for --test creep; the update of 1984 is driven by strains, "
+        "--explicit-1984: does not apply to --test creep; the 1984 update is driven by strains, "
         "and creep by a stress");
   if (request.steps && !request.explicit_1984)
-    errors.emplace_back("--steps: applies only to the update of 1984; add --explicit-1984");
+    errors.emplace_back("--steps: applies only to the 1984 update; add --explicit-1984");
   if (kind == creep && !request.stress)
     errors.emplace_back("--test creep: needs --stress, such as \"50 kPa\"");
   if (kind == history && !request.history) errors.emplace_back("--test history: needs --history FILE");
@@ -195,9 +195,8 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
              "Stresses at which to give energy and efficiency, such as \"100 kPa\", separated by commas")
       ->delimiter(',');
   add_flag(sub, "--explicit-1984", request.explicit_1984,
-           "Add the explicit update of 1984 to the exact stress (not creep)");
-  add_option(sub, "--steps N", request.steps,
-             "Steps of the update of 1984 in the first loading (default: 20)")
+           "Add the explicit 1984 update to the exact stress (not creep)");
+  add_option(sub, "--steps N", request.steps, "Steps of the 1984 update in the first loading (default: 20)")
       ->check(CLI::Range(1, 10000));
 }
 
@@ -242,7 +241,7 @@ void add_material_test(CLI::App& app, Action& action) {
       app, action, "material-test", "Test a pad material in the laboratory", material_test_footer, show);
   add_option(sub, "MATERIAL", request.material, "Name of a card, or a file")->required();
   add_test_options(sub, request);
-  add_file(sub, request.files, "--json", "Write everything as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--json", "Write everything as JSON, in SI units (- for standard output)");
   add_file(sub, request.files, "--csv", "Write the stresses as CSV (- for standard output)");
   add_documents(sub, request.files);
   add_file(sub, request.files, "--picture", "Draw stress and efficiency (.svg, .png, .pdf)");

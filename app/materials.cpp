@@ -31,7 +31,7 @@ docs/materials.md describes the origin of each card. A picture is .svg, .png or 
 overwritten unless --force is given.
 
 Exit codes: 0 success, 1 the picture could not be written, 2 no such card, or a card with faults (the other cards
-are listed nevertheless, but not drawn).)";
+are still listed, but not drawn).)";
 
 struct MaterialsRequest {
   std::string name;
@@ -105,7 +105,7 @@ std::optional<fs::path> find_card(const std::string& name, const fs::path& folde
   const std::vector<fs::path> cards = input::list_materials(folder).value();
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card != cards.end()) return *card;
-  errors.push_back(fmt::format("{}: no such material in {}; there are: {}", name, folder.string(),
+  errors.push_back(fmt::format("{}: no such material in {}; available: {}", name, folder.string(),
                                cards.empty() ? "none" : input::listing(input::names_of(cards))));
   return std::nullopt;
 }

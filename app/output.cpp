@@ -62,7 +62,7 @@ std::string complaint(const Target& target, bool force) {
   const fs::path folder = folder_of(fs::is_symlink(path, error) ? place_of(path) : path);
   if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    return "no new file can be made in " + folder.string() + ": " + reason(errno);
+    return "no file can be created in " + folder.string() + ": " + reason(errno);
   return "";
 }
 
@@ -129,15 +129,15 @@ void judge_targets(const std::vector<Target>& targets, const std::vector<input::
       else if (target->is_standard_output() || earlier->is_standard_output())
         continue;
       else if (is_same_file(target->file, earlier->file))
-        say("is the file of " + earlier->option + " too; name another");
+        say("is also the file of " + earlier->option + "; choose another");
     }
     if (target->is_standard_output()) continue;
     const auto input = std::ranges::find_if(
         inputs, [&](const input::InputFile& read) { return is_same_file(target->file, read.file); });
     if (input != inputs.end())
-      say("is " + input->kind + "; name another");
+      say("is " + input->kind + "; choose another");
     else if (const char* stream = stream_into(target->file))
-      say(std::string{"is where "} + stream + " goes; name another");
+      say(std::string{"is where "} + stream + " goes; choose another");
     else if (const std::string what = complaint(*target, force); !what.empty())
       say(what);
   }

@@ -53,8 +53,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       errors.push_back(
           request.given.file +
-          ": post-impact allows neither gravity nor a support with more than its curve; give the other body "
-          "as support.body_mass, and dashpad run computes the velocities of both");
+          ": post-impact allows neither gravity nor a support with anything but its curve; give "
+          "the other body as support.body_mass, and dashpad run computes the velocities of both");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
@@ -64,8 +64,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
   if (errors.empty()) {
     input.file.impact = relative_motion(input.file.impact, input.first, input.second);
     for (const Violation& violation : violations(input.file.impact))
-      errors.push_back(fmt::format("the motion of the two towards each other: {} = {}: {}", violation.key,
-                                   violation.value, violation.rule));
+      errors.push_back(fmt::format("the motion of the two bodies towards each other: {} = {}: {}",
+                                   violation.key, violation.value, violation.rule));
   }
   if (!errors.empty()) throw Refused(std::move(errors));
   return input;
@@ -101,7 +101,7 @@ void add_post_impact(CLI::App& app, Action& action) {
   add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");
   add_option(sub, "--other-velocity SPEED", request.other_velocity,
              "Its velocity before the impact (default: 0)");
-  add_file(sub, request.files, "--json", "Write the result as JSON, SI (- for standard output)");
+  add_file(sub, request.files, "--json", "Write the result as JSON, in SI units (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);

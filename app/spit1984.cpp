@@ -33,10 +33,10 @@ or with --listing the line printer's, in 132 columns. Lengths are in inches, for
 in mph; forces are negative in compression. See docs/spit1984.md before relying on them: for the published example
 the scheme is 1 to 6 % off in peak force, and the numbers depend on the arithmetic.
 
-Arithmetics: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
+Arithmetic: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
 single and double precision of today's machines.
 
---interactive runs the main program ENSOL of 1984, which asks for all input at the terminal.
+--interactive runs the 1984 main program ENSOL, which asks for all input at the terminal.
 
 Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the run ended in an
 ABEND; the output may have become meaningless some time before it.
@@ -122,12 +122,12 @@ Deck deck_for(const Spit1984Request& request) {
 std::string remarks(const Deck& deck, const Settings& settings, const Run& run) {
   std::string text = fmt::format("1984 program in {} arithmetic", to_string(settings.arithmetic));
   for (const Defect& defect : defects)
-    if (!(settings.defects.*defect.present)) text += fmt::format(", {} mended", defect.name);
+    if (!(settings.defects.*defect.present)) text += fmt::format(", {} corrected", defect.name);
   text += "\n";
   if (deck.pad_parameters == std::array<double, 21>{})
     text += "NO PARAMETERS: ENSOL never asked for those of models 1 to 3; they are zero. Use a case file\n";
   if (const double longest = longest_time_step_ms(deck); deck.time_step_ms > longest)
-    text += fmt::format("TIME STEP of {:.3g} ms: the report advises {:.3g} ms at most for this support\n",
+    text += fmt::format("TIME STEP of {:.3g} ms: the report advises at most {:.3g} ms for this support\n",
                         deck.time_step_ms, longest);
   if (!run.precision_stops.empty())
     text +=
@@ -142,7 +142,7 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
 
 Run run_with_progress(const Deck& deck, const Settings& settings) {
   // The number of steps is not known in advance.
-  ProgressLine line{fmt::format("Running the program of 1984, at most {} time steps,", settings.max_steps)};
+  ProgressLine line{fmt::format("Running the 1984 program, at most {} time steps,", settings.max_steps)};
   return run(deck, settings, [&](int step) {
     line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.max_steps));
   });
@@ -167,9 +167,8 @@ int run_program(const Spit1984Request& request) {
 }  // namespace
 
 void add_spit1984(CLI::App& app, Action& action) {
-  const auto [sub, request] =
-      add_subcommand<Spit1984Request>(app, action, "spit1984", "Run the program of 1984, digit for digit",
-                                      footer_with_defects(), run_program);
+  const auto [sub, request] = add_subcommand<Spit1984Request>(
+      app, action, "spit1984", "Run the 1984 program, digit for digit", footer_with_defects(), run_program);
   std::vector<std::string> repairs{"all"};
   for (const Defect& defect : defects) repairs.emplace_back(defect.name);
   add_case(sub, request.given)->required(false);

@@ -26,7 +26,7 @@ A value marked UNVERIFIED was not read in the standard or in a source that quote
 preset to a case. docs/standards.md explains how to write one.
 
 Exit codes: 0 success, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are
-listed nevertheless).)";
+still listed).)";
 
 struct StandardsRequest {
   std::string name;

@@ -26,7 +26,7 @@ constexpr const char* validate_footer = R"(Examples:
   dashpad validate --strict --data my-readings
 
 Compares the 33 validation tests of Crash Padding Research, Volume III (1986) with the accurate solver and the
-program of 1984: errors test by test, verdicts by rules that were fixed before the first run, refitted trend
+1984 program: errors test by test, verdicts by rules that were fixed before the first run, refitted trend
 lines, the report's own statements, and the nose radius that the readings favour. Everything is in the report's
 units: lb, in, mph, ms. docs/validation.md gives the results and what remains uncertain.
 

@@ -22,12 +22,12 @@ constexpr const char* export_material_footer = R"(Examples:
 
 Formats for the law foam:
   ls-dyna-057   *MAT_LOW_DENSITY_FOAM: one curve, no rates
-  ls-dyna-083   *MAT_FU_CHANG_FOAM: curves over rates
-  radioss-70    /MAT/LAW70: curves over rates, a measured unloading
-  radioss-90    /MAT/LAW90: curves over rates
+  ls-dyna-083   *MAT_FU_CHANG_FOAM: one curve per rate
+  radioss-70    /MAT/LAW70: one curve per rate, a measured unloading
+  radioss-90    /MAT/LAW90: one curve per rate
 Formats for the law crushable-foam:
   ls-dyna-063   *MAT_CRUSHABLE_FOAM: one curve, no rates
-  ls-dyna-163   *MAT_MODIFIED_CRUSHABLE_FOAM: curves over rates
+  ls-dyna-163   *MAT_MODIFIED_CRUSHABLE_FOAM: one curve per rate
   radioss-33    /MAT/LAW33: one curve, no rates
 Format for the law viscoelastic-foam:
   radioss-62    /MAT/LAW62: one or two terms and branches
@@ -71,7 +71,7 @@ int export_material(const ExportMaterialRequest& request) {
   std::string account =
       fmt::format("{} as {}, units {}\n", material->name, request.format, options.units.name);
   for (const std::string& remark : output::not_in_material_deck(*material, options))
-    account += "  not the same: " + remark + "\n";
+    account += "  differs: " + remark + "\n";
   if (request.out != "-") account += "written: " + request.out + "\n";
   publish(
       {{"-o", request.out}}, request.force,

@@ -72,7 +72,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, std::option
   }
   if (request.rate) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
   if (request.units.empty()) {
-    errors.emplace_back("--units: is needed, since a deck does not state its units; such as --units t-mm-s");
+    errors.emplace_back("--units: is required, such as --units t-mm-s: a deck does not state its units");
     return std::nullopt;
   }
   return deck_units_of(request.units, errors);
@@ -87,7 +87,7 @@ void keep_only(const std::string& wanted, Found& found, Wrong& errors) {
     return each.material.name != wanted && fmt::format("{}", each.id) != wanted;
   });
   if (found.empty())
-    errors.push_back(fmt::format("--material {}: no such foam; there are {}", wanted, names));
+    errors.push_back(fmt::format("--material {}: no such foam; available: {}", wanted, names));
 }
 
 /// One file for each card in a folder, or one file for all.
@@ -99,7 +99,7 @@ std::vector<Target> targets_of(const ImportRequest& request, const Found& found,
     targets.push_back({"-o", into_folder ? (fs::path(request.out) / (each.material.name + ".toml")).string()
                                          : request.out});
   if (!into_folder && found.size() > 1) {
-    errors.push_back(fmt::format("{}: holds {} foams; give a folder with -o, or choose one with --material",
+    errors.push_back(fmt::format("{}: has {} foams; give a folder with -o, or choose one with --material",
                                  request.file, found.size()));
     targets.resize(1);
   }
@@ -122,9 +122,9 @@ std::string understood(const input::DeckMaterial& found) {
               text += fmt::format("  {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
                                   curve.strain.size(), curve.strain.back(), curve.stress.back() / 1000, rate);
           if constexpr (std::is_same_v<Law, CrushableFoam>)
-            text += fmt::format("  unloads with {:g} MPa\n", law.unloading_modulus / 1e6);
+            text += fmt::format("  unloads with a modulus of {:g} MPa\n", law.unloading_modulus / 1e6);
           else if (law.unloading_curve)
-            text += fmt::format("  unloads by a curve of {} points\n", law.unloading_curve->strain.size());
+            text += fmt::format("  unloads along a curve of {} points\n", law.unloading_curve->strain.size());
           else
             text += fmt::format("  unloads with factor {:g} and shape {:g}\n", law.unloading_factor,
                                 law.unloading_shape);
@@ -135,13 +135,14 @@ std::string understood(const input::DeckMaterial& found) {
           for (const auto& [share, time] :
                {std::pair{law.first_share, law.first_time}, std::pair{law.second_share, law.second_time}})
             if (share > 0)
-              text +=
-                  fmt::format("  a branch of {:g} times the lasting stress relaxes in {:g} s\n", share, time);
+              text += fmt::format(
+                  "  a branch with {:g} times the long-term stress relaxes with a time constant of {:g} s\n",
+                  share, time);
         }
       },
       material.law);
   for (const std::string& assumption : found.assumptions) text += "  assumed: " + assumption + "\n";
-  for (const std::string& difference : found.differences) text += "  not the same: " + difference + "\n";
+  for (const std::string& difference : found.differences) text += "  differs: " + difference + "\n";
   return text;
 }
 

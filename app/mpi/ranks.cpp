@@ -22,7 +22,7 @@ class Reader {
  public:
   explicit Reader(const Message& message) : message_(message) {}
   std::uint64_t next() {
-    if (place_ == message_.size()) throw std::runtime_error("a rank sent a batch that ends too early");
+    if (place_ == message_.size()) throw std::runtime_error("a rank sent a truncated batch");
     return message_[place_++];
   }
   double number() { return std::bit_cast<double>(next()); }

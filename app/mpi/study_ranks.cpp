@@ -191,11 +191,10 @@ std::vector<std::string> differences(const Ranks& ranks, const study::Study& stu
   };
   const bool one_program = same(fmt::format("{} {}", version(), build_facts().git_commit));
   const bool one_text = same(study.text), one_study = same(study::resolved_text(study));
-  if (!one_program) return {"dashpad: is not the same version and commit for all ranks"};
-  if (!one_text) return {study_file + ": is not the same file for all ranks"};
+  if (!one_program) return {"dashpad: its version or commit differs between ranks"};
+  if (!one_text) return {study_file + ": differs between ranks"};
   if (one_study) return {};
-  return {study_file +
-          ": its base case, or a card or a data file that it names, is not the same for all ranks"};
+  return {study_file + ": its base case, or a card or a data file that it names, differs between ranks"};
 }
 
 /// The work of all ranks but the first.

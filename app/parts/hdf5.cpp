@@ -20,7 +20,7 @@ class Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close closed_by) : id_(id), close_(closed_by) {
-    if (id < 0) throw std::runtime_error("HDF5 refuses to write");
+    if (id < 0) throw std::runtime_error("HDF5 cannot write");
   }
   ~Handle() {
     if (id_ >= 0) close_(id_);

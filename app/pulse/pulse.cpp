@@ -1,4 +1,4 @@
-// dashpad pulse: injury figures of a measured acceleration.
+// dashpad pulse: injury figures from a measured acceleration.
 
 #include <algorithm>
 #include <optional>
@@ -37,9 +37,9 @@ constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
 
-FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or
-a zip or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity.
-Repairs are reported as REMARK; gaps, text and times that go back are rejected; --bridge-gaps interpolates linearly
+FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or a zip
+or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity. Repairs
+are reported as REMARK; gaps, text and times that run backwards are rejected; --bridge-gaps interpolates linearly
 where times are missing. docs/pulses.md gives the rules.
 
 Offset: the reading of the sensor in the quiet part before the impact is reported, with its effect on HIC15.
@@ -54,11 +54,11 @@ gravity during contact is subtracted first.
 Uncertainty: given for peak, HIC and similar figures, k = 2. It includes the effect of the sample interval, that of
 the filter compared with the next higher class, and that of the sensor's calibration (--calibration "2 %").
 
-Figures: the peak; HIC15, HIC36, HIC of any window, and those of --window; HIC(d); the 3 ms clip, uninterrupted and
-cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the velocity change
-over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of a resultant
-are filtered separately, then combined. A filter needs evenly spaced samples; --resample "0.1 ms" provides them by
-linear interpolation.
+Figures: the peak; HIC15, HIC36, HIC with unlimited window, and those of --window; HIC(d); the 3 ms clip,
+uninterrupted and cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
+velocity change over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of
+a resultant are filtered separately, then combined. A filter needs evenly spaced samples; --resample "0.1 ms"
+provides them by linear interpolation.
 
 Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
 not overwritten unless --force is given. A file is written completely or not at all.
@@ -86,7 +86,7 @@ std::vector<injury::PulseReport> reports_of(const PulsesRequest& request) {
         standard_of(request.standard, chosen_standards(request.standard_folder), standard, errors);
   judge_picture(request.written, errors);
   if (request.files.size() > 1 && !request.written.of("--csv").empty())
-    errors.emplace_back("--csv: takes one pulse; give one FILE");
+    errors.emplace_back("--csv: accepts only one pulse; give one FILE");
   std::vector<injury::PulseReport> reports;
   for (const std::string& file : request.files) {
     each.file = file;
@@ -148,7 +148,7 @@ std::string list_of(const std::string& file) {
     text = fmt::format("{:>4}  {:<30}  {}\n", "No.", "column", "unit");
     for (const injury::MeasuredColumn& column : input::pulse_csv_columns(file).value())
       text += fmt::format("{:>4}  {:<30}  {}\n", column.number, column.name,
-                          column.unit.empty() ? "not said" : column.unit);
+                          column.unit.empty() ? "not stated" : column.unit);
   }
   for (char& c : text)
     if ((static_cast<unsigned char>(c) < ' ' && c != '\n') || c == '\x7f') c = ' ';
@@ -157,7 +157,7 @@ std::string list_of(const std::string& file) {
 
 int show_pulses(const PulsesRequest& request) {
   if (!request.each.list) return show_figures(request);
-  if (request.files.size() > 1) throw Refused({"--list: takes one file; give one FILE"});
+  if (request.files.size() > 1) throw Refused({"--list: accepts only one file; give one FILE"});
   write_output(list_of(request.files.front()));
   return exit_done;
 }
@@ -166,8 +166,8 @@ int show_pulses(const PulsesRequest& request) {
 
 void add_pulse(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<PulsesRequest>(
-      app, action, "pulse", "Compute injury figures of a measured acceleration (CSV, ISO-MME)", pulse_footer,
-      show_pulses);
+      app, action, "pulse", "Compute injury figures from a measured acceleration (CSV, ISO-MME)",
+      pulse_footer, show_pulses);
   PulseRequest& each = request.each;
   add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();
   add_source_options(sub, each);

@@ -39,7 +39,7 @@ injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const Pu
     return injury::processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
     const char* advice =
-        filter && !settings.interval ? "; --resample INTERVAL makes samples of another interval" : "";
+        filter && !settings.interval ? "; --resample INTERVAL resamples at a different interval" : "";
     errors.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
     return {};
   }
@@ -56,7 +56,7 @@ std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const
   if (!settings.zero_interval) {
     if (request.zero && !offset)
       errors.emplace_back(
-          "--zero auto: there is no quiet part before the impact; give its interval, --zero BEGIN,END");
+          "--zero auto: there is no quiet part before the impact; give an interval with --zero BEGIN,END");
   } else {
     try {
       offset =

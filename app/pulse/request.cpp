@@ -124,10 +124,10 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     say(!request.table.time.empty(), "--time", rule);
     say(!request.table.acceleration.empty(), "--acceleration", rule);
     say(request.table.bridge_gaps, "--bridge-gaps",
-        "applies only to tables; a test in ISO-MME has even times");
+        "applies only to tables; a test in ISO-MME has evenly spaced samples");
     say(!request.table.time_unit.empty(), "--time-unit", "applies only to tables; in ISO-MME times are in s");
     say(request.interval.has_value(), "--interval",
-        "applies only to tables; a test in ISO-MME has even times");
+        "applies only to tables; a test in ISO-MME has evenly spaced samples");
   } else {
     say(!request.channel.empty(), "--channel",
         "applies only to ISO-MME; a table has columns, see --acceleration");

@@ -49,11 +49,11 @@ study::StoredRow stored_row(const study::Store& store, const StudyReplayRequest&
   const auto number = parsed<std::uint64_t>(request.row);
   if (!number || *number >= store.rows())
     throw Refused(
-        {fmt::format("ROW {}: must be a whole number; {} has rows 0 to {}",
-                     request.row.empty() ? "\"\"" : request.row, request.store_file, store.rows() - 1)});
+        {fmt::format("ROW {}: must be a whole number from 0 to {}, the last row of {}",
+                     request.row.empty() ? "\"\"" : request.row, store.rows() - 1, request.store_file)});
   std::optional<study::StoredRow> row = store.row(*number);
   if (!row)
-    throw Refused({fmt::format("ROW {}: is not computed yet; {} has {} of {} rows", request.row,
+    throw Refused({fmt::format("ROW {}: has not been computed yet; {} has {} of {} rows", request.row,
                                request.store_file, store.rows_done(), store.rows())});
   return *std::move(row);
 }
@@ -70,7 +70,7 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
     result.impact = worker.case_of(result.stored.row);
     result.solution = worker.replay(result.stored.row);
   } catch (const std::invalid_argument& error) {
-    throw Refused({fmt::format("ROW {}: its factors make no valid case: {}", request.row, error.what())});
+    throw Refused({fmt::format("ROW {}: its factors give an invalid case: {}", request.row, error.what())});
   }
   result.options = study.options;
   if (result.impact.blows) result.blows = solve_blows(result.impact, result.options);

@@ -107,7 +107,7 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   }
   const auto [doubtful, struck_through] = study::row_counts(store);
   std::string line = fmt::format("{} rows in {}", rows, request.store_file);
-  line += rows == rows_before ? "; they were all there"
+  line += rows == rows_before ? "; all were already in the store"
                               : fmt::format("; {} computed in {:.3g} s, {}", rows - rows_before, seconds,
                                             rate_text(computed, seconds));
   line += fmt::format("; {} doubtful{}", doubtful,

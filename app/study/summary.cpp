@@ -146,7 +146,8 @@ void add_study_summary(CLI::App& study, Action& action) {
              "Probability of exceeding this limit: \"hic15 > 1000\" or hic15=1000; may be repeated")
       ->take_all();
   add_documents(sub, request.files);
-  add_file(sub, request.files, "--json", "Write all results as JSON, SI and g (- for standard output)");
+  add_file(sub, request.files, "--json",
+           "Write all results as JSON, in SI units and g (- for standard output)");
   add_file(sub, request.files, "--picture", "Draw the most informative figure (.svg, .png, .pdf)");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);

@@ -189,7 +189,7 @@ Solved determine(Problem& problem, const LeastSquares& residuals, Minimum minimu
     if (!has_derivatives) {
       report.converged = false;
       report.why_not =
-          "the best values lie at a limit of the model, and a step away from them gives no valid material";
+          "the best values lie at a limit of the model, and a step from them does not give a valid material";
       return solved;
     }
     find_profiles(residuals, report, round, session, solved);

@@ -35,9 +35,9 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
     broken.push_back({key, no_value, "is given twice"});
   if (!study::is_of_law(unknown.key) && !has_fitted(fit.impacts))
-    broken.push_back(
-        {key, no_value,
-         "is not a parameter of the pad's law; material tests determine nothing else: it needs [[impacts]]"});
+    broken.push_back({key, no_value,
+                      "is not a parameter of the pad's law; material tests determine only those, so it needs "
+                      "[[impacts]]"});
   for (const ImpactMeasurement& impact : fit.impacts) {
     ImpactCase impact_case = impact.impact;
     impact_case.pad.material = fit.base.pad.material;
@@ -108,8 +108,8 @@ void check_amount(const Fit& fit, Broken& broken) {
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
     broken.push_back({"unknowns", no_value,
-                      fmt::format("are {} with the offsets and shifts, for {} measured numbers and priors: "
-                                  "at least as many data are needed",
+                      fmt::format("there are {} with the offsets and shifts, but only {} measured "
+                                  "numbers and priors: at least as many data are needed",
                                   unknowns, data)});
 }
 
@@ -133,8 +133,8 @@ void check_rates(const Fit& fit, Broken& broken) {
     if (is_of_the_rate(unknown.key) && !unknown.prior)
       broken.push_back(
           {"unknowns." + unknown.key, no_value,
-           fmt::format("all tests have one rate, {:.3g} 1/s: they contain no information on the effect of "
-                       "the rate; leave the unknown fixed, give a prior, or add a test at another rate",
+           fmt::format("all tests have the same rate, {:.3g} 1/s: they contain no information on its effect; "
+                       "leave the unknown fixed, give a prior, or add a test at a different rate",
                        highest)});
 }
 
@@ -156,7 +156,7 @@ void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) 
     broken.push_back({key + ".noise", *test.noise, "must be more than 0"});
   if (test.strain.size() < 2 || test.strain.size() != test.stress.size() ||
       test.strain.size() != test.time.size())
-    broken.push_back({key + ".file", no_value, "needs two points or more, each with its time"});
+    broken.push_back({key + ".file", no_value, "needs at least two points, each with its time"});
   else if (points_of(test) < 2)
     broken.push_back({key + ".range", no_value,
                       fmt::format("fewer than two points have a strain from {:g} to {:g}", test.lowest_strain,
@@ -191,7 +191,7 @@ bool is_natural_bound(const Fit& fit, const Unknown& unknown, double bound) {
 
 std::vector<Violation> violations(const Fit& fit) {
   Broken broken;
-  if (fit.unknowns.empty()) broken.push_back({"unknowns", no_value, "a fit needs one unknown or more"});
+  if (fit.unknowns.empty()) broken.push_back({"unknowns", no_value, "a fit needs at least one unknown"});
   for (const Unknown& unknown : fit.unknowns) {
     check_key_of(fit, unknown, broken);
     check_numbers_of(fit, unknown, broken);

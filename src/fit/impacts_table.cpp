@@ -174,7 +174,7 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
       injury::pulse_shape(measured, std::nullopt, injury::contact_of(measured, quiet));
   if (!shape.onset)
     throw std::invalid_argument(
-        fmt::format("its first sample is above {:.0f} % of its peak already, so that its onset is not in it",
+        fmt::format("its first sample is already above {:.0f} % of its peak, so that its onset is not in it",
                     100 * injury::onset_share));
   MeasuredDeceleration result;
   result.peak = shape.peak.magnitude;
@@ -186,8 +186,8 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
   for (std::size_t i = 0; i < measured.time.size(); ++i)
     if (measured.time[i] >= *shape.onset && measured.time[i] <= shape.contact.end) kept.push_back(i);
   if (kept.size() < fewest_samples)
-    throw std::invalid_argument(fmt::format("has {} samples between its onset and its end; a fit needs {}",
-                                            kept.size(), fewest_samples));
+    throw std::invalid_argument(fmt::format(
+        "has {} samples from its onset to its end; a fit needs at least {}", kept.size(), fewest_samples));
   result.samples = kept.size();
   Pulse between;
   for (const std::size_t i : kept) {
@@ -246,7 +246,7 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
   test.has_offset = table.flag("offset");
   test.is_held_out = table.flag("hold_out");
   if (test.has_offset && test.is_held_out)
-    table.fault("offset", "cannot be found from a test that is held out");
+    table.fault("offset", "an offset cannot be fitted for a test that is held out");
   if (!test.file.empty()) {
     const std::filesystem::path file = folders.of_file / test.file;
     files.push_back({"the measurements", file});

@@ -100,8 +100,8 @@ class Search {
   void run(int iterations) {
     if (!residuals_at(minimum_.x, residuals_)) {
       minimum_.why_not =
-          "the model cannot be evaluated at the starting values: they give no valid material, or an impact "
-          "without the measured figure, for example because the pad bottoms out";
+          "the model cannot be evaluated at the starting values: they do not give a valid material, or an "
+          "impact lacks the measured figure, for example because the pad bottoms out";
       return;
     }
     minimum_.misfit = residuals_.squaredNorm();
@@ -127,7 +127,7 @@ class Search {
   /// Makes one step that reduces the misfit, or ends the search.
   void iterate() {
     if (!is_fresh_ && !is_updated_ && !differentiate())
-      return stop("a step from these values gives no valid material");
+      return stop("a step from these values does not give a valid material");
     // Each try is damped more; after these nothing is left of a step, as where the search was stopped.
     constexpr int max_tries = 30;
     for (int tries = 0; tries < max_tries; ++tries) {

@@ -95,7 +95,7 @@ void add_misses(const FitReport& report, Sentences& all) {
           (!worst || std::abs(*comparison.share()) > std::abs(*worst->share())))
         worst = &comparison;
     if (worst && std::abs(*worst->share()) > worth_saying)
-      all.push_back(fmt::format("Of {} the {} by the model is {} % {} what was measured.", worst->file,
+      all.push_back(fmt::format("For {}, the modelled {} is {} % {} the measured one.", worst->file,
                                 title_in_sentence(*name.quantity), brief(100 * std::abs(*worst->share()), 2),
                                 *worst->share() < 0 ? "below" : "above"));
   }
@@ -107,14 +107,14 @@ void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) 
     if (!impact.pulse) continue;
     const Impactor impactor = impact_with(fit, impact, values).impactor;
     if (impact.pulse->impact && injury::unlike_speeds(*impact.pulse->impact, {.speed = impactor.speed}))
-      all.push_back(fmt::format("{} strikes at {} m/s, and the impact of its pulse {} at {} m/s.",
+      all.push_back(fmt::format("{} strikes at {} m/s, but the impact of its pulse {} at {} m/s.",
                                 impact.file, brief(impactor.speed, 4), impact.pulse->file,
                                 brief(impact.pulse->impact->speed, 4)));
     const double change = impact.pulse->velocity_change - impactor.gravity * impact.pulse->time.back();
     if (change < (1 - worth_saying) * impactor.speed || change > (1 + worth_saying) * 2 * impactor.speed)
       all.push_back(fmt::format(
-          "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot: "
-          "another height, a wrong scale or an offset of the sensor.",
+          "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot do; "
+          "the drop height differs, the scale is wrong or the sensor has an offset.",
           impact.pulse->file, brief(change, 4), brief(impactor.speed, 4), impact.file));
   }
 }
@@ -126,7 +126,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
     if (unknown.is_nuisance) continue;
     is_scaled = is_scaled || unknown.key == "pad.scale";
     if (!is_of_card(unknown.key))
-      all.push_back(fmt::format("Found together with {} = {}, which a card does not hold.", unknown.key,
+      all.push_back(fmt::format("Fitted together with {} = {}, which a card does not contain.", unknown.key,
                                 value_words(unknown, unknown.value)));
   }
   if (is_scaled && has_fitted(fit.tests))
@@ -134,8 +134,8 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
         "All stresses include the scale found from the impacts; the tests were fitted without it.");
   for (const MetTest& test : report.tests)
     if (test.offset)
-      all.push_back(fmt::format("The force zero of {} was taken to be off by {:.3g} kPa.", test.file,
-                                *test.offset / 1000));
+      all.push_back(fmt::format("An offset of {:.3g} kPa was fitted to the stress of {}.",
+                                *test.offset / 1000, test.file));
 }
 
 /// The source of the tested range if no compression test gives it.

@@ -131,8 +131,8 @@ void judge_card(FitReport& report) {
   const std::vector<Violation> broken = violations(report.material);
   if (broken.empty()) return;
   report.converged = false;
-  report.why_not = fmt::format("the best values give no valid card: {} = {:.6g}: {}", broken.front().key,
-                               broken.front().value, broken.front().rule);
+  report.why_not = fmt::format("the best values do not give a valid card: {} = {:.6g}: {}",
+                               broken.front().key, broken.front().value, broken.front().rule);
 }
 
 /// Fills the report with the minimum, its uncertainty and the measurements, but not with times.

@@ -112,7 +112,7 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
     is_none("parts of it are missing");
   if (state["fit"] != options.fingerprint)
     refuse(
-        "is the state of another fit: the fit file, a file that it names, or the version of dashpad has "
+        "is the state of a different fit: the fit file, a file that it names, or the version of dashpad has "
         "changed");
   const std::size_t unknowns = coordinate_count(fit);
   std::map<std::string, std::string> pieces;

@@ -198,7 +198,7 @@ std::vector<Sensitivity::Index> jansen_indices(const SaltelliSample& sample, std
                       return values.size() == draws;
                     });
   if (draws < 2 || !fits)
-    throw std::invalid_argument("indices need two draws or more, and as many in each matrix");
+    throw std::invalid_argument("indices need at least two draws, and the same number in each matrix");
   Sums mean{0};
   for (std::size_t n = 0; n < draws; ++n) mean.add(sample, 0, n);
   const double centre = mean.values / (2 * static_cast<double>(draws));

@@ -26,20 +26,20 @@ const char* form_of(const Variant& variant) {
 /// What the pad has instead of an unknown number of its curve or rate effect.
 std::string rule_for_curves(const std::string& table, const PadLaw& law,
                             const std::vector<std::string>& known) {
-  const auto there_are = [&](std::string_view prefix) {
+  const auto available = [&](std::string_view prefix) {
     std::vector<std::string> names;
     std::ranges::copy_if(known, std::back_inserter(names),
                          [&](const std::string& name) { return name.starts_with(prefix); });
-    return names.empty() ? ", which has no numbers that can vary" : "; there are " + input::listing(names);
+    return names.empty() ? ", which has no numbers that can vary" : "; available: " + input::listing(names);
   };
   const FoamCurves* const curves = foam_curves(law);
   if (curves == nullptr)
     return fmt::format("the law of the pad, {}, is not made of curves", name_of(law)) +
-           there_are("pad.parameters.");
+           available("pad.parameters.");
   return (table == "pad.curve."
               ? fmt::format("the curve of the pad has the form {}", form_of(curves->base))
               : fmt::format("the rate effect of the pad has the form {}", form_of(curves->rate_effect))) +
-         there_are(table);
+         available(table);
 }
 
 std::uint64_t blocks_of(const Study& study) { return study.indices ? 2 + sampled_factors(study).size() : 1; }

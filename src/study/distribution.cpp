@@ -97,7 +97,7 @@ std::string rule_for(const Triangular& triangular) {
              : "the mode must lie between low and high";
 }
 std::string rule_for(const Empirical& empirical) {
-  if (empirical.values.size() < 2) return "needs two measured values or more";
+  if (empirical.values.size() < 2) return "needs at least two measured values";
   if (!std::ranges::all_of(empirical.values, [](double value) { return std::isfinite(value); }))
     return "the measured values must be finite numbers";
   if (!std::ranges::is_sorted(empirical.values)) return "the measured values must be sorted";

@@ -70,7 +70,7 @@ Column choose(const input::CsvRow& header, const std::string& wanted, const std:
     if (place == names.size())
       faults.refuse(
           header.line, "", wanted,
-          "no such column; there are " + input::listing(titles) + input::did_you_mean(wanted, names));
+          "no such column; available: " + input::listing(titles) + input::did_you_mean(wanted, names));
   } else if (header.filled() > 1) {
     faults.refuse(header.line, "", "",
                   "has several columns; name one with column = \"...\": " + input::listing(titles));
@@ -89,7 +89,7 @@ Levels read_values(input::TableReader& table, const std::string& unit) {
   Levels levels;
   const input::TomlNode* list = table.array("values");
   if (!list) return levels;
-  if (list->children.empty()) table.fault("values", "must hold one value or more");
+  if (list->children.empty()) table.fault("values", "must hold at least one value");
   for (const input::TomlNode& entry : list->children)
     levels.values.push_back(
         input::read_value(entry, table.full_key("values") + entry.key, unit, table.faults()));
@@ -104,7 +104,7 @@ Levels read_range(input::TableReader& table, const std::string& unit) {
       table.has("spacing") && table.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   if (from == to) table.fault("to", "must differ from the value of from");
   const bool possible = !logarithmic || (!(from <= 0) && !(to <= 0));
-  if (!possible) table.fault("spacing", "a logarithmic range needs two ends that are more than 0");
+  if (!possible) table.fault("spacing", "a logarithmic range needs both ends to be more than 0");
   Levels levels;
   if (!(std::isfinite(from) && std::isfinite(to)) || !possible) return levels;
   for (std::size_t i = 0; i < count; ++i) {

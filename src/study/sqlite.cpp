@@ -42,10 +42,10 @@ std::string advice(int code, int system_error) {
     case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
     case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
     case SQLITE_IOERR:
-      return "the disk refuses to read or write" + reason +
+      return "the disk cannot be read or written" + reason +
              "; all rows written so far are kept: check the disk (free space, limits on file size) and "
              "repeat the command";
-    default: return fmt::format("it cannot be read or written (SQLite's error {})", code);
+    default: return fmt::format("it cannot be read or written (SQLite error {})", code);
   }
 }
 
@@ -194,7 +194,7 @@ void Statement::wrong_value(int column) const {
   const std::string name = sqlite3_column_name(handle_.get(), column);
   database_->damaged(name.find('(') == std::string::npos
                          ? fmt::format("column {} holds a wrong value", quoted_part(name))
-                         : "a number of rows or batches is wrong");
+                         : "the number of rows or batches is wrong");
 }
 
 Transaction::Transaction(Database& database, const char* begin) : database_(database) {

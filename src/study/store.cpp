@@ -24,9 +24,9 @@ void check_rows(std::uint64_t batch, std::span<const StoredRow> rows, const Stor
   std::uint64_t expected = batch * heading.batch_size;
   for (const StoredRow& row : rows) {
     if (row.row != expected++)
-      throw std::invalid_argument(fmt::format("row {} is not of its batch", row.row));
+      throw std::invalid_argument(fmt::format("row {} does not belong to its batch", row.row));
     if (row.factors.size() != heading.factors.size() || row.outcome.values.size() != heading.responses.size())
-      throw std::invalid_argument(fmt::format("row {} has other columns than the store", row.row));
+      throw std::invalid_argument(fmt::format("row {} does not have the store's columns", row.row));
   }
 }
 
@@ -68,7 +68,7 @@ std::string row_query(const StoreHeading& heading) {
 Status status_of(const std::string& name, const Database& database) {
   for (const Status status : all_statuses)
     if (to_string(status) == name) return status;
-  database.damaged("a status that there is not");
+  database.damaged("an unknown status");
 }
 
 /// The sum of all kinds.
@@ -76,7 +76,7 @@ constexpr std::uint64_t max_extrapolated =
     extrapolated_untold + extrapolated_strain + extrapolated_rate + extrapolated_otherwise;
 
 [[noreturn]] void impossible(const Database& database, const std::string& column, double value) {
-  database.damaged(fmt::format("{} = {} in a row, which cannot be", column,
+  database.damaged(fmt::format("{} = {} in a row, which is impossible", column,
                                std::isnan(value) ? "none" : fmt::format("{}", value)));
 }
 
@@ -177,7 +177,7 @@ std::vector<std::uint64_t> Store::missing_batches() const {
 }
 
 void Store::write_batch(std::uint64_t batch, std::span<const StoredRow> rows) {
-  if (!file_->insert_row) throw std::invalid_argument("the store is open to read");
+  if (!file_->insert_row) throw std::invalid_argument("the store is open for reading only");
   if (batch >= file_->batches() || rows.size() != file_->rows_of(batch))
     throw std::invalid_argument(fmt::format("batch {} does not have {} rows", batch, rows.size()));
   check_rows(batch, rows, file_->heading);

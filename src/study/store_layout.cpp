@@ -100,7 +100,7 @@ void check_columns(const Database& database, const StoreHeading& heading) {
 /// Checks the units against those of the computation: a unit changed by hand would be read wrongly.
 void check_units(const Database& database, const StoreHeading& heading) {
   const auto changed = [&](const std::string& name) {
-    database.damaged(fmt::format("{} has another unit than it was computed in", quoted_part(name)));
+    database.damaged(fmt::format("{} does not have the unit that it was computed in", quoted_part(name)));
   };
   for (const StoredColumn& column : heading.responses)
     if (const ResultQuantity* kind = find_response_kind(column.name);
@@ -173,7 +173,7 @@ StoreHeading read_heading(const Database& database) {
                        .batch_size = count_fact(database, "batch_size"),
                        .factors = {},
                        .responses = {}};
-  if (heading.batch_size == 0) database.damaged("batches of no rows");
+  if (heading.batch_size == 0) database.damaged("its batches have no rows");
   heading.factors = read_columns(database, "SELECT position, key, unit, '' FROM factors ORDER BY position");
   heading.responses =
       read_columns(database, "SELECT position, name, unit, meaning FROM responses ORDER BY position");

@@ -43,7 +43,7 @@ void check_room(const fs::path& file, std::uint64_t needed) {
   const fs::space_info space = fs::space(fs::absolute(file).parent_path(), error);
   if (!error && needed > space.available)
     refuse(file,
-           fmt::format("the study needs about {:.1f} MB of disk space, of which {:.1f} MB are free: free "
+           fmt::format("the study needs about {:.1f} MB of disk space, but only {:.1f} MB are free: free "
                        "some space, or reduce the number of rows or responses",
                        1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
 }
@@ -56,7 +56,7 @@ void check_place(const fs::path& file, const StoreHeading& heading) {
     refuse(file, "it is not a file: give the name of a file");
   const fs::path folder = fs::absolute(file).parent_path();
   if (!fs::is_directory(folder, error))
-    refuse(file, "there is no folder " + folder.string() + ": make it first");
+    refuse(file, "there is no folder " + folder.string() + ": create it first");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
     refuse(file, "its folder is read-only: choose another, or change its permissions");
   if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
@@ -76,7 +76,7 @@ std::uint64_t count_rows(const Database& database, const StoreHeading& heading) 
   if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
     database.damaged("a row that the study does not have");
   if (static_cast<double>(rows) != expected)
-    database.damaged(fmt::format("{} rows where {} are noted", rows, expected));
+    database.damaged(fmt::format("{} rows where {} are recorded", rows, expected));
   return rows;
 }
 
@@ -95,13 +95,13 @@ void check_same(const Database& database, const StoreHeading& stored, const Stor
     throw std::runtime_error(database.name() + ": " + why);
   };
   if (stored.text != wanted.text)
-    refuse_for("it is the store of another study (its text differs): give another name");
+    refuse_for("it is the store of a different study (its text differs): give another name");
   if (stored.program != wanted.program) refuse_for(of_another_program(database, stored, wanted));
   if (stored.resolved != wanted.resolved)
     refuse_for(
         "it is the store of this study, but the base case, a card or a data file that the study names has "
         "changed since: undo the change, or give another name");
-  if (stored.rows != wanted.rows) database.damaged("another number of rows");
+  if (stored.rows != wanted.rows) database.damaged("a different number of rows");
 }
 
 /// With synchronous = NORMAL a kill loses nothing that was committed. A power cut may lose the last batches,

@@ -34,7 +34,7 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
                         fmt::format("give {} or {}, not both", way.instead_of, way.key)});
   if (has("impactor.gravity") && has("impactor.drop_height"))
     broken.push_back({"factors.impactor.drop_height", no_value,
-                      "the speed of a fall follows from the gravity: vary the one or the other"});
+                      "the speed of a fall follows from gravity: vary one or the other"});
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
@@ -85,7 +85,7 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   // Each is compared with all before it: of thousands, there would be millions of faults.
   if (const std::size_t pairs = study.factors.size() * study.factors.size() / 2; all.size() > pairs) {
     broken.push_back(
-        {"correlations", no_value, fmt::format("are {}, more than pairs of factors", all.size())});
+        {"correlations", no_value, fmt::format("there are {}, more than pairs of factors", all.size())});
     return;
   }
   bool good = true;
@@ -106,8 +106,7 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   if (good && !root_of_correlations(study))
     broken.push_back(
         {"correlations", no_value,
-         "contradict each other: their matrix is not positive definite, so no quantities can be so "
-         "correlated"});
+         "contradict each other: their matrix is not positive definite, so no quantities can have them"});
   if (study.indices && !all.empty())
     broken.push_back(
         {"correlations", no_value,
@@ -117,11 +116,11 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
 void check_responses(const Study& study, std::vector<Violation>& broken) {
   std::vector<std::string> known;
   for (const ResultQuantity& kind : response_kinds()) known.emplace_back(kind.key);
-  if (study.responses.empty()) broken.push_back({"responses", no_value, "needs one response or more"});
+  if (study.responses.empty()) broken.push_back({"responses", no_value, "needs at least one response"});
   if (study.responses.size() > 2 * known.size()) {
     broken.push_back(
         {"responses", no_value,
-         fmt::format("has {} names, and there are {} responses", study.responses.size(), known.size())});
+         fmt::format("has {} names, but there are only {} responses", study.responses.size(), known.size())});
     return;
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
@@ -141,13 +140,13 @@ void check_size(const Study& study, std::vector<Violation>& broken) {
     broken.push_back(
         {"samples", static_cast<double>(study.samples), "no factor has a distribution to draw from"});
   if (sampled == 0 && study.indices)
-    broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need one or more"});
+    broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need at least one"});
   if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::max_dimensions)
     broken.push_back({"factors", static_cast<double>(sampled), "too many sampled factors for Sobol points"});
   const double rows = row_count(study);
   if (rows > static_cast<double>(max_rows))
     broken.push_back({sampled ? "samples" : "factors", rows,
-                      fmt::format("the study would have {:.4g} rows; at most {:.0e} are possible", rows,
+                      fmt::format("the study would have {:.4g} rows; at most {:.0e} are allowed", rows,
                                   static_cast<double>(max_rows))});
 }
 
@@ -230,9 +229,10 @@ class Checker {
     const double centre = values_[i];
     const CheckedRange range = checked_range(study_.factors[i]);
     values_[i] = range.low;
-    check_here(range.low_is_tail ? "6 deviations below the middle; cut it off with lowest" : "the lower end");
+    check_here(range.low_is_tail ? "6 standard deviations below the centre; cut it off with lowest"
+                                 : "the lower end");
     values_[i] = range.high;
-    check_here(range.high_is_tail ? "6 deviations above the middle; cut it off with highest"
+    check_here(range.high_is_tail ? "6 standard deviations above the centre; cut it off with highest"
                                   : "the upper end");
     values_[i] = centre;
   }
@@ -281,7 +281,7 @@ double row_count(const Study& study) {
 
 std::vector<Violation> violations(const Study& study) {
   std::vector<Violation> broken;
-  if (study.factors.empty()) broken.push_back({"factors", no_value, "a study needs one factor or more"});
+  if (study.factors.empty()) broken.push_back({"factors", no_value, "a study needs at least one factor"});
   for (const Factor& factor : study.factors) check_factor(study, factor, broken);
   check_conflicts(study, broken);
   check_correlations(study, broken);

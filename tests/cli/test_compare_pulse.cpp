@@ -191,7 +191,7 @@ TEST_F(ComparePulseTest, FaultsOfCaseAndPulseAreToldTogether) {
 TEST_F(ComparePulseTest, KeepsThePulseAndTheCase) {
   for (const auto& [name, kind] : {std::pair{"drop.csv", "the measurement"}, {"case.toml", "the case file"}})
     EXPECT_THAT(compare(file("drop.csv"), {"--force", "--json", file(name)}).err,
-                HasSubstr(file(name) + ": is " + kind + "; name another"));
+                HasSubstr(file(name) + ": is " + kind + "; choose another"));
   EXPECT_EQ(read_file(file("drop.csv")), triangle_of(40));
 }
 

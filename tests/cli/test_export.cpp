@@ -217,8 +217,8 @@ TEST_F(ExportTest, NamesAllFaultsAtOnce) {
   const Outcome outcome = dashpad({"export", case_file(), "--format", "ls-dyna", "--out", file("taken.k"),
                                    "--curves", "force,force", "--tolerance", "5"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("impactor.mass"), HasSubstr("taken.k"), HasSubstr("named twice"),
-                                 HasSubstr("--tolerance 5")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("impactor.mass"), HasSubstr("taken.k"),
+                                 HasSubstr("is given twice"), HasSubstr("--tolerance 5")));
 }
 
 TEST_F(ExportTest, TakesMaterialsFromAFolder) {

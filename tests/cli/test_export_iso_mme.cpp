@@ -74,7 +74,7 @@ TEST_F(IsoMmeExport, RefusesBranchesOverPenetrationAndUnits) {
   const Outcome branch = dashpad({"export", case_file(), "--format", "iso-mme", "--out", file("test.zip"),
                                   "--curves", "loading", "--system", "t-mm-s"});
   EXPECT_EQ(branch.exit_code, 2);
-  EXPECT_THAT(branch.err, HasSubstr("loading: iso-mme takes curves over time only"));
+  EXPECT_THAT(branch.err, HasSubstr("loading: iso-mme accepts only curves over time"));
   EXPECT_THAT(branch.err, HasSubstr("--system t-mm-s"));
   EXPECT_FALSE(fs::exists(file("test.zip")));
 }

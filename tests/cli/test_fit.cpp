@@ -195,7 +195,7 @@ TEST_F(FitTest, StopsAndGoesOn) {
   write_file(file("fit.toml"), with(impacts, "starts = 1000", "starts = 2"));
   const Outcome other = shell(command);
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err, HasSubstr("fit.state: is the state of another fit"));
+  EXPECT_THAT(other.err, HasSubstr("fit.state: is the state of a different fit"));
 }
 
 TEST_F(FitTest, KeepsWhatIsFinished) {

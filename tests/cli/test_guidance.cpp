@@ -122,7 +122,7 @@ TEST_F(GuidanceTest, WithoutACommandTheCommandsAreListed) {
        {std::vector<std::string>{}, {"frobnicate"}, {std::string(10'000, 'a')}}) {
     const Outcome outcome = dashpad(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("there are run, check, "), HasSubstr("spit1984, validate\n"),
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("; available: run, check, "), HasSubstr("spit1984, validate\n"),
                                    HasSubstr("--help")));
   }
   EXPECT_THAT(dashpad({case_file()}).err, HasSubstr("dashpad run " + case_file()));

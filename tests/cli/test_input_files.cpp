@@ -60,7 +60,7 @@ class InputFilesTest : public CommandTest {
       arguments.insert(arguments.end(), {name, "--force"});
       const Outcome outcome = dashpad(arguments);
       EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
-      EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{}: is {}; name another", name, kind)));
+      EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{}: is {}; choose another", name, kind)));
       EXPECT_EQ(outcome.out, "");
       EXPECT_EQ(read_file(file(input)), before) << testing::PrintToString(arguments);
     }
@@ -133,7 +133,7 @@ TEST_F(InputFilesTest, AStillOfTheValidationIsNoTable) {
   const Outcome outcome =
       dashpad({"validate", "--data", file("data"), "--figures", file("figures"), "--force"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("figure-3-4.svg: is a table of the measured tests; name another"));
+  EXPECT_THAT(outcome.err, HasSubstr("figure-3-4.svg: is a table of the measured tests; choose another"));
 }
 
 TEST_F(InputFilesTest, AMeasurementIsKept) {
@@ -196,7 +196,8 @@ TEST_F(InputFilesTest, FaultsOfTheCaseHideNotThatItWouldBeOverwritten) {
   write_file(file("bad.toml"), with(elastic_case(), "80 mm", "80 kg"));
   const Outcome outcome = dashpad({"run", file("bad.toml"), "--json", file("bad.toml"), "--force"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("impactor.radius"), HasSubstr("is the case file; name another")));
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("impactor.radius"), HasSubstr("is the case file; choose another")));
 }
 
 TEST_F(InputFilesTest, TwoResultsUnderTwoNamesAreOne) {
@@ -207,7 +208,7 @@ TEST_F(InputFilesTest, TwoResultsUnderTwoNamesAreOne) {
     const Outcome outcome =
         shell("cd " + folder + " && $DASHPAD run case.toml --force --json " + one + " --csv " + other);
     EXPECT_EQ(outcome.exit_code, 2) << one << " " << other;
-    EXPECT_THAT(outcome.err, HasSubstr("--csv " + other + ": is the file of --json too; name another"));
+    EXPECT_THAT(outcome.err, HasSubstr("--csv " + other + ": is also the file of --json; choose another"));
     EXPECT_FALSE(fs::is_regular_file(file("a")));
   };
   for (const std::string& other : {std::string{"./a"}, std::string{".//a"}, std::string{"links/../a"},
@@ -228,7 +229,7 @@ TEST_F(InputFilesTest, AResultIsNotWrittenToWhereAStreamGoes) {
   EXPECT_EQ(shell(run + "./out.txt >> out.txt").exit_code, 2);
   EXPECT_EQ(shell(run + "- --csv out.txt > out.txt").exit_code, 2);
   EXPECT_EQ(shell(run + "err.txt 2> err.txt").exit_code, 2);
-  EXPECT_THAT(read_file(file("err.txt")), HasSubstr("is where standard error goes; name another"));
+  EXPECT_THAT(read_file(file("err.txt")), HasSubstr("is where standard error goes; choose another"));
   EXPECT_EQ(shell(run + "/dev/null > /dev/null").exit_code, 0);
 }
 

@@ -292,17 +292,19 @@ TEST_F(MaterialTestTest, RefusesValuesThatMakeNoTest) {
 TEST_F(MaterialTestTest, RefusesAnOptionOfAnotherTest) {
   const std::string card = "ensolite-aac-9";
   EXPECT_THAT(refused({card, "--test", "parabolic", "--hold", "1 s"}),
-              HasSubstr("--hold: is not for --test parabolic, but for relaxation, creep\n"));
-  EXPECT_THAT(refused({card, "--test", "creep", "--stress", "50 kPa", "--strain", "0.5"}),
-              HasSubstr("--strain: is not for --test creep"));
+              HasSubstr("--hold: applies to --test relaxation, creep, not to parabolic\n"));
+  EXPECT_THAT(
+      refused({card, "--test", "creep", "--stress", "50 kPa", "--strain", "0.5"}),
+      HasSubstr("--strain: applies to --test constant-rate, parabolic, relaxation, cyclic, not to creep"));
   EXPECT_THAT(refused({card, "--test", "creep", "--stress", "50 kPa", "--explicit-1984"}),
-              HasSubstr("--explicit-1984: is not for --test creep"));
+              HasSubstr("--explicit-1984: does not apply to --test creep"));
   EXPECT_THAT(refused({card, "--test", "creep"}), HasSubstr("needs --stress"));
   EXPECT_THAT(refused({card, "--test", "history"}), HasSubstr("needs --history"));
-  EXPECT_THAT(refused({card, "--low", "0.2"}), HasSubstr("--low: is not for --test constant-rate"));
-  EXPECT_THAT(refused({card, "--cycles", "2"}), HasSubstr("--cycles: is not for"));
-  EXPECT_THAT(refused({card, "--stress", "5 kPa"}), HasSubstr("--stress: is not for"));
-  EXPECT_THAT(refused({card, "--history", "a.csv"}), HasSubstr("--history: is not for"));
+  EXPECT_THAT(refused({card, "--low", "0.2"}),
+              HasSubstr("--low: applies to --test cyclic, not to constant-rate"));
+  EXPECT_THAT(refused({card, "--cycles", "2"}), HasSubstr("--cycles: applies to --test cyclic, not"));
+  EXPECT_THAT(refused({card, "--stress", "5 kPa"}), HasSubstr("--stress: applies to --test creep, not"));
+  EXPECT_THAT(refused({card, "--history", "a.csv"}), HasSubstr("--history: applies to --test history, not"));
   EXPECT_THAT(refused({card, "--steps", "20"}), HasSubstr("add --explicit-1984"));
   EXPECT_THAT(refused({card, "--test", "squash"}), AllOf(HasSubstr("--test"), HasSubstr("parabolic")));
 }
@@ -332,7 +334,8 @@ TEST_F(MaterialTestTest, NamesTheLinesOfAHistoryWithFaults) {
       AllOf(HasSubstr("bad.csv:2: strain = 0.1: the history begins at first contact"),
             HasSubstr("bad.csv:4: time_s = 0.1: must be later"), HasSubstr("bad.csv:5: strain = x"),
             HasSubstr("bad.csv:6: strain = 1"), HasSubstr("bad.csv:7: strain = -0.1"),
-            HasSubstr("bad.csv:8: strain = nan"), HasSubstr("--rate: is not for --test history"),
+            HasSubstr("bad.csv:8: strain = nan"),
+            ContainsRegex("--rate: applies to --test [-a-z, ]+, not to history\n"),
             EndsWith("7 faults; nothing was run\n")));
   EXPECT_THAT(refused({file("spring.toml"), "--test", "history", "--history", file("none.csv")}),
               HasSubstr("none.csv"));

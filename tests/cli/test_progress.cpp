@@ -33,8 +33,7 @@ TEST_F(ProgressTest, WhatTakesMinutesSaysSoFirst) {
             "--most-stations 1000000 --equilibrium-tolerance 1e-9"}) {
     const Outcome outcome = begun(command);
     EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << "it has to take long for this test";
-    EXPECT_THAT(outcome.err,
-                ContainsRegex("^Running the program of 1984.* will take about [0-9]+ minutes\n$"));
+    EXPECT_THAT(outcome.err, ContainsRegex("^Running the 1984 program.* will take about [0-9]+ minutes\n$"));
     EXPECT_EQ(outcome.out, "");
   }
 }
@@ -43,7 +42,7 @@ TEST_F(ProgressTest, ATerminalShowsHowFarItIs) {
   const std::string report_case = std::string{DASHPAD_SOURCE_DIR} + "/examples/dashboard-20mph.toml";
   Terminal terminal{{"compare", report_case, "--time-step", "3e-5"}};
   EXPECT_TRUE(terminal.has_shown_when_slowed(" 2 s"));
-  EXPECT_TRUE(terminal.has_shown("Running the program of 1984"));
+  EXPECT_TRUE(terminal.has_shown("Running the 1984 program"));
   EXPECT_TRUE(terminal.has_shown(" %"));
 }
 

@@ -299,7 +299,8 @@ TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refused({file("drop.csv"), "--picture", file("x.bmp")}), HasSubstr("must end in .svg"));
   EXPECT_THAT(refused({file("drop.csv"), "--filter", "CFC100"}), HasSubstr("CFC60"));
   EXPECT_THAT(refused({file("drop.csv"), "--list", "--json", "-"}), Not(IsEmpty()));
-  EXPECT_THAT(refused({file("drop.csv"), "--json", file("drop.csv"), "--force"}), HasSubstr("name another"));
+  EXPECT_THAT(refused({file("drop.csv"), "--json", file("drop.csv"), "--force"}),
+              HasSubstr("choose another"));
   write_file(file("uneven.csv"), "time [ms],acc [g]\n0,1\n1,2\n3,3\n");
   EXPECT_THAT(refused({file("uneven.csv"), "--filter", "CFC60"}), HasSubstr("--resample INTERVAL"));
   EXPECT_EQ(pulse({file("uneven.csv"), "--filter", "CFC60", "--resample", "0.1 ms"}).exit_code, 0);

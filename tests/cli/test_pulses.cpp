@@ -136,7 +136,7 @@ TEST_F(PulsesTest, FaultsOfAllFilesAreToldAtOnce) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("bad.csv:3"), HasSubstr("none.csv"), HasSubstr("--csv: takes one pulse"),
+              AllOf(HasSubstr("bad.csv:3"), HasSubstr("none.csv"), HasSubstr("--csv: accepts only one pulse"),
                     HasSubstr("did you mean"), HasSubstr("--window -1")));
   EXPECT_EQ(outcome.err.find("--window -1"), outcome.err.rfind("--window -1"));
   EXPECT_FALSE(fs::exists(file("out.json")));

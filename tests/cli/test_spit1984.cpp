@@ -157,7 +157,7 @@ TEST_F(Spit1984Test, MendsTheDefectsThatAreNamed) {
     for (const auto& [name, state] : defects.items())
       if (state == "mended") {
         names.push_back(name);
-        EXPECT_THAT(outcome.err, HasSubstr(name + " mended"));
+        EXPECT_THAT(outcome.err, HasSubstr(name + " corrected"));
       }
     return names;
   };
@@ -194,7 +194,7 @@ TEST_F(Spit1984Test, AFullHistoryOrContactFieldIsAnAbend) {
 }
 
 TEST_F(Spit1984Test, WarnsOfALongTimeStep) {
-  const std::string warning = "the report advises 1.64 ms at most for this support";  // 0.25 sqrt(M/K)
+  const std::string warning = "the report advises at most 1.64 ms for this support";  // 0.25 sqrt(M/K)
   EXPECT_THAT(dashpad({"spit1984", nine, "--time-step", "1.65"}).err,
               HasSubstr("TIME STEP of 1.65 ms: " + warning));
   EXPECT_THAT(dashpad({"spit1984", nine, "--time-step", "1.64"}).err, Not(HasSubstr("TIME STEP")));

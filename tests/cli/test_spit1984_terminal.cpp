@@ -151,7 +151,7 @@ TEST_F(Spit1984TerminalTest, ControlCEndsALongRun) {
     ASSERT_TRUE(terminal.shows(dialogue[i].prompt));
     terminal.type(dialogue[i].answer + "\r");
   }
-  ASSERT_TRUE(terminal.has_shown_when_slowed("Running the program of 1984"));
+  ASSERT_TRUE(terminal.has_shown_when_slowed("Running the 1984 program"));
   terminal.type("\x03");
   EXPECT_EQ(terminal.end(), 128 + SIGINT);
   EXPECT_THAT(other_files(), IsEmpty());

@@ -161,7 +161,7 @@ TEST_F(StudyTest, TheSameCommandAgainHasNothingToDo) {
   const std::string rows = csv_of("drawn.db");
   const Outcome again = compute("drawn");
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.out, HasSubstr("they were all there"));
+  EXPECT_THAT(again.out, HasSubstr("all were already in the store"));
   EXPECT_EQ(csv_of("drawn.db"), rows);
 }
 
@@ -377,7 +377,7 @@ TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   expect_refused({}, "STUDY");
   expect_refused({file("drawn.toml")}, "--out");
   expect_refused({file("missing.toml"), "--out", file("new.db")}, "missing.toml");
-  expect_refused({file("grid.toml"), "--out", store}, "another study");
+  expect_refused({file("grid.toml"), "--out", store}, "a different study");
   expect_refused({file("grid.toml"), "--out", file("no/such/folder.db")}, "no folder");
   expect_refused({file("grid.toml"), "--out", case_file()}, "case.toml");
   expect_refused({file("drawn.toml"), "--out", store, "--threads", "0"}, "--threads");
@@ -392,7 +392,7 @@ TEST_F(StudyTest, RefusesWhatIsNoRequest) {
   expect_refused({"summary", store, "--limit", "hic15 > 5"}, "hic15 is not a response");
   expect_refused({"summary", store, "--picture", file("still.gif")}, ".svg, .png or .pdf");
   expect_refused({"summary", store, "--json", file("drawn.toml")}, "exists already");
-  expect_refused({"replay", store, "800"}, "has rows 0 to 799");
+  expect_refused({"replay", store, "800"}, "must be a whole number from 0 to 799");
   expect_refused({"replay", store, "-1"}, "ROW");
   expect_refused({"replay", store, "first"}, "ROW");
   expect_refused({"export", store}, "--csv or --hdf5");

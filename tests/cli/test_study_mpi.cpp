@@ -112,7 +112,7 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
   write_study("200");
   const std::string missing = with(command("new.db"), "study.toml", "missing.toml");
   for (const auto& [arguments, words] :
-       {std::pair{command("one.db"), "another study"}, std::pair{missing, "missing.toml"},
+       {std::pair{command("one.db"), "a different study"}, std::pair{missing, "missing.toml"},
         std::pair{command("new.db") + " --threads 2", "--threads"},
         std::pair{command("no/such/folder.db"), "no folder"},
         std::pair{command("study.toml"), "not the store"}})
@@ -128,7 +128,7 @@ TEST_F(StudyMpiTest, RefusesBadStudiesWithOneMessage) {
         std::pair{with(drawn, "3 m/s", "3 kg"), "\"kg\" gives a mass"},
         std::pair{with(drawn, "hic15", "hic51"), "hic51"},
         std::pair{with(drawn, "samples = 100", "samples = 1000000000000"), "from 1 to 1000000000"},
-        std::pair{grid + "values = []\n", "must hold one value or more"},
+        std::pair{grid + "values = []\n", "must hold at least one value"},
         std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 0\n", "count = 0"},
         std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 1000000000000\n", "from 2 to 1000000"}}) {
     write_file(file("study.toml"), text);
@@ -160,8 +160,9 @@ TEST_F(StudyMpiTest, RefusesRanksThatWouldComputeSomethingElse) {
   const std::string first = command("new.db") + " --materials " + file("cards");
   const std::string start = "ASAN_OPTIONS=detect_leaks=0 mpirun --oversubscribe --allow-run-as-root -n 1 ";
   for (const auto& [second, words] :
-       {std::pair{with(first, "/cards", "/others"), "a card or a data file that it names, is not the same"},
-        std::pair{with(first, "study.toml", "other.toml"), "is not the same file for all ranks"},
+       {std::pair{with(first, "/cards", "/others"),
+                  "a card or a data file that it names, differs between ranks"},
+        std::pair{with(first, "study.toml", "other.toml"), ".toml: differs between ranks"},
         std::pair{with(first, "study.toml", "missing.toml"), "rank 1: "}})
     expect_refused(shell(start + first + " : -n 1 " + second), words);
   EXPECT_EQ(shell(start + first + " : -n 1 " + first).exit_code, 0);

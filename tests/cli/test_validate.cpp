@@ -79,14 +79,14 @@ TEST_F(ValidateTest, RefusesFoldersThatCannotBe) {
   EXPECT_THAT(refused({"--figures", file("none/figures")}).err, HasSubstr("there is no folder"));
   EXPECT_THAT(refused({"--figures", case_file()}).err, HasSubstr("is not a folder"));
   EXPECT_THAT(refused({"--figures", file("one"), "--json", file("one")}).err,
-              HasSubstr("is the file of --json too"));
+              HasSubstr("is also the file of --json"));
   EXPECT_THAT(refused({"--figures", file("one/"), "--report", file("one")}).err,
-              HasSubstr("is the file of --report too"));
+              HasSubstr("is also the file of --report"));
   EXPECT_THAT(refused({"--format", "png"}).err, HasSubstr("--figures"));
   if (::geteuid() == 0) GTEST_SKIP() << "nothing is closed to root";
   fs::create_directory(file("closed"));
   fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_THAT(refused({"--json", file("closed/v.json")}).err, HasSubstr("no new file can be made"));
+  EXPECT_THAT(refused({"--json", file("closed/v.json")}).err, HasSubstr("no file can be created"));
 }
 
 }  // namespace

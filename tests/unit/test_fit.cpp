@@ -416,7 +416,7 @@ TEST_F(FitFileTest, NamesEachFault) {
       {"bounds = [0, 4]", "bounds = [2, 4]", "must lie within the bounds"},
       {"bounds = [0, 4]", "bounds = [0, 4], prior = {mean = 5, deviation = 1}", "its mean 5 must lie within"},
       {"\"pad.curve.compaction_exponent\" = {bounds = [0, 4]}", "\"pad.rate.exponent\" = {bounds = [0, 0.5]}",
-       "all tests have one rate"},
+       "all tests have the same rate"},
       {"\"pad.curve.compaction_exponent\" = {bounds = [0, 4]}",
        "\"impactor.mass\" = {bounds = [\"1 kg\", \"2 kg\"]}", "needs [[impacts]]"},
       {"law = \"foam\"", "law = \"foamy\"", "did you mean \"foam\""},
@@ -432,7 +432,7 @@ TEST_F(FitFileTest, AsksForUnknowns) {
   EXPECT_THAT(
       faults_of(edited(edited(good_fit, "\"pad.curve.modulus\" = {bounds = [\"1 kPa\", \"1 MPa\"]}\n", ""),
                        "\"pad.curve.compaction_exponent\" = {bounds = [0, 4]}\n", "")),
-      HasSubstr("a fit needs one unknown or more"));
+      HasSubstr("a fit needs at least one unknown"));
 }
 
 TEST_F(FitFileTest, AsksForAsManyDataAsUnknowns) {

@@ -211,7 +211,7 @@ case = "drop.toml"
   EXPECT_THAT(text, HasSubstr("measured and of the model"));
   EXPECT_THAT(text, HasSubstr("HIC of any window"));
   EXPECT_THAT(report.material.reservations,
-              Contains(HasSubstr("the peak penetration by the model is 13 % below what was measured")));
+              Contains(HasSubstr("the modelled peak penetration is 13 % below the measured one")));
 }
 
 /// What the sensor feels over the pulse is the change of velocity and what gravity adds meanwhile.

@@ -102,7 +102,7 @@ TEST(DecelerationOf, RefusesPulsesWithoutOnsetWithoutHeightAndWithTooFewSamples)
   Pulse flat = half_sine();
   for (double& a : flat.acceleration) a = 0;
   EXPECT_THAT(fault_in(flat), HasSubstr("its acceleration is 0 throughout"));
-  EXPECT_THAT(fault_in({{0, 1, 2, 3}, {0, 5, 0, 0}}), HasSubstr("a fit needs 5"));
+  EXPECT_THAT(fault_in({{0, 1, 2, 3}, {0, 5, 0, 0}}), HasSubstr("a fit needs at least 5"));
 }
 
 const std::string elastic_drop = R"(title = "Drop"
@@ -229,7 +229,7 @@ TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
   EXPECT_EQ(reservations(""), "");
   EXPECT_EQ(reservations("speed = \"3.02 m/s\", "), "");
   EXPECT_EQ(reservations("speed = \"3.04 m/s\", "),
-            "drop.toml strikes at 3 m/s, and the impact of its pulse drop.csv at 3.04 m/s.");
+            "drop.toml strikes at 3 m/s, but the impact of its pulse drop.csv at 3.04 m/s.");
   EXPECT_THAT(reservations("drop_height = \"1 m\", "), HasSubstr("drop.csv at 4.429 m/s."));
   EXPECT_EQ(reservations("", 0.91), "");  // 2.9 m/s: 5 % below 3 m/s are forgiven
   EXPECT_THAT(reservations("", 0.88), HasSubstr("changes the velocity by 2.8"));

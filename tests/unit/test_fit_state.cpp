@@ -64,9 +64,9 @@ TEST_F(FitStateTest, RefusesTheStateOfAnotherFitAndWhatIsNone) {
   run_fit(made.fit, options());
   try {
     check_state(made.fit, options("b"));
-    ADD_FAILURE() << "the state of another fit was taken";
+    ADD_FAILURE() << "the state of a different fit was accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of another fit"));
+    EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of a different fit"));
   }
   for (const char* text : {"", "{}", "[1]", "title = \"case\"", R"({"format": "dashpad fit state 3"})"}) {
     std::ofstream(folder.path() / "fit.state") << text;

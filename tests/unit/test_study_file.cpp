@@ -324,7 +324,8 @@ TEST_F(StudyFile, refuses_levels_and_ends_that_make_no_case) {
   const std::string normal =
       "samples = 5\n" +
       grid_of("impactor.speed", "distribution = \"normal\"\nmean = \"5 m/s\"\ndeviation = \"1 m/s\"");
-  expect_fault(normal, 3, "factors.impactor.speed", "6 deviations below the middle; cut it off with lowest");
+  expect_fault(normal, 3, "factors.impactor.speed",
+               "6 standard deviations below the centre; cut it off with lowest");
   EXPECT_NO_THROW(read(normal + "lowest = \"1 m/s\"\n"));
   expect_fault("samples = 5\n" + grid_of("impactor.speed",
                                          "distribution = \"uniform\"\nlow = \"-1 m/s\"\nhigh = \"5 m/s\""),
@@ -371,7 +372,7 @@ TEST_F(StudyFile, refuses_bad_sizes) {
   expect_fault("samples = 5\n" + grid_of("impactor.speed", "values = [\"1 m/s\"]"), 1, "samples",
                "no factor");
   expect_fault("case = \"case.toml\"\n", 0, "factors", "is missing");
-  expect_fault("case = \"case.toml\"\n[factors]\n", 2, "factors", "one factor or more");
+  expect_fault("case = \"case.toml\"\n[factors]\n", 2, "factors", "at least one factor");
 }
 
 TEST_F(StudyFile, refuses_bad_correlations) {
@@ -407,11 +408,11 @@ TEST_F(StudyFile, refuses_endless_lists) {
   }
   const std::string values = "values = [\"1 m/s\"]";
   expect_fault("responses = [" + names + "]\n" + grid_of("impactor.speed", values), 1, "responses",
-               "has 5000 names, and there are ");
+               "has 5000 names, but there are only ");
   expect_fault(grid_of("pad.material", "values = [" + materials + "]"), 3, "factors.pad.material.values",
                "must hold 1 to 1000 materials");
   expect_fault(grid_of("impactor.speed", values + "\n" + correlations), 4, "correlations",
-               "are 5000, more than pairs of factors");
+               "there are 5000, more than pairs of factors");
 }
 
 TEST_F(StudyFile, refuses_factors_that_contradict) {
@@ -450,15 +451,15 @@ TEST_F(StudyFile, says_which_curves_the_pad_has) {
   const std::string curve = grid_of("pad.curve.contact_exponent", "values = [0.5]");
   const std::string rate = grid_of("pad.rate.exponents", "values = [0.1]");
   expect_fault(curve, 2, key,
-               "the law of the pad, nine-parameter, is not made of curves; there are "
+               "the law of the pad, nine-parameter, is not made of curves; available: "
                "pad.parameters.asymptotic_modulus, pad.parameters.contact_exponent, ");
   case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
   expect_fault(curve, 2, key,
-               "the curve of the pad has the form avalle; there are pad.curve.plateau_stress, "
+               "the curve of the pad has the form avalle; available: pad.curve.plateau_stress, "
                "pad.curve.modulus, pad.curve.plateau_exponent, pad.curve.densification_stress, "
                "pad.curve.densification_exponent, pad.curve.highest_strain");
   expect_fault(rate, 2, rate_key,
-               "the rate effect of the pad has the form power; there are pad.rate.exponent, "
+               "the rate effect of the pad has the form power; available: pad.rate.exponent, "
                "pad.rate.exponent_slope, pad.rate.highest_rate");
   case_ = edited(test::good_case, "ensolite-aac-9", "ff-leap");
   expect_fault(curve, 2, key, "the curve of the pad has the form table, which has no numbers that can vary");

@@ -137,7 +137,7 @@ TEST_F(StudyStore, of_another_study_is_refused_and_left_alone) {
   make();
   study::Study other = small_study();
   other.text += "# another\n";
-  EXPECT_THAT(refusal(other), AllOf(HasSubstr(file().string()), HasSubstr("another study")));
+  EXPECT_THAT(refusal(other), AllOf(HasSubstr(file().string()), HasSubstr("a different study")));
   other = small_study();
   other.base.pad.thickness = 0.06;
   EXPECT_THAT(refusal(other), HasSubstr("has changed since"));
