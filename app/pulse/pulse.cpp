@@ -54,7 +54,7 @@ gravity during contact is subtracted first.
 Uncertainty: given for peak, HIC and similar figures, k = 2. It includes the effect of the sample interval, that of
 the filter compared with the next higher class, and that of the sensor's calibration (--calibration "2 %").
 
-Figures: the peak; HIC15, HIC36, HIC with unlimited window, and those of --window; HIC(d); the 3 ms clip,
+Figures: the peak; HIC15, HIC36, unlimited HIC, and those of --window; HIC(d); the 3 ms clip,
 uninterrupted and cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
 velocity change over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of
 a resultant are filtered separately, then combined. A filter needs evenly spaced samples; --resample "0.1 ms"
