@@ -76,8 +76,9 @@ std::string gain(const Summary& summary) {
 
 std::string pushing_back(const Summary& summary) {
   return fmt::format(
-      "while the nose advanced, the force reached {:.4g} N; then the pad sprang open with a force that grew "
-      "with its speed, which no foam does: the law depends on the magnitude of the strain rate, not its sign",
+      "while the nose advanced, the force reached {:.4g} N; then the pad expanded with a force that grew "
+      "with its rate of expansion, which no foam does: the law depends on the magnitude of the strain "
+      "rate, not its sign",
       summary.force_on_way_in);
 }
 

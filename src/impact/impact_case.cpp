@@ -99,7 +99,7 @@ void check_earlier_penetration(std::vector<Violation>& broken, const Pad& pad) {
   else if (earlier > 0 && blow_memory(pad.material.law) == BlowMemory::none)
     broken.push_back({key, earlier,
                       "must be 0: a pad of the law " + name_of(pad.material.law) +
-                          " recovers fully, and an earlier blow leaves nothing in it"});
+                          " recovers fully, and an earlier blow leaves no trace in it"});
 }
 
 void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {

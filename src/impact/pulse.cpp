@@ -11,7 +11,7 @@ void check(const Pulse& pulse) {
   if (pulse.acceleration.size() != size)
     throw std::invalid_argument("pulse: " + std::to_string(size) + " times and " +
                                 std::to_string(pulse.acceleration.size()) + " accelerations");
-  if (size < 2) throw std::invalid_argument("pulse: two samples at least are needed");
+  if (size < 2) throw std::invalid_argument("pulse: at least two samples are needed");
   // Most pulses are sound, which is checked without a branch for each sample: x - x is 0 if x is finite.
   double doubt = pulse.time[0] - pulse.time[0] + (pulse.acceleration[0] - pulse.acceleration[0]);
   unsigned disorder = 0;

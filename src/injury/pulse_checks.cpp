@@ -60,7 +60,7 @@ std::string other_scale(double factor) {
 std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
   const bool is_short = check.shortfall > 0;
   std::string text = fmt::format(
-      "There is no restitution between 0 and 1. For a velocity change that agrees with the {}", stated);
+      "No restitution from 0 to 1 fits this pulse. For a velocity change that agrees with the {}", stated);
   if (check.min_scale && check.greatest_scale)
     text += fmt::format(
         " the scale (unit, sensitivity) would have to be {}, or the sensor would have to read {:.2g} g too "
@@ -69,7 +69,7 @@ std::string way_out(const SpeedCheck& check, const Contact& contact, const char*
         std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
         is_short ? "little" : "much");
   else
-    text += " there would have to be an acceleration";
+    text += " the pulse would have to contain an acceleration";
   return text + (is_short ? ", or samples would have to be missing." : ".");
 }
 
@@ -166,9 +166,9 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
   }
   const char* stated = report.impact->drop_height ? "drop height" : "speed";
   check.text = check.agrees() ? fmt::format(
-                                    "Velocity change and {} agree: {} lies between {} (a body that stays) "
+                                    "Velocity change and {} agree: {} lies between {} (no rebound) "
                                     "and twice that. This would also hold if all accelerations were {} to {} "
-                                    "times as large: a smaller scale error does not show here.",
+                                    "times as large: a smaller scale error cannot be detected here.",
                                     stated, shown(check.change), shown(speed), brief(*check.min_scale, 3),
                                     brief(*check.greatest_scale, 3))
                               : way_out(check, report.contact, stated);

@@ -155,8 +155,8 @@ void leave_out_before(MeasuredPulse& measured, double begin) {
   std::vector<double>& time = measured.pulse.time;
   const auto count = std::ranges::lower_bound(time, begin) - time.begin();
   measured.remarks.push_back(
-      fmt::format("the first {} samples, up to {} ms, differ by 1 g from the fall before the impact, as at "
-                  "rest; they were left out",
+      fmt::format("the first {} samples, up to {} ms, differ by 1 g from those of the fall before the "
+                  "impact, as if at rest; they were left out",
                   count, brief(1e3 * time[static_cast<std::size_t>(count - 1)])));
   const auto leave_out = [count](std::vector<double>& values) {
     values.erase(values.begin(), values.begin() + count);

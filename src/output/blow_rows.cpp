@@ -30,8 +30,8 @@ std::string change(double from, double to, const std::string& unit) {
 }
 
 std::string why_alike(const PadLaw& law) {
-  if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully in between";
-  return "a pad of the law " + name_of(law) + " recovers fully by its law" +
+  if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully between blows";
+  return "according to the law " + name_of(law) + " the pad recovers fully" +
          (std::holds_alternative<Elastic>(law) ? ""
                                                : ", if the pauses are long compared with its relaxation");
 }
@@ -58,11 +58,11 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   if (first.earlier_penetration == last.earlier_penetration &&
       first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
-  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration changes", blows.size());
+  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration", blows.size());
   if (std::isnan(peak_in_g(last)))
-    text += fmt::format(" from {} g beyond all bounds", significant(peak_in_g(first), 4));
+    text += fmt::format(" increases from {} g without bound", significant(peak_in_g(first), 4));
   else
-    text += change(peak_in_g(first), peak_in_g(last), " g");
+    text += " changes" + change(peak_in_g(first), peak_in_g(last), " g");
   if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "");
   return text + ".";
 }

@@ -112,7 +112,7 @@ std::string remark_on(const injury::InjuryValue& figure, double length, const Un
   if (key == "hic_d") return "from HIC36";
   if (key == "severity_index") return "Gadd";
   if (figure.time) return "at " + brief_quantity(without_rounding(*figure.time, length), "s", units, digits);
-  const std::string kind = key == "clip_3ms" ? "in one stretch" : key == "cumulative_3ms" ? "in all" : "";
+  const std::string kind = key == "clip_3ms" ? "uninterrupted" : key == "cumulative_3ms" ? "in total" : "";
   if (!figure.begin || (*figure.end <= *figure.begin && !kind.empty())) return kind;
   return (kind.empty() ? "" : kind + ", ") + stretch(*figure.begin, *figure.end, units, digits);
 }
@@ -150,8 +150,8 @@ std::string outcome(const Summary& summary) {
     case Status::released: return end_of_contact(summary);
     case Status::at_rest: return "The impactor came to rest on the pad.";
     case Status::bottomed_out:
-      return summary.support ? "The pad bottomed out against the mass behind it: no finite force beyond."
-                             : "The pad bottomed out on its rigid support: no finite force beyond.";
+      return fmt::format("The pad bottomed out {}; from then on the force has no finite value.",
+                         summary.support ? "against the mass behind it" : "on its rigid support");
     case Status::time_limit: return "The impactor was still on the pad when the time limit was reached.";
     case Status::tolerance_not_met:
       return summary.release ? end_of_contact(summary)

@@ -190,7 +190,7 @@ void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
       continue;
     }
     growths.back() = Growth{tested, part.rate, *exponent};
-    if (words.empty()) words = fmt::format("{} (a power of the rate from 0 to {:.2g})", what, *exponent);
+    if (words.empty()) words = fmt::format("{} (rate exponent from 0 to {:.2g})", what, *exponent);
   }
   if (words.empty()) return;
   open.sources.push_back({Source::rate, words, ""});

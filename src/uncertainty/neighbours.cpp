@@ -115,11 +115,11 @@ std::string warning_of_model(const ImpactCase& impact) {
   if (!is_helped)
     return head + fmt::format(
                       "the effect of neighbouring columns is neglected; at half the thickness the force is "
-                      "some {:.2g} to {:.2g} times that of columns",
+                      "some {:.2g} to {:.2g} times that of independent columns",
                       least, most);
   return head + fmt::format(
                     "depending on the foam the force at half the thickness is some {:.2g} to {:.2g} times "
-                    "that of columns, and is computed as {:.2g} times",
+                    "that of independent columns, and is computed as {:.2g} times",
                     least, most, factor_of_columns(impact)(impact.pad.thickness / 2));
 }
 

@@ -138,7 +138,7 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
       if (crushes || !part.material->fitted)
         open.sources.push_back(
             {Source::way_back, "the unloading of the foam",
-             crushes ? "by its law it stays crushed; real foam recovers more"
+             crushes ? "according to its law the foam stays crushed; real foam recovers more"
                      : "it follows the law " + law + ", and the card does not say that it was tested"});
       continue;
     }

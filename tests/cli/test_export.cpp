@@ -63,7 +63,7 @@ TEST_F(ExportTest, WritesRadiossBlocks) {
   const Outcome outcome = exported("radioss", {"--system", "t-mm-s", "--curves", "loading,unloading"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(count(outcome.out, "\n/FUNCT/"), 2u);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("/FUNCT/1\nDashpad loading: force (N) over penetration (mm)\n"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("/FUNCT/1\nDashpad loading: force (N) against penetration (mm)\n"),
                                  HasSubstr("as in /BEGIN: Mg mm s\n"), Not(HasSubstr("/END"))));
   EXPECT_THAT(outcome.err, HasSubstr("unloading"));
 }

@@ -174,7 +174,7 @@ TEST_F(MaterialTestTest, SaysWhereReloadingIsAssumed) {
   const Outcome outcome = material_test({"ensolite-aac-9", "--test", "cyclic", "--strain", "0.6"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("ASSUMPTION (at 1, 100 per second): reloaded after contact"),
-                                 HasSubstr("contact lost"), HasSubstr("contact taken up")));
+                                 HasSubstr("contact lost"), HasSubstr("contact regained")));
 }
 
 TEST_F(MaterialTestTest, FollowsAMeasuredHistory) {
@@ -264,7 +264,7 @@ TEST_F(MaterialTestTest, WritesPicturesAndThePage) {
   }
   const Outcome outcome = material_test({"ensolite-aac-9", "--report", file("page.html")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(read_file(file("page.html")), AllOf(HasSubstr("Ideality over strain"), HasSubstr("PAR9")));
+  EXPECT_THAT(read_file(file("page.html")), AllOf(HasSubstr("Ideality against strain"), HasSubstr("PAR9")));
 }
 
 TEST_F(MaterialTestTest, RefusesValuesThatMakeNoTest) {

@@ -61,7 +61,7 @@ TEST_F(MaterialsTest, ACardHasAPageAndMarkdown) {
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("# Plastazote LD33"), HasSubstr("| relative\\_density | R | 0.036 |")));
   EXPECT_THAT(read_file(file("card.html")),
-              AllOf(HasSubstr("Unloading and friction are assumed."), HasSubstr("Stress in a first loading"),
+              AllOf(HasSubstr("Unloading and friction are assumed."), HasSubstr("Stress in first loading"),
                     HasSubstr("at 0.03 per second")));
   EXPECT_EQ(materials({"--report", file("all.html")}).exit_code, 0);
   EXPECT_THAT(read_file(file("all.html")), HasSubstr("1 material card"));

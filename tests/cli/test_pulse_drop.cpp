@@ -108,7 +108,7 @@ TEST_F(PulseDropTest, RestAndFallAreNotOfThePulse) {
     }
     EXPECT_NEAR(restitution(text, {"--drop-height", "1.8 m", "--zero", "auto"}), 0.3, 5e-3);
     EXPECT_THAT(
-        said, AllOf(HasSubstr("REMARK: the first 500 samples, up to 249.5 ms, differ by 1 g from the fall "),
+        said, AllOf(HasSubstr("REMARK: the first 500 samples, up to 249.5 ms, differ by 1 g from those of "),
                     Not(HasSubstr("PULSE CUT")), Not(HasSubstr("IMPOSSIBLE"))));
     const json all = result(text, {"--drop-height", "1.8 m", "--zero", "300 ms,500 ms"});
     EXPECT_NEAR(all.at("impact").at("restitution").get<double>(), 0.3, 5e-3);
@@ -139,7 +139,7 @@ TEST_F(PulseDropTest, SaysWhatHeightFallAndVelocityChangeSayOfEachOther) {
   const json low = result(text, {"--speed", "12 m/s", "--zero", "auto"}).at("impact").at("check");
   EXPECT_EQ(low.at("agrees"), false);
   EXPECT_NEAR(low.at("least_scale").get<double>(), 12 / change, 4e-3);
-  EXPECT_THAT(said, HasSubstr("For a velocity change that agrees with the speed the scale"));
+  EXPECT_THAT(said, HasSubstr("For a velocity change that agrees with the speed"));
   EXPECT_TRUE(result(text, {"--zero", "auto"}).at("impact").is_null());
   EXPECT_THAT(said, Not(HasSubstr("Velocity change and")));
 }

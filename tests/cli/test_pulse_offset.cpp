@@ -133,7 +133,7 @@ TEST_F(PulseOffsetTest, ZeroTakesTheOffsetOffWhateverItIs) {
   }
   const Outcome outcome = pulse({written(table(1.2)), "--zero", "-8 ms,-1 ms"});
   EXPECT_THAT(unwrapped(outcome.out),
-              AllOf(HasSubstr("\nZeroed        1.2 g taken off, the mean of 701 samples from -8 to -1 ms; "
+              AllOf(HasSubstr("\nZeroed        1.2 g subtracted, the mean of 701 samples from -8 to -1 ms; "
                               "scatter 0 g; HIC15 is "),
                     HasSubstr("% higher with it than without\n"), Not(HasSubstr("REMARK"))));
   const json offset = result({file("drop.csv"), "--zero", "-8 ms,-1 ms"}).at("offset");
@@ -186,7 +186,7 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
   EXPECT_NEAR(of_drop.at("impact").at("speed_m_per_s").get<double>(), speed, 1e-6);
   EXPECT_NEAR(of_drop.at("impact").at("drop_height_m").get<double>(), speed * speed / 2 / g, 1e-8);
   EXPECT_THAT(pulse({drop, "--speed", at_speed}).out,
-              AllOf(ContainsRegex("  Restitution +0.6000 +of an impact at 3.9019 m/s\n"),
+              AllOf(ContainsRegex("  Restitution +0.6000 +for an impact at 3.9019 m/s\n"),
                     Not(HasSubstr("IMPOSSIBLE"))));
   EXPECT_TRUE(result({drop}).at("impact").is_null());
 

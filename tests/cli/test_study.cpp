@@ -131,7 +131,7 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
       heading({"--limit", "peak_acceleration > 30 g"}),
       ContainsRegex("In [0-9.]+ % of cases peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
-              ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its scatter$"));
+              ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its variance$"));
 }
 
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.
@@ -314,7 +314,7 @@ TEST_F(StudyTest, CushionCurvesOfAGrid) {
   compute("grid");
   const Outcome outcome = dashpad({"study", "summary", file("grid.db"), "--json", file("answers.json")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("A grid has no probabilities"));
+  EXPECT_THAT(outcome.out, HasSubstr("A grid gives no probabilities"));
   const json answers = json::parse(read_file(file("answers.json")));
   const json& curves = answers.at("cushion_curves").at("curves");
   ASSERT_EQ(curves.size(), 6U);
@@ -332,7 +332,8 @@ TEST_F(StudyTest, PageAndStill) {
         {"study", "summary", file(name + std::string{".db"}), "--picture", file(name + std::string{".svg"})});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }
-  EXPECT_THAT(read_file(file("grid.svg")), HasSubstr("weight over contact area at the largest penetration"));
+  EXPECT_THAT(read_file(file("grid.svg")),
+              HasSubstr("weight divided by contact area at the largest penetration"));
   const Outcome report = dashpad({"study", "summary", file("drawn.db"), "--report", file("drawn.html")});
   if (report.exit_code == 2 && report.err.find("without the page") != std::string::npos)
     GTEST_SKIP() << report.err;

@@ -27,7 +27,7 @@ test("the mouse over a curve shows its values there, and the moment in the other
     assert.ok(Math.abs(25 * x - time(words)) < 0.02, `${heading} ${25 * x}`);
     assert.equal(await figure(page, heading).locator(".dp-hairline").count(), 1);
   }
-  const [, y] = await marked(figure(page, "Force over displacement"));
+  const [, y] = await marked(figure(page, "Force against displacement"));
   assert.ok(Math.abs(6000 * (1 - y) - value(words)) < 15, `${6000 * (1 - y)} ${words}`);
   assert.notEqual(await marked(page.locator(".lead figure").last()), null);
   await page.mouse.move(2, 2);
@@ -37,7 +37,7 @@ test("the mouse over a curve shows its values there, and the moment in the other
 
 test("the mouse over a loop finds the branch that is nearest", async () => {
   const page = await open(file);
-  const loop = figure(page, "Force over penetration");
+  const loop = figure(page, "Force against penetration");
   const force = figure(page, "Force over time");
   await page.mouse.move(...(await place(loop, 0.5, 0.9)));
   await settled(page);

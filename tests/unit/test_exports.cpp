@@ -58,7 +58,7 @@ TEST(LsDyna, GivesBackTheCurvesOnReading) {
   EXPECT_EQ(read.curves[0].id, 9001);
   EXPECT_EQ(read.curves[1].id, 9002);
   EXPECT_THAT(read.curves[0].card, ElementsAre(0, 1, 1, 0, 0, 0));
-  EXPECT_EQ(read.curves[0].title, "Dashpad acceleration: acceleration (m/s2) over time (s)");
+  EXPECT_EQ(read.curves[0].title, "Dashpad acceleration: acceleration (m/s2) against time (s)");
   ASSERT_EQ(read.curves[0].x.size(), curve.size());
   for (std::size_t i = 0; i < curve.size(); ++i) {
     EXPECT_NEAR(read.curves[0].x[i], curve.x[i], 5e-14 * curve.x[i]);
@@ -73,7 +73,7 @@ TEST(Radioss, GivesBackTheCurvesOnReading) {
   const std::vector<ReadCurve> read = read_blocks(radioss_text(file));
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(read[1].id, 9002);
-  EXPECT_EQ(read[1].title, "Dashpad acceleration: acceleration (m/s2) over time (s)");
+  EXPECT_EQ(read[1].title, "Dashpad acceleration: acceleration (m/s2) against time (s)");
   ASSERT_EQ(read[1].x.size(), curve.size());
   for (std::size_t i = 0; i < curve.size(); ++i) {
     EXPECT_NEAR(read[1].x[i], curve.x[i], 5e-14 * curve.x[i]);
@@ -106,7 +106,7 @@ TEST(Exports, AreInTheUnitsAskedFor) {
   const ReadCurve inches = read_keywords(ls_dyna_text(file_of({force}, "lbf-s2/in-in-s"))).curves.front();
   EXPECT_NEAR(inches.x[1], 1, 1e-13);
   EXPECT_NEAR(inches.y[1], 1000, 1e-10);
-  EXPECT_EQ(inches.title, "Dashpad loading: force (lbf) over penetration (in)");
+  EXPECT_EQ(inches.title, "Dashpad loading: force (lbf) against penetration (in)");
   EXPECT_EQ(read_csv(curve_csv(file_of({force}, "t-mm-s"))).header, "penetration_mm,force_N");
 }
 

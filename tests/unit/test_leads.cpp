@@ -77,8 +77,8 @@ TEST(MaterialTestLead, SaysWhereTheFoamIsUsedBestAtTheHighestRate) {
   EXPECT_EQ(lead.answer, "Best used at 50 kPa, where it has absorbed 20 kJ/m³ (at 50 per second)");
   EXPECT_THAT(labels_of(lead.figures),
               ElementsAre("Best used at", "Energy absorbed by then", "Bottoms out at a strain of",
-                          "Given back", "Strain reached", "Largest stress"));
-  EXPECT_EQ(figure_of(lead.figures, "Given back").value, "25 %");
+                          "Energy returned", "Strain reached", "Largest stress"));
+  EXPECT_EQ(figure_of(lead.figures, "Energy returned").value, "25 %");
   EXPECT_EQ(figure_of(lead.figures, "Largest stress").value, "617000 kPa");  // three digits
   const ValueRow reached = figure_of(lead.figures, "Strain reached");
   EXPECT_EQ(reached.tone, Tone::doubtful);
@@ -94,7 +94,7 @@ TEST(MaterialTestLead, AFoamThatHasNotRunOutIsNotSaidToHaveABestStress) {
   const Lead lead = lead_of(run_material_test(spring_card(), test));
   EXPECT_THAT(lead.answer, HasSubstr("without bottoming out"));
   EXPECT_THAT(labels_of(lead.figures),
-              ElementsAre("Energy taken", "Given back", "Strain reached", "Largest stress"));
+              ElementsAre("Energy put in", "Energy returned", "Strain reached", "Largest stress"));
   EXPECT_EQ(figure_of(lead.figures, "Strain reached").tone, Tone::plain);
 }
 
@@ -227,7 +227,7 @@ TEST(StudyKeyFigures, OfAGridTheLeastAndTheGreatestWithTheirPlaces) {
   const std::vector<ValueRow> figures =
       output::study_key_figures(answers_of({300, 100, 200}, false), unit_system("si"));
   ASSERT_THAT(figures, SizeIs(2));
-  EXPECT_EQ(figures[0].label, "Peak acceleration, least");
+  EXPECT_EQ(figures[0].label, "Peak acceleration, lowest");
   EXPECT_EQ(figures[0].value, "10.2 g");
   EXPECT_EQ(figures[0].remark, "at impact speed 2 m/s");
   EXPECT_EQ(figures[1].value, "30.6 g");
@@ -306,7 +306,7 @@ TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {
                            .draws = 3}};
     return answer_to(answers);
   };
-  EXPECT_EQ(with_low(0.5), "Peak acceleration depends most on impact speed: 76 % of its scatter");
+  EXPECT_EQ(with_low(0.5), "Peak acceleration depends most on impact speed: 76 % of its variance");
   EXPECT_EQ(with_low(0.3),
             "The draws do not determine which factor affects peak acceleration most; impact speed leads");
 }

@@ -71,8 +71,8 @@ TEST_F(Page, has_a_policy_that_allows_its_own_script_only) {
 
 TEST_F(Page, has_all_plots_without_its_script) {
   EXPECT_EQ(count(text_, "class=\"dp-plot\""), 10U) << "the curve that decides, the foam's, and all others";
-  for (const char* heading : {"Force over time", "Deceleration over time", "Force over penetration",
-                              "Force over displacement", "Penetration and displacement over time",
+  for (const char* heading : {"Force over time", "Deceleration over time", "Force against penetration",
+                              "Force against displacement", "Penetration and displacement over time",
                               "Energy over time", "Stress over the contact", "Strain over the contact"})
     EXPECT_TRUE(has("<h3>" + std::string{heading} + "</h3>")) << heading;
 }

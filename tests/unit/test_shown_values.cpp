@@ -83,9 +83,9 @@ TEST(ShownValues, OfAnImpactAreThoseOfItsHistory) {
           expect_series(panel, title("force"), time, history.force);
         } else if (figure.title == "Deceleration over time") {
           expect_series(panel, title("deceleration"), time, decelerations(history));
-        } else if (figure.title == "Force over penetration") {
+        } else if (figure.title == "Force against penetration") {
           expect_series(panel, title("penetration"), history.penetration, history.force);
-        } else if (figure.title == "Force over displacement") {
+        } else if (figure.title == "Force against displacement") {
           expect_series(panel, title("motion"), history.motion, history.force);
         } else if (figure.title == "Energy over time") {
           const ImpactEnergies energies = impact_energies(solved.impact, history);
@@ -213,7 +213,7 @@ TEST(ShownValues, OfALongRecordTheImpactIsInTheMiddle) {
 
 TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
   const std::string text = to_markdown(pulse_document(two_humps(-1), unit_system("si")));
-  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in all; longest 6 ms"));
+  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in total; longest 6 ms"));
 }
 
 TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
@@ -266,9 +266,9 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
         pulse_comparison.computed->peak.magnitude / pulse_comparison.measured.peak.magnitude - 1;
     ASSERT_GT(std::abs(peak), 0.01);
     EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% below that" : "% above that"));
-    EXPECT_THAT(
-        to_markdown(pulse_comparison_document(both, unit_system("si"))),
-        testing::HasSubstr(later > 0 ? "ms taken off the measured times" : "ms added to the measured times"));
+    EXPECT_THAT(to_markdown(pulse_comparison_document(both, unit_system("si"))),
+                testing::HasSubstr(later > 0 ? "ms subtracted from the measured times"
+                                             : "ms added to the measured times"));
   }
 }
 

@@ -102,7 +102,7 @@ TEST(standards, sources_are_told_apart) {
   EXPECT_EQ(preset("fmvss-218").mass.origin.kind, SourceKind::own_text);
   EXPECT_EQ(preset("fmvss-218").radius.origin.kind, SourceKind::none);
   EXPECT_THAT(text_of(preset("fmvss-201-instrument-panel")),
-              AllOf(ContainsRegex("\nOwn text +49 CFR 571.201 S5.1\n"),
+              AllOf(ContainsRegex("\nText +49 CFR 571.201 S5.1\n"),
                     ContainsRegex("\nRead +secondary: 15 NYCRR 55.2 "),
                     ContainsRegex("\nSpeed +[0-9.]+ m/s +secondary: 15 NYCRR 55.2\n")));
 }

@@ -65,8 +65,7 @@ std::string ls_dyna_text(const CurveFile& file) {
   constexpr std::size_t width = 80;
   std::string text = "*KEYWORD\n";
   for (const std::string& line : heading(file)) text += comment("$", line, width);
-  text +=
-      comment("$", "LS-DYNA resamples a curve at LCINT equal steps (*CONTROL_SOLUTION; 100 unless told).");
+  text += comment("$", "LS-DYNA resamples a curve at LCINT equal steps (*CONTROL_SOLUTION; default 100).");
   text += plain_ascii("$ Dashpad: " + file.title).substr(0, width) + "\n";
   int id = checked_first_id(file);
   for (const FileCurve& file_curve : file.curves) {
@@ -89,8 +88,8 @@ std::string radioss_text(const CurveFile& file) {
   text += comment("#", "Unit triple, as in /BEGIN:" + unit_triple(file.units));
   text +=
       comment("#",
-              "Radioss goes on beyond a function's ends along its first and last two points: end what uses "
-              "it (Tstop) where it ends.");
+              "Radioss extrapolates a function beyond its ends through its first and last two points; stop "
+              "whatever uses it (Tstop) where it ends.");
   int id = checked_first_id(file);
   for (const FileCurve& file_curve : file.curves) {
     text += "#\n" +

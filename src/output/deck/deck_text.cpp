@@ -47,7 +47,7 @@ FileCurve file_curve(const std::string& name, const Solution& solution,
     of.remark = fmt::format("{} points", all);
   }
   if (of.curve.exists() && of.curve.abscissa.meaning != "time")
-    of.remark += "; valid for this impact only: another nose or speed gives another curve";
+    of.remark += "; valid for this impact only: a different nose or speed gives a different curve";
   return of;
 }
 
@@ -59,7 +59,7 @@ std::string consequence(const Flag& flag, const Summary& summary) {
   if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && bottomed_on_rigid_support(summary)))
     return "; the curves end there";
   if (flag.name == "BOTTOMED")
-    return "; the force during that time is that of the support and is not in the curves over penetration";
+    return "; the force during that time is that of the support and is not in the curves against penetration";
   return "";
 }
 
@@ -137,8 +137,7 @@ std::vector<std::string> heading(const CurveFile& file) {
       file.acceleration_in_g ? "g" : units.acceleration, units.force, units.pressure, units.energy));
   lines.emplace_back(
       "Signs: force and penetration are positive in compression; velocity and motion are positive towards "
-      "the "
-      "pad; acceleration is negative while the pad pushes");
+      "the pad; acceleration is negative while the pad pushes");
   for (const std::string& flag : file.flags) lines.push_back("FLAG: " + flag);
   return lines;
 }
@@ -181,7 +180,7 @@ std::string define_curve(const std::string& title, int id, std::string_view axes
 }
 
 std::string caption(const Curve& curve) {
-  return fmt::format("{} ({}) over {} ({})", curve.ordinate.meaning, curve.ordinate.si_unit,
+  return fmt::format("{} ({}) against {} ({})", curve.ordinate.meaning, curve.ordinate.si_unit,
                      curve.abscissa.meaning, curve.abscissa.si_unit);
 }
 

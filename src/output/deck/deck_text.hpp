@@ -39,7 +39,7 @@ Curve in_units_of(const CurveFile& file, const Curve& curve);
 /// the transient analysis; scales 1, offsets 0; DATTYP 0: over time, or force over displacement.
 std::string define_curve(const std::string& title, int id, std::string_view axes, const std::string& points);
 
-/// "force (kN) over time (ms)", for a curve in units of the file.
+/// "force (kN) against time (ms)", for a curve in units of the file.
 std::string caption(const Curve& curve);
 
 /// The number of the first curve. Throws std::invalid_argument if a number of the file is out of range.

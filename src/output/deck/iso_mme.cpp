@@ -49,12 +49,12 @@ void check(const IsoMmeTest& test) {
   for (const IsoMmeHistory& history : test.histories) {
     require(history.code.size() == 16 &&
                 std::ranges::all_of(history.code, [](char c) { return is_digit(c) || is_capital(c); }),
-            fmt::format("the code \"{}\" is not of sixteen digits and capitals", one_line(history.code)));
-    require(codes.insert(history.code).second, "the code " + history.code + " stands twice");
+            fmt::format("the code \"{}\" must be of sixteen digits and capitals", one_line(history.code)));
+    require(codes.insert(history.code).second, "the code " + history.code + " appears twice");
     require(!history.unit.empty(), history.code + " needs a unit");
-    require(history.values.size() >= 2, history.code + " needs two samples at least");
+    require(history.values.size() >= 2, history.code + " needs at least two samples");
     require(history.values.size() == test.histories.front().values.size(),
-            history.code + " has another number of samples");
+            history.code + " has a different number of samples");
     require(std::ranges::all_of(history.values, [](double value) { return std::isfinite(value); }),
             history.code + " has a value that is not finite");
   }
@@ -135,7 +135,7 @@ constexpr CurveChannel channels[] = {
     {"acceleration", computed_acceleration_code, "Acceleration of the impactor", "Acceleration"},
     {"force", computed_force_code, "Force on the impactor", "Force"},
     {"velocity", "10HEAD000000VEX0", "Velocity of the impactor", "Velocity"},
-    {"motion", "10HEAD000000DSX0", "Motion of the impactor", "Displacement"},
+    {"motion", "10HEAD000000DSX0", "Displacement of the impactor", "Displacement"},
     {"penetration", "10PADS000000DSX0", "Penetration of the pad", "Displacement"},
 };
 

@@ -80,7 +80,7 @@ std::span<const MaterialDeckFormat> material_deck_formats() { return formats_of_
 
 std::string why_no_material_deck(const Material& material, const MaterialDeckOptions& options) {
   const MaterialDeckFormat* const format = format_named(options.format);
-  if (format == nullptr) return fmt::format("format \"{}\": is none", options.format);
+  if (format == nullptr) return fmt::format("unknown format \"{}\"", options.format);
   const std::string law = name_of(material.law);
   if (law != format->law)
     return fmt::format("{} is a card for the law {}, and {} has the law {}", format->card, format->law,
@@ -99,8 +99,8 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
   if (format == nullptr) return {};
   if (std::holds_alternative<ViscoelasticFoam>(material.law))
     return {
-        "The solver relaxes the second Piola-Kirchhoff stress, the card the nominal stress: the same for a "
-        "sudden strain and after long times, not for a strain that changes in between."};
+        "In the solver the second Piola-Kirchhoff stress relaxes, in the card the nominal stress; they agree "
+        "for a sudden strain and after long times, but not for a strain that changes in between."};
   const MaterialPoints points = points_for(material, *format);
   std::vector<std::string> remarks = points.remarks;
   std::visit(

@@ -27,7 +27,7 @@ std::string table_text(const MaterialPoints& points, int id, DeckNumbers& number
   for (std::size_t i = 0; i < points.loading.size(); ++i)
     text +=
         curve_text(points.loading[i].curve, id + 1 + static_cast<int>(i),
-                   fmt::format("Nominal stress over strain at {:g} 1/s", points.loading[i].rate), numbers);
+                   fmt::format("Nominal stress against strain at {:g} 1/s", points.loading[i].rate), numbers);
   return text;
 }
 
@@ -76,7 +76,7 @@ std::string ls_dyna_material(const Material& material, const MaterialPoints& poi
   text += cards_of(material, points, options.format, options.first_id, numbers, is_long ? 20 : 10);
   return text + (has_table ? table_text(points, options.first_id, numbers)
                            : curve_text(points.loading.front().curve, options.first_id,
-                                        "Nominal stress over strain", numbers));
+                                        "Nominal stress against strain", numbers));
 }
 
 }  // namespace dashpad::output

@@ -45,7 +45,7 @@ std::string loading_functions(const MaterialPoints& points, int first_id, DeckNu
   std::string text;
   for (std::size_t i = 0; i < points.loading.size(); ++i)
     text += function_text(points.loading[i].curve, first_id + static_cast<int>(i),
-                          fmt::format("Nominal stress over strain at {:g} 1/s", points.loading[i].rate),
+                          fmt::format("Nominal stress against strain at {:g} 1/s", points.loading[i].rate),
                           false, numbers);
   return text;
 }
@@ -96,8 +96,8 @@ std::string law_33(const Material& material, const CrushableFoam& foam, const Ma
   text += card_text('#', deck::law_33_gas, {}, numbers);
   text += card_text('#', input::DeckCard(deck::law_33_yield).first(3), {}, numbers);
   return text + function_text(points.loading.front().curve, id,
-                              "Yield stress over volumetric strain V/V0 - 1, negative in compression", true,
-                              numbers);
+                              "Yield stress against volumetric strain V/V0 - 1, negative in compression",
+                              true, numbers);
 }
 
 /// The moduli are those of a sudden strain, and the ratios shares of them: Flag_Rigi 0, which every version

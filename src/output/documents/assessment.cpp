@@ -118,7 +118,7 @@ std::string doubt_about_pass(const AssessmentReport& report) {
   if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||
       !is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
     return "";
-  const std::string text = ", but the pad is struck through";
+  const std::string text = ", but less than 0.1 % of the pad is left";
   if (!summary.peak_acceleration) return text;
   const double peak = rounded_to(*summary.peak_acceleration / standard_gravity, 3);
   return text + ", at a peak of " + brief(peak) + " g";
@@ -147,7 +147,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
   const std::string limit =
       brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
-  return fmt::format("Undecided: {} is {}, and {} {} is required", injury::title_of(open.criterion),
+  return fmt::format("Undecided: {} is {}, but must be {} {}", injury::title_of(open.criterion),
                      interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
                      limit);
 }
@@ -171,8 +171,8 @@ std::string verdict_words(const injury::CriterionResult& result, const UnitSyste
 std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSystem& units, Detail detail) {
   std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
   const char* const on_strain = report.assessed.pad.layers.empty()
-                                    ? "1 is a pad that is fully compressed"
-                                    : "of all layers together; 1 is a pad that is fully compressed";
+                                    ? "1 = fully compressed pad"
+                                    : "of all layers together; 1 = fully compressed pad";
   for (const auto& [key, member] : figures_of_assessment) {
     const injury::Figure& figure = report.assessment.figures.*member;
     const ResultQuantity& quantity = result_quantity(key);

@@ -24,7 +24,7 @@ Table basis_table(const std::vector<Basis>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) table.rows[i].push_back(rows[i].*part);
   };
   add("Source", &Basis::source);
-  add("Doubt", &Basis::doubt);
+  add("Remarks", &Basis::doubt);
   return table;
 }
 

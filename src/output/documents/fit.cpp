@@ -75,13 +75,13 @@ void add_misses(std::vector<ValueRow>& figures, const fit::FitReport& report, bo
   const auto add = [&](const char* what, const std::optional<double>& miss, const char* unit,
                        const char* share_of) {
     if (!miss) return;
-    figures.push_back({.label = fmt::format("{} {}", what, held_out ? "predicted, off by" : "missed by"),
+    figures.push_back({.label = (held_out ? "Prediction error for " : "Deviation from ") + std::string(what),
                        .value = fmt::format("{:.3g}{}", *unit == 0 ? *miss : 100 * *miss, unit),
                        .remark = share_of});
   };
-  add("Tests", of.tests, " %", "of their largest stress, root mean square");
-  add("Figures of impacts", of.figures, "", "times their stated deviation");
-  add("Pulses", of.pulses, " %", "of their peak, root mean square");
+  add("tests", of.tests, " %", "of their largest stress, root mean square");
+  add("figures of impacts", of.figures, "", "times their stated deviation");
+  add("pulses", of.pulses, " %", "of their peak, root mean square");
 }
 
 /// The misfits, then the unknowns of the material, beginning with those that the data leave open.
@@ -102,7 +102,7 @@ std::vector<ValueRow> fit_figures(const fit::FitReport& report, const UnitSystem
 }
 
 Section curves_section(const fit::FitReport& report, const UnitSystem& units) {
-  Section curves{.heading = "Model over measurements", .seen = Seen::on_pages};
+  Section curves{.heading = "Model and measurements", .seen = Seen::on_pages};
   for (const fit::MetTest& test : report.tests) curves.figures.push_back(fit_test_figure(test, units));
   for (const fit::MetPulse& pulse : report.pulses) curves.figures.push_back(fit_pulse_figure(pulse, units));
   return curves;
@@ -136,7 +136,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
   add("Peak, HIC and rebound of impacts, measured and of the model", table_of_comparison(report, units));
   add("Model minus test, root mean square, and its share of the largest stress",
       table_of_tests(report, units));
-  add("Energy returned over energy put in, by the strain at which the test reverses", table_of_loops(report));
+  add("Share of the energy returned, by the strain at which the test reverses", table_of_loops(report));
   add("Figures of impacts", table_of_figures(report, units));
   add("Pulses of impacts", table_of_pulses(report, units));
   return misfit;
@@ -174,7 +174,7 @@ Document fit_document(const fit::FitReport& report, const UnitSystem& units, Pic
   if (pictures == Pictures::drawn && violations(report.material).empty())
     document.sections.push_back({.heading = "The fitted foam",
                                  .seen = Seen::on_pages,
-                                 .figures = {{.name = "Stress in a first loading",
+                                 .figures = {{.name = "Stress in first loading",
                                               .plot = material_plot(report.material, units),
                                               .note = "From the card, at each tested rate."}}});
   document.sections.push_back(unknowns_section(report, units));

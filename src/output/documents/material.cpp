@@ -143,7 +143,7 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
   constexpr std::array strains{0.1, 0.25, 0.5};
   constexpr int steps = 10;  // steps of 0.05, which include all of these strains
   const double last = last_strain_of(curves.base);
-  Table table{.columns = {"Stress in a first loading"}};
+  Table table{.columns = {"Stress in first loading"}};
   for (const double strain : strains)
     table.columns.push_back(fmt::format("at {}{}", brief(strain), strain > last ? " *" : ""));
   for (const double rate : laboratory::tested_rates(material)) {

@@ -36,11 +36,11 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
   const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed) {
     add("Stress at the end of the ramp", shown.stress(run.relaxed->at_end_of_ramp));
-    add("Stress held", shown.stress(run.relaxed->after_hold), hold);
+    add("Stress left", shown.stress(run.relaxed->after_hold), hold);
   }
   if (run.crept) {
     add("Strain at the end of loading", brief(run.crept->at_end_of_loading, 3));
-    add("Strain held", brief(run.crept->after_hold, 3), hold);
+    add("Strain at the end of the hold", brief(run.crept->after_hold, 3), hold);
   }
   for (std::size_t i = 0; i < run.at_limits.size() && i < max_limits; ++i) {
     const std::optional<CushionPoint>& at = run.at_limits[i];
@@ -50,12 +50,12 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
   }
   const bool has_best = runs_out(run);
   if (has_best) add("Best used at", shown.stress(best.stress), "the highest energy for its stress");
-  add(has_best ? "Energy absorbed by then" : "Energy taken", shown.energy(best.energy),
+  add(has_best ? "Energy absorbed by then" : "Energy put in", shown.energy(best.energy),
       "efficiency " + brief(best.efficiency, 3));
   if (has_best)
     add("Bottoms out at a strain of", brief(best.strain, 3), "beyond, stress grows faster than energy");
   if (run.unloads)
-    add("Given back",
+    add("Energy returned",
         of_run.energy_in > 0 ? MaterialTestValues::share(of_run.energy_returned / of_run.energy_in) : "none",
         fmt::format("{} of {}", shown.energy(of_run.energy_returned), shown.energy(of_run.energy_in)));
   const double reached = run.column.largest_strain;
@@ -88,8 +88,8 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
     if (run.figures.peak_stress > max_over_best * best.stress) {
       panel.y.low = 0;
       panel.y.high = value_in(units, max_over_best * best.stress, "Pa");
-      panel.title =
-          fmt::format("The stress goes on to {}", MaterialTestValues{units}.stress(run.figures.peak_stress));
+      panel.title = fmt::format("The stress continues to rise, to {}",
+                                MaterialTestValues{units}.stress(run.figures.peak_stress));
     }
   }
   for (const double limit : report.test.stress_limits)
@@ -131,12 +131,12 @@ void add_plots(Document& document, const MaterialTestReport& report, const UnitS
   document.sections.push_back(
       {.heading = "Cushioning",
        .seen = Seen::on_pages,
-       .figures = {
-           figure(energy_over_strain(report, units)),
-           figure(efficiency_over_strain(report), "Efficiency is energy over the largest stress so far."),
-           figure(ideality_over_strain(report), "Ideality is efficiency over the strain."),
-           figure(efficiency_over_stress(report, units),
-                  "The foam is best used at the stress of highest efficiency.")}});
+       .figures = {figure(energy_over_strain(report, units)),
+                   figure(efficiency_over_strain(report),
+                          "Efficiency is energy divided by the largest stress so far."),
+                   figure(ideality_over_strain(report), "Ideality is efficiency divided by the strain."),
+                   figure(efficiency_over_stress(report, units),
+                          "The foam is best used at the stress of highest efficiency.")}});
 }
 
 }  // namespace

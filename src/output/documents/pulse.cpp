@@ -46,7 +46,7 @@ std::vector<std::string> offset_row(const injury::OffsetEffect& effect, double p
   const std::string mean = injury::each_in_g(offset.mean, peak);
   if (!taken_off) return {"Quiet part", fmt::format("{}, {}; {}", mean, interval, scatter)};
   return {"Zeroed",
-          fmt::format("{} taken off, {}; {}; {}", mean, interval, scatter, injury::change_of_hic15(effect))};
+          fmt::format("{} subtracted, {}; {}; {}", mean, interval, scatter, injury::change_of_hic15(effect))};
 }
 
 /// Restitution, HIC with chosen windows, and dwell times; with Detail::main only for levels that are reached.
@@ -67,7 +67,7 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
     const double given = impact.gravity * (report.contact.end - report.contact.begin);
     if (const std::optional<double> restitution = injury::restitution(report.contact, impact))
       add("restitution", result_quantity("restitution").title, *restitution,
-          "of an impact at " + brief_quantity(impact.speed, "m/s", units) +
+          "for an impact at " + brief_quantity(impact.speed, "m/s", units) +
               (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
   }
   for (const injury::WindowedHic& windowed : report.windows)
@@ -78,7 +78,7 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
       add("dwell_time",
           injury::title_of(injury::Criterion{
               .metric = injury::Metric::dwell_time, .level = each.level, .description = {}, .origin = {}}),
-          each.cumulative, "in all; longest " + brief_quantity(each.longest, "s", units, digits));
+          each.cumulative, "in total; longest " + brief_quantity(each.longest, "s", units, digits));
   return rows;
 }
 

@@ -71,7 +71,7 @@ std::string alignment_note(const PulseComparisonReport& report, const UnitSystem
   const injury::PulseComparison& comparison = report.comparison;
   const std::string shift = fmt::format(
       "{} {} the measured times", brief_quantity(std::abs(comparison.shift), "s", units, compared_digits),
-      comparison.shift < 0 ? "taken off" : "added to");
+      comparison.shift < 0 ? "subtracted from" : "added to");
   switch (comparison.alignment) {
     case Alignment::onset:
       return fmt::format(
@@ -98,8 +98,8 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
   if (!report.pulse.impact) return over + ".";
   const std::string speed = brief_quantity(report.pulse.impact->speed, "m/s", units, compared_digits);
   return measured.restitution
-             ? fmt::format("{}; its restitution is of an impact at {}.", over, speed)
-             : fmt::format("{}; of an impact at {} that leaves no restitution between 0 and 1.", over, speed);
+             ? fmt::format("{}; its restitution is for an impact at {}.", over, speed)
+             : fmt::format("{}; for an impact at {} no restitution between 0 and 1 fits it.", over, speed);
 }
 
 /// The differences between computed and measured figures.
@@ -112,7 +112,7 @@ std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const Uni
     rows.push_back({.label = figure.quantity->title,
                     .value = shown_share(figure),
                     .remark = fmt::format(
-                        "{}{}{} for {} measured", shown(figure.computed, scale), in_unit,
+                        "{}{}{}, measured {}", shown(figure.computed, scale), in_unit,
                         figure.computed && figure.error > 1e-4 ? " ± " + shown_error(figure.error) : "",
                         figure.measured ? shown(figure.measured, scale) + in_unit : "none")});
   }
@@ -126,8 +126,8 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
   if (is_onset_doubtful(report.comparison))
     lines.push_back(fmt::format(
         "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
-        "{}; noise or an offset may have been taken for the impact: --zero auto, --filter and --align peak "
-        "help",
+        "{}; noise or an offset may have been mistaken for the impact: --zero auto, --filter and --align "
+        "peak help",
         100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
         brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
   for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
@@ -142,8 +142,8 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   if (!report.comparison.computed)
     return "There is no complete computed pulse to compare with. " + outcome(report.solution.summary);
   const std::string peak = more_or_less(*figure_of(report, "peak_acceleration").share(), "above", "below");
-  std::string text = peak.empty() ? "The case predicts the peak of the measured pulse to within 0.5 %"
-                                  : "The case predicts a peak " + peak + " that of the measured pulse";
+  std::string text = peak.empty() ? "The computed peak is within 0.5 % of that of the measured pulse"
+                                  : "The computed peak is " + peak + " that of the measured pulse";
   if (const auto share = figure_of(report, "time_to_peak").share()) {
     const std::string time = more_or_less(*share, "later", "earlier");
     text += ", " + (time.empty() ? "at the same time" : time);
@@ -153,7 +153,7 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   const std::optional<injury::MeasuredImpact>& measured = report.pulse.impact;
   const double speed = report.impact.impactor.speed;
   if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
-    text += " But it strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
+    text += " But the case strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
   return text;
 }
 
@@ -184,7 +184,7 @@ Document pulse_comparison_document(const PulseComparisonReport& report, const Un
                        .tone = !report.comparison.computed ? Tone::bad
                                : document.warnings.empty() ? Tone::plain
                                                            : Tone::doubtful,
-                       .subject = {fmt::format("{} ({}) over {}", one_line(report.pulse.file),
+                       .subject = {fmt::format("{} ({}) against {}", one_line(report.pulse.file),
                                                report.pulse.measured.format, one_line(report.case_file))},
                        .figures = key_figures(report, units)};
   if (pictures == Pictures::drawn) {

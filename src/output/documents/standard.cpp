@@ -114,7 +114,7 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
   const auto add = [&reading](const char* what, const std::string& text) {
     if (!text.empty()) reading.rows.push_back({what, one_line(text)});
   };
-  add("Own text", standard.article);
+  add("Text", standard.article);
   add("Read", to_string(standard.source_kind) + ": " + standard.source);
   add("Note", standard.note);
   Table impactor{.columns = {"Impactor", "Value", "Source"}};

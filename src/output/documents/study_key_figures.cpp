@@ -108,8 +108,8 @@ void add_medians(Figures& figures, const StudyAnswers& answers, const UnitSystem
              .value = in_unit_of(name, units)(study::quantile(of_group->distributions[i], 0.5)->value),
              .remark = "at " + words_of_levels(answers, of_group->group, units)});
     };
-    add("least", least);
-    add("greatest", greatest);
+    add("lowest", least);
+    add("highest", greatest);
   }
 }
 
@@ -120,7 +120,7 @@ void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const
   for (const study::CushionCurve& curve : drop.curves)
     if (const std::optional<std::size_t> least = study::min_peak(curve))
       figures.push_back(
-          {.label = fmt::format("Least peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
+          {.label = fmt::format("Lowest peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
            .value = shown(curve.peak_deceleration[*least]),
            .remark =
                fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
@@ -151,8 +151,8 @@ void add_ranges(Figures& figures, const StudyAnswers& answers, const UnitSystem&
     if (limit && *limit > 0 && std::isfinite(values[*at])) figure.share = values[*at] / *limit;
     figures.push_back(std::move(figure));
   };
-  add("least", least);
-  if (least && values[*least] != values[*greatest]) add("greatest", greatest);
+  add("lowest", least);
+  if (least && values[*least] != values[*greatest]) add("highest", greatest);
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const study::Distribution& distribution = answers.groups.front().distributions[i];
     if (i == leading || distribution.rows == 0) continue;

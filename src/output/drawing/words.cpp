@@ -36,7 +36,7 @@ std::string nose_words(const Scene& scene) {
           return fmt::format("cone, half angle {}, base {} across", scene.shown(shape.half_angle, "rad"),
                              shown(2 * shape.radius));
         else if constexpr (std::is_same_v<Shape, Ellipsoid>)
-          return fmt::format("ellipsoid, {} across as drawn, {} across the other way",
+          return fmt::format("ellipsoid, {} across as drawn, {} across in the other direction",
                              shown(2 * shape.half_length), shown(2 * shape.half_width));
         else if constexpr (std::is_same_v<Shape, Rod>)
           return fmt::format("rod, {} across, its dome of radius {}", shown(2 * shape.radius),
@@ -79,15 +79,16 @@ std::string support_words(const Scene& scene) {
   return text;
 }
 
-/// "Struck through", or the layers that are; empty for a pad that is not.
+/// "Less than 0.1 % left", or the layers of which that is true; empty for another pad.
 std::string alarm_words(const DrawnMoments& moments) {
   if (moments.bottomed) return "Bottomed out";
-  if (moments.struck_through) return "Struck through";
+  if (moments.struck_through) return "Less than 0.1 % left";
   std::vector<std::size_t> layers;
   for (std::size_t i = 0; i < moments.layers.size(); ++i)
     if (moments.layers[i].struck_through) layers.push_back(i + 1);
   if (layers.empty()) return "";
-  return fmt::format("Struck through: layer{} {}", layers.size() > 1 ? "s" : "", fmt::join(layers, ", "));
+  return fmt::format("Less than 0.1 % left: layer{} {}", layers.size() > 1 ? "s" : "",
+                     fmt::join(layers, ", "));
 }
 
 /// "Strain on the axis 0.81"; of layers, each one's or the largest.
@@ -130,7 +131,7 @@ std::string pad_words(const Scene& scene) {
     add("a block, " + shown(2 * *half, "m") + " across as drawn");
   if (scene.impact.pad.sheet > 0) add("under a sheet of " + shown(scene.impact.pad.sheet, "kg/m2"));
   if (const double earlier = scene.impact.pad.earlier_penetration; earlier > 0)
-    add("struck before to a depth of " + shown(earlier, "m"));
+    add("already compressed to a depth of " + shown(earlier, "m"));
   return text;
 }
 

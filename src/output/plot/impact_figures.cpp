@@ -114,13 +114,11 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
   });
   std::string note;
   if (known > 0)
-    note += fmt::format("The integral of these stresses differs from the force by {} at most. ",
+    note += fmt::format("The integral of these stresses differs from the force by at most {}. ",
                         percent(deviation_of_stress(snapshots)));
   if (known < std::ssize(snapshots))
-    note +=
-        "Where the pad is locked, or rigid foam is held, the law fixes only the force, not how it is shared "
-        "out. ";
-  if (leaves) note += "Within half a hundredth of full compression the stress leaves the plot. ";
+    note += "Where the pad is locked, or rigid foam at rest, the law fixes the force, not its distribution. ";
+  if (leaves) note += "Within 0.5 % of full compression the stress is off the scale. ";
   return note.substr(0, note.find_last_not_of(' ') + 1);
 }
 
@@ -181,10 +179,10 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   std::vector<CaptionedPlot> figures{
       figure("Force over time", force_panel(solution, units), note),
       figure("Deceleration over time", std::move(deceleration), note),
-      figure("Force over penetration", loop("penetration", history.penetration, solution, units), note)};
+      figure("Force against penetration", loop("penetration", history.penetration, solution, units), note)};
   if (gives_way(history))
     figures.push_back(
-        figure("Force over displacement", loop("motion", history.motion, solution, units), note));
+        figure("Force against displacement", loop("motion", history.motion, solution, units), note));
   figures.push_back(figure("Penetration and displacement over time", std::move(distances)));
   figures.push_back(figure(
       "Energy over time", std::move(energy),
@@ -216,10 +214,9 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
   // Next to full compression stations of their own do not find the force again.
   constexpr double max_deviation = 0.05;
   if (!(deviation_of_stress(snapshots) <= max_deviation))
-    return {
-        figure("Strain over the contact", std::move(strain),
-               "The stress over the contact is not drawn: next to full compression its integral is off the "
-               "force by more than 5 %.")};
+    return {figure("Strain over the contact", std::move(strain),
+                   "The stress over the contact is not drawn: near full compression its integral "
+                   "differs from the force by more than 5 %.")};
   return {figure("Stress over the contact", std::move(stress), note_on_stress(snapshots, highest)),
           figure("Strain over the contact", std::move(strain))};
 }

@@ -197,7 +197,7 @@ Plot material_plot(const Material& material, const UnitSystem& units) {
   const std::optional<FittedRange> range = range_of(material);
   // A little beyond the tests: what follows is steeper by far and would make all else a line along the axis.
   const double last = std::min(last_compared_strain, 1.1 * (range ? range->highest_strain : 1));
-  Panel panel{.title = "Stress in a first loading",
+  Panel panel{.title = "Stress in first loading",
               .x = {.label = "Strain", .low = 0, .high = last},
               .y = axis_with_unit("Stress", "Pa", units)};
   panel.y.low = 0;
@@ -212,7 +212,7 @@ Plot material_plot(const Material& material, const UnitSystem& units) {
 }
 
 Plot materials_plot(const std::vector<Material>& materials, const UnitSystem& units) {
-  Panel panel{.title = "Stress in a first loading at the slowest tested rate",
+  Panel panel{.title = "Stress in first loading at the slowest tested rate",
               .x = {.label = "Strain", .low = 0, .high = last_compared_strain},
               .y = axis_with_unit("Stress", "Pa", units)};
   panel.y.logarithmic = true;

@@ -92,7 +92,7 @@ std::string source_words(const MaterialTestReport& report) {
 }  // namespace
 
 Panel stress_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
-  Panel panel = panel_of_runs(report, "Stress over strain", strain_of_column(), stress_of_column(units));
+  Panel panel = panel_of_runs(report, "Stress against strain", strain_of_column(), stress_of_column(units));
   for (Series& loop : panel.series) loop.has_arrow = true;
   add_points_of_1984(panel, report, units,
                      [](const laboratory::UpdateOf1984& update) { return update.strain; });
@@ -119,11 +119,11 @@ Panel energy_over_strain(const MaterialTestReport& report, const UnitSystem& uni
 }
 
 Panel efficiency_over_strain(const MaterialTestReport& report) {
-  return panel_of_runs(report, "Efficiency over strain", strain_of_cushion(), efficiency());
+  return panel_of_runs(report, "Efficiency against strain", strain_of_cushion(), efficiency());
 }
 
 Panel ideality_over_strain(const MaterialTestReport& report) {
-  return panel_of_runs(report, "Ideality over strain", strain_of_cushion(),
+  return panel_of_runs(report, "Ideality against strain", strain_of_cushion(),
                        of_cushion("Ideality", &laboratory::CushionCurve::ideality));
 }
 
@@ -134,7 +134,7 @@ Panel efficiency_over_stress(const MaterialTestReport& report, const UnitSystem&
   for (const MaterialTestRun& run : report.runs) most = std::max(most, run.figures.peak_stress);
   stress.axis.logarithmic = true;
   stress.axis.low = value_in(units, 1e-3 * most, "Pa");
-  Panel panel = panel_of_runs(report, "Efficiency over stress, first loading", stress, efficiency());
+  Panel panel = panel_of_runs(report, "Efficiency against stress, first loading", stress, efficiency());
   for (const double limit : report.test.stress_limits)
     panel.series.push_back({.label = "limit " + brief_quantity(limit, "Pa", units),
                             .style = SeriesStyle::vertical_line,

@@ -81,7 +81,7 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
            comparison.shift)};
   return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
           .panels = {std::move(panel)},
-          .source = fmt::format("dashpad {}; {} over {}; filter of both: {}; alignment: {}", version(),
+          .source = fmt::format("dashpad {}; {} against {}; filter of both: {}; alignment: {}", version(),
                                 one_line(report.pulse.file), one_line(report.case_file),
                                 report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
                                 injury::to_string(comparison.alignment))};

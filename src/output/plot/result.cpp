@@ -21,12 +21,12 @@ std::string title_of_loops(const Summary& summary, const UnitSystem& units) {
   constexpr double rounding = 1e-9;
   const double kept = summary.energy_absorbed_fraction;
   if (summary.status != Status::released || !(kept > -rounding && kept < 1 + rounding))
-    return "Force over displacement and penetration";
-  return fmt::format("Of an impact energy of {} the pad retains {:.0f} %",
-                     brief_quantity(summary.energy.impact, "J", units, 3), 100 * std::max(kept, 0.0));
+    return "Force against displacement and penetration";
+  return fmt::format("The pad absorbs {:.0f} % of the impact energy of {}", 100 * std::max(kept, 0.0),
+                     brief_quantity(summary.energy.impact, "J", units, 3));
 }
 
-/// Force over displacement and penetration.
+/// Force against displacement and penetration.
 Panel loop_panel(const Solution& solution, const UnitSystem& units) {
   Panel panel{.title = title_of_loops(solution.summary, units),
               .x = axis_with_unit("Distance", "m", units),

@@ -111,11 +111,11 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
     if (!rows.struck.x.empty()) points.push_back(rows.struck);
     figures.push_back(study_figure(
         answers,
-        fmt::format("{} over {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
+        fmt::format("{} against {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
         {{title_of(name), axis_of_factor(across, units), axis_of_factor(up, units), std::move(points)}},
         fmt::format(
-            "A point is a row, over the two sampled factors that the response follows most. The first and "
-            "the last class hold all beyond. At most {} rows{} are drawn.",
+            "Each point is a row, plotted against the two sampled factors that most affect the response. The "
+            "first and last classes include everything beyond. At most {} rows{} are drawn.",
             max_coloured_dots,
             answers.groups.size() > 1 ? " of " + words_of_levels(answers, answers.groups.front().group, units)
                                       : "")));

@@ -72,7 +72,7 @@ Panel scatter_panel(const study::StudyAnswers& answers, std::size_t factor, std:
   const study::Factor& of = answers.study.factors[factor];
   const std::string& name = answers.study.responses[response];
   const ScaledUnit x = shown_as(of.unit, units), y = shown_as(si_unit_of(name), units);
-  Panel panel{.title = fmt::format("{} over {}", title_of(name), factor_words(of.key)),
+  Panel panel{.title = fmt::format("{} against {}", title_of(name), factor_words(of.key)),
               .x = axis_of_factor(of, units),
               .y = {.label = label(name, units)}};
   const std::size_t groups = std::min(answers.groups.size(), max_lines_drawn);
@@ -156,11 +156,11 @@ std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, c
     for (const std::size_t factor : sampled_factors(answers.study))
       panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
     if (!panels.empty())
-      figures.push_back(
-          study_figure(answers, title_of(response_name(answers, i)) + " over each factor", std::move(panels),
-                       answers.records.rows.size() > max_plain_dots
-                           ? fmt::format("Of all rows {} are drawn, chosen at random.", max_plain_dots)
-                           : ""));
+      figures.push_back(study_figure(
+          answers, title_of(response_name(answers, i)) + " against each factor", std::move(panels),
+          answers.records.rows.size() > max_plain_dots
+              ? fmt::format("{} of all rows are drawn, chosen at random.", max_plain_dots)
+              : ""));
   }
   return figures;
 }

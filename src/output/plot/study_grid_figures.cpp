@@ -92,8 +92,8 @@ CaptionedPlot curves(const study::StudyAnswers& answers, const GridPlane& plane,
   if (rows_struck == rows_in(panel.series))
     panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1 * double(struck.size())};
   panel.add(std::move(struck));
-  return study_figure(answers, fmt::format("{} over {}", title_of(name), factor_words(across.key)), {panel},
-                      (has_bands(plane) ? "Bands hold nine draws in ten. " : "") + note_of(plane));
+  return study_figure(answers, fmt::format("{} against {}", title_of(name), factor_words(across.key)),
+                      {panel}, (has_bands(plane) ? "Bands hold nine draws in ten. " : "") + note_of(plane));
 }
 
 /// The map of a response; none if no area can be filled.
@@ -142,7 +142,7 @@ std::optional<CaptionedPlot> map_of(const study::StudyAnswers& answers, const Gr
   if (!struck.x.empty()) panel.series.push_back(std::move(struck));
   return study_figure(
       answers,
-      fmt::format("{} over {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
+      fmt::format("{} against {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
       {panel},
       "Interpolated linearly between neighbours of the grid; a dot is a row beside others without a value. " +
           note_of(plane));
@@ -154,7 +154,7 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, 
   Panel panel{.title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height),
                                    height.unit, four_digits(speed.scale * drop.speed), speed.unit),
               .x = {.label = fmt::format(
-                        "Static stress: weight over {} ({})",
+                        "Static stress: weight divided by {} ({})",
                         whole_cushion ? "area of the cushion" : "contact area at the largest penetration",
                         stress.unit),
                     .logarithmic = true},
@@ -205,13 +205,13 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
   const std::string note =
       whole_cushion
           ? fmt::format(
-                "In the manner of ASTM D1596, of {} that covers all of the cushion. They are "
-                "computed, of a cushion that does not bulge.",
+                "In the manner of ASTM D1596, of {} that covers all of the cushion. The "
+                "curves are computed, for a cushion that does not bulge.",
                 nose)
           : fmt::format(
                 "In the manner of ASTM D1596, but of {}, not of a platen wider than the cushion: the "
                 "loaded area is the projected contact area at the largest penetration. Do not mix "
-                "them with a maker's curves.",
+                "them with a manufacturer's curves.",
                 nose);
   return {study_figure(answers, "Cushion curves of " + nose, std::move(panels), note)};
 }

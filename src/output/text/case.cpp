@@ -67,7 +67,7 @@ std::string condition_text(const Pad& pad, const UnitSystem& units) {
   if (pad.area) text += ", cut to " + brief_quantity(*pad.area, "m2", units);
   if (pad.sheet > 0) text += ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units);
   if (pad.earlier_penetration > 0)
-    text += ", struck before to a depth of " + brief_quantity(pad.earlier_penetration, "m", units);
+    text += ", already compressed to a depth of " + brief_quantity(pad.earlier_penetration, "m", units);
   if (pad.neighbours > 0)
     text += pad.floor == Floor::frictionless ? ", on a frictionless floor"
                                              : fmt::format(", {}", name_of(pad.floor));
@@ -78,8 +78,8 @@ std::string support_text(const Support& support, const UnitSystem& units) {
   if (support.is_rigid()) return "a rigid support";
   const Support::Point& last = support.points().back();
   if (support.points().size() == 1)
-    return "a support of " + brief_quantity(last.force / last.deflection, "N/m", units);
-  return fmt::format("a support through {} points, the last {} at {}", support.points().size(),
+    return "a support with a stiffness of " + brief_quantity(last.force / last.deflection, "N/m", units);
+  return fmt::format("a support with a force curve of {} points, the last {} at {}", support.points().size(),
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
 }
 
@@ -87,15 +87,15 @@ std::string support_text(const Support& support, const UnitSystem& units) {
 std::string rests_text(const PadLaw& law, const Blows& blows) {
   switch (blow_memory(law)) {
     case BlowMemory::none:
-      return std::holds_alternative<Elastic>(law)
-                 ? "by its law the pad recovers fully"
-                 : "by its law the pad recovers fully in pauses that are long compared with its relaxation";
+      return std::holds_alternative<Elastic>(law) ? "according to its law the pad recovers fully"
+                                                  : "according to its law the pad recovers fully in pauses "
+                                                    "that are long compared with its relaxation";
     case BlowMemory::crater: return "the pad stays crushed";
     case BlowMemory::largest_strain: break;
   }
-  if (blows.recovery == 1) return "in between the pad recovers fully";
-  if (blows.recovery == 0) return "in between the pad does not recover";
-  return fmt::format("in between the pad recovers by {}", percentage(blows.recovery));
+  if (blows.recovery == 1) return "between blows the pad recovers fully";
+  if (blows.recovery == 0) return "between blows the pad does not recover";
+  return fmt::format("between blows the pad recovers by {}", percentage(blows.recovery));
 }
 
 /// `, with a panel of 2 kg and damping 30 N s/m`
@@ -104,7 +104,8 @@ std::string backing_text(const Backing& backing, const UnitSystem& units) {
   for (const Parameter<Backing>& parameter : Backing::parameters) {
     const double value = parameter.of(backing);
     if (value == 0) continue;
-    std::string key = parameter.key == std::string_view("mass") ? "panel mass" : parameter.key;
+    std::string key = parameter.key;
+    if (key.ends_with("mass")) key.insert(0, key == "mass" ? "panel " : "free ");
     std::ranges::replace(key, '_', ' ');
     text += fmt::format("{} {} {}", text.empty() ? " with" : ",", key,
                         brief_quantity(value, parameter.unit, units));

@@ -87,7 +87,7 @@ Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units)
 }
 
 Table table_of_loops(const fit::FitReport& report) {
-  Table table{.columns = {"test", "turns at", "measured", "model"}};
+  Table table{.columns = {"test", "reverses at", "measured", "model"}};
   for (const fit::MetTest& test : report.tests)
     for (const fit::Loop& loop : test.loops)
       table.rows.push_back(
@@ -109,7 +109,7 @@ Table table_of_pulses(const fit::FitReport& report, const UnitSystem& units) {
                      pulse.computed_peak ? shown(*pulse.computed_peak, 4) : "none"),
          pulse.rms ? fmt::format("{}, {:.2g} %", shown(*pulse.rms, 3), 100 * *pulse.rms / pulse.measured_peak)
                    : "none",
-         pulse.shift ? brief_quantity(*pulse.shift, "s", units, 2) : "onsets at one time",
+         pulse.shift ? brief_quantity(*pulse.shift, "s", units, 2) : "aligned at the onset",
          pulse.is_held_out ? "held out: predicted" : ""});
   }
   return table;

@@ -114,11 +114,11 @@ std::string fit_answer(const fit::FitReport& report) {
                                : fmt::format(": the data determine {}{}. ", of.by_data, beside_data(of));
   if (report.starts_at_best == 0)
     return text + "The best fit was found along a profile, not from any of the starts.";
-  return text + fmt::format(
-                    "{} of {} starts converged to the same misfit{}.", report.starts_at_best, report.starts,
-                    report.starts_failed > 0
-                        ? fmt::format("; {} made no valid material or did not converge", report.starts_failed)
-                        : "");
+  return text + fmt::format("{} of {} starts converged to the same misfit{}.", report.starts_at_best,
+                            report.starts,
+                            report.starts_failed > 0
+                                ? fmt::format("; {} were invalid or did not converge", report.starts_failed)
+                                : "");
 }
 
 std::string words_on_added(const fit::FitReport& report) {
@@ -178,7 +178,7 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   const auto add = [&](const auto& given, const std::string& file, std::size_t points) {
     if (given.is_held_out || !(given.effective_points < static_cast<double>(points))) return;
     all.push_back(
-        fmt::format("{}: neighbouring residuals are correlated by {:.2f}, so {} points count as {:.0f}; "
+        fmt::format("{}: adjacent residuals have a correlation of {:.2f}, so {} points count as {:.0f}; "
                     "errors and intervals are widened accordingly.",
                     file, given.autocorrelation, points, given.effective_points));
   };

@@ -86,7 +86,7 @@ void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const Un
 
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked) {
   const Intervals& intervals = *summary.intervals;
-  Table table{.caption = "Uncertainty of each figure by source", .columns = {"Figure", "All together"}};
+  Table table{.caption = "Uncertainty of each figure by source", .columns = {"Figure", "Combined"}};
   std::vector<Source> open;
   for (const OpenSource& source : intervals.sources)
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())

@@ -79,8 +79,8 @@ std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& u
                          strain);
     case laboratory::TestKind::parabolic:
       return fmt::format(
-          "Loaded to a strain of {} and unloaded to zero on a parabola; the rate is the mean rate of "
-          "loading.",
+          "Loaded to a strain of {} and unloaded to zero along a parabola in time; the rate is the mean rate "
+          "of loading.",
           strain);
     case laboratory::TestKind::relaxation:
       return fmt::format("Loaded to a strain of {} at constant rate, and held there for {}.", strain, hold);
@@ -91,7 +91,7 @@ std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& u
       return fmt::format("Loaded to a strain of {} and unloaded to {} at constant rate, {} {}.", strain,
                          brief(test.low), test.cycles, test.cycles == 1 ? "time" : "times");
     case laboratory::TestKind::history:
-      return fmt::format("Driven through the strain history of {}, straight between its {} points.",
+      return fmt::format("Driven through the strain history of {}, linear between its {} points.",
                          one_line(test.history_name), test.times.size());
   }
   return "";
@@ -128,8 +128,8 @@ std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report) 
   std::vector<std::string> notes{
       fmt::format("Estimated errors: stresses {} of the peak stress, energies {} of the energy put in.",
                   percentage(stress_error), percentage(energy_error)),
-      "Energies are per volume. Efficiency is energy over the largest stress so far, ideality that over the "
-      "strain; of the first loading."};
+      "Energies are per volume. Efficiency is energy divided by the largest stress so far, ideality is "
+      "efficiency divided by the strain; of the first loading."};
   if (!range_of(report.material))
     notes.emplace_back("The card states no fitted range: extrapolation cannot be detected.");
   if (report.test.steps_of_1984)

@@ -87,7 +87,7 @@ std::string index_answer(const study::StudyAnswers& answers) {
     if (!is_decided || !(most->total.low > 0))
       return fmt::format("The draws do not determine which factor affects {} most; {} leads",
                          uncapitalised(name), factor_words(most->factor));
-    return fmt::format("{} depends most on {}: {} of its scatter", name, factor_words(most->factor),
+    return fmt::format("{} depends most on {}: {} of its variance", name, factor_words(most->factor),
                        per_cent(std::min(most->total.value, 1.0)));
   }
   return "";
@@ -131,7 +131,7 @@ std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem&
                           brief_quantity(curve.static_stress[*least], "Pa", units, 3));
   }
   return minima.empty() ? ""
-                        : fmt::format("From {}, the least peaks are {}",
+                        : fmt::format("From {}, the lowest peaks are {}",
                                       brief_quantity(drop.height, "m", units, 3), minima);
 }
 

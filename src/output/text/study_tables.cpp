@@ -183,8 +183,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
                     "command continues.",
                     rows, answers.rows));
   add(records.doubtful, "DOUBTFUL:",
-      "miss the tolerance, make no valid case or lack a figure that was asked for. No limit is decided by "
-      "them.");
+      "miss the tolerance, give an invalid case or lack a figure asked for. No limit is decided by them.");
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
@@ -199,8 +198,9 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
       "the impactor was still on the pad when the time limit was reached. Their largest values are lower "
       "bounds: a limit that they do not exceed is undecided.");
   add(records.beyond_strain,
-      "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam is a guess.");
-  add(records.beyond_rate, "EXTRAPOLATED RATE:", "go beyond the tested rates, where the foam is a law.");
+      "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam's stress is a guess.");
+  add(records.beyond_rate,
+      "EXTRAPOLATED RATE:", "go beyond the tested rates, where the stress follows from the law alone.");
   if (records.beyond_strain + records.beyond_rate == 0)
     add(records.extrapolated, "EXTRAPOLATED:", "go beyond what the material was measured for.");
   if (answers.groups.size() > max_groups_shown)
@@ -226,10 +226,10 @@ std::string unstratified_factors(const study::Study& study) {
 
 std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
-    return "A grid has no probabilities: figures are over its levels, with equal weight for each row, and "
-           "have no intervals. A range in brackets is due to undecided rows.";
+    return "A grid gives no probabilities: figures are taken over its levels, with equal weight for each "
+           "row, and have no intervals. A range in brackets is due to undecided rows.";
   std::string note =
-      "In brackets: 95 % intervals, of the mean by Student, of quantiles between order statistics, of "
+      "In brackets: 95 % intervals, of the mean by Student's t, of quantiles between order statistics, of "
       "probabilities by Clopper and Pearson. They cover the sampling only.";
   if (answers.study.sampling != study::Sampling::monte_carlo)
     note +=

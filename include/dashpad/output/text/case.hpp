@@ -18,7 +18,7 @@ struct CaseWords {
   std::string speed;
   std::string pad;      ///< "30 mm vn600 (foam law), bonded"
   std::string support;  ///< "a rigid support"
-  std::string blows;    ///< "3 times; in between the pad recovers fully"; empty of one blow
+  std::string blows;    ///< "3 times; between blows the pad recovers fully"; empty of one blow
 };
 CaseWords case_words(const ImpactCase& impact, const UnitSystem& units);
 
