@@ -171,8 +171,8 @@ TEST_F(ComparePulseTest, SaysWhenCaseAndPulseAreOfUnlikeImpacts) {
 TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
   EXPECT_THAT(refused(triangle_of(0)), HasSubstr("its acceleration is 0 throughout"));
   const std::string late = "time_ms,acc_g\n0,4\n5,40\n10,0\n";
-  EXPECT_THAT(refused(late),
-              HasSubstr("--pulse " + file("bad.csv") + ": its first sample is above 5 % of its peak"));
+  EXPECT_THAT(refused(late), HasSubstr("--pulse " + file("bad.csv") +
+                                       ": its first sample is already above 5 % of its peak"));
   EXPECT_EQ(compare(file("bad.csv"), {"--align", "peak"}).exit_code, 0);
   EXPECT_THAT(refused("time_ms,acc_g\n0,0\n1,nan\n2,40\n3,0\n"), HasSubstr("bad.csv:3: acc_g = nan"));
   EXPECT_THAT(refused("time_ms,acc_g\n0,0\n2,40\n1,20\n3,0\n"),

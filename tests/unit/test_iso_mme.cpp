@@ -239,8 +239,8 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
   EXPECT_THAT(of("0\nnan\n1\n"), HasSubstr("must be a finite number"));
   EXPECT_THAT(of("0\n1e999\n1\n"), HasSubstr("too large or too small"));
   EXPECT_THAT(of("0\n1e308\n1\n"), HasSubstr("too large to compute with"));
-  EXPECT_THAT(of("0\n"), HasSubstr("a pulse needs two samples"));
-  EXPECT_THAT(of(""), HasSubstr("a pulse needs two samples"));
+  EXPECT_THAT(of("0\n"), HasSubstr("a pulse needs at least two samples"));
+  EXPECT_THAT(of(""), HasSubstr("a pulse needs at least two samples"));
   EXPECT_THAT(of("0\n1\n", "no label\n"), HasSubstr("v1.001:9: sample = no label: must be a number"));
   EXPECT_THAT(of(std::string("0\n\0\n", 4)), HasSubstr("is not text"));
   EXPECT_THAT(changed("samples           :3", "samples           :4"),
