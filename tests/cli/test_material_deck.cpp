@@ -120,7 +120,7 @@ TEST_F(MaterialCommandTest, SeveralFoamsGoIntoAFolder) {
 }
 
 TEST_F(MaterialCommandTest, UnitsAreNeededAndKnown) {
-  expect_refused({file("foam.k")}, "--units: is needed");
+  expect_refused({file("foam.k")}, "--units: is required");
   expect_refused({file("foam.k"), "--units", "cgs"}, "kg-mm-ms");
   expect_refused({file("foam.k"), "--units", "t-mm-s", "--rate", "1 1/s"}, "--rate: applies only to tables");
 }
