@@ -125,8 +125,7 @@ std::filesystem::path chosen_standards(const std::string& folder);
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
                                             std::vector<input::InputFile>& files,
                                             std::vector<std::string>& errors);
-/// The same for the measured tests: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation,
-/// data/validation/.
+/// The same for measured tests: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation, data/validation/.
 std::filesystem::path chosen_measured_tests(const std::string& folder);
 /// The file of the running program, or the name by which it was called.
 std::filesystem::path running_executable();

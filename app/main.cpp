@@ -80,8 +80,7 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
 /// Nobody reads more lines, however many kinds of faults there are.
 constexpr std::size_t max_lines = 200;
 
-/// A complaint as one line, and below it its excerpt if there is one. Line breaks in names given by users are
-/// removed.
+/// A complaint as one line, and below it its excerpt, if any. Line breaks in users' names are removed.
 std::string shown(const std::string& complaint) {
   const auto line = complaint.find("\n  "), bar = complaint.find_first_not_of(" 0123456789", line + 1);
   const bool has_excerpt = line != std::string::npos && bar != std::string::npos && complaint[bar] == '|';
@@ -161,8 +160,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   return code == 0 ? exit_done : exit_refused;
 }
 
-/// Complaints about options with an empty text, as from a script with an unset variable; it would count as 0
-/// or as not given.
+/// Complaints about options with an empty text, as from a script's unset variable, which would count as 0.
 std::vector<std::string> given_empty(const CLI::App& app) {
   std::vector<std::string> complaints;
   for (const CLI::Option* option : app.get_options())

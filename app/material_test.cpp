@@ -68,8 +68,7 @@ std::string with_unit_of_rate(const std::string& text) {
   return is_number && !text.empty() ? text + " 1/s" : text;
 }
 
-/// A quantity between two exclusive bounds; else `rule` is broken. Returns `fallback` without text or after
-/// an error.
+/// A quantity between two exclusive bounds; else `rule` is broken. `fallback` without text or on error.
 double quantity(const std::string& option, const Text& text, const char* si_unit, double low, double high,
                 const char* rule, double fallback, Wrong& errors) {
   if (!text) return fallback;

@@ -1,6 +1,5 @@
 #pragma once
-/// Output: result files, which are complete or absent and never overwrite others unasked; standard output and
-/// standard error.
+/// Output: result files, which are complete or absent, never over others unasked; the standard streams.
 
 #include <filesystem>
 #include <functional>
@@ -23,8 +22,7 @@ int write_all(int descriptor, std::string_view text);
 /// std::runtime_error if writing fails, as on a full disk.
 void write_output(std::string_view text);
 
-/// Writes data for programs to standard output, unchanged, except on a terminal, where it is like
-/// write_output().
+/// Writes data for programs to standard output, unchanged; on a terminal like write_output().
 void write_result(std::string_view text);
 
 /// Writes text for people to standard error, if possible.
@@ -41,8 +39,7 @@ struct Target {
 bool is_device(const std::filesystem::path& path);
 
 /// Adds to `errors` what forbids writing to the targets: an existing file (without force), a folder that is
-/// missing or not writable, two equal targets, a target of redirected standard output or error, an input
-/// file.
+/// missing or not writable, equal targets, a target of redirected standard output or error, an input.
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
                    bool force, std::vector<std::string>& errors);
 

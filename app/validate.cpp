@@ -61,8 +61,7 @@ std::vector<Target> stills(const ValidateRequest& request) {
   return wanted;
 }
 
-/// The files to be written, as far as they can be checked before the run; the folder of the figures may not
-/// exist yet.
+/// The files to be written, as far as can be checked before the run; the folder of figures may not exist.
 std::vector<Target> targets_to_judge(const ValidateRequest& request, std::vector<std::string>& errors) {
   std::vector<Target> targets = request.files.targets();
   if (!request.figures) return targets;

@@ -1,6 +1,5 @@
 #pragma once
-/// The ranks of an MPI job and their messages, which hold the rows of a batch bit for bit. Only built with an
-/// MPI.
+/// The ranks of an MPI job and their messages, bit for bit. Only built with an MPI.
 
 #include <cstdint>
 #include <optional>

@@ -172,8 +172,7 @@ std::vector<std::string> complaints_of(Step step) {
   }
 }
 
-/// Called by all. True if no rank has complaints; else throws on the first one that has, so that there is one
-/// message.
+/// Called by all. True if no rank has complaints; else throws on the first one that has, for one message.
 bool is_agreed(const Ranks& ranks, std::vector<std::string> complaints) {
   const std::optional<int> first = ranks.first_with(!complaints.empty());
   if (!first) return true;

@@ -45,8 +45,7 @@ injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const Pu
   }
 }
 
-/// The offset in the interval of --zero, or in the quiet part before the impact. Removes earlier samples at
-/// another level.
+/// The offset in the interval of --zero, or in the quiet part. Removes earlier samples at another level.
 std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
                                               injury::MeasuredPulse& measured,
                                               std::vector<std::string>& errors) {

@@ -160,8 +160,7 @@ std::optional<Hump> hump_of(const Pulse& pulse) {
 /// As the level falls, the criterion grows while lead = level * duration - 0.6 gain is positive. Within a
 /// band the lead is concave in the level; its derivative at the base is duration - 0.4 spread level, and
 /// decreases by 1.4 spread per unit of level. A maximum is where the lead passes from positive to negative,
-/// or rises and falls within a band. The gain of a window is at most that of the whole pulse, which ends the
-/// walk.
+/// or rises and falls within a band. The gain of the whole pulse, the largest, ends the walk.
 Hic hic_of(const Hump& hump, const Curve& curve, double scale, double longest_window) {
   Best best;
   const double whole = curve.gained(0, curve.samples() - 1);

@@ -68,8 +68,7 @@ void offer_stationary(const Curve& curve, std::size_t first, const End& begin, s
   const double constant = 0.6 * curve.gain(widest) - base * duration;
   const double falling = duration - 0.4 * spread * base;
   const double discriminant = falling * falling - 2.8 * spread * constant;
-  // A root that rounding moves out of the range is taken at its end; offering an unneeded window does no
-  // harm.
+  // A root that rounding moves out of the range is taken at its end; an unneeded window does no harm.
   double d = 0;
   if (constant > 0)
     d = falling > 0 && discriminant >= 0 ? 2 * constant / (falling + std::sqrt(discriminant)) : infinite;
@@ -165,8 +164,7 @@ Blocks::Blocks(const Curve& curve) : curve_(&curve) {
   }
 }
 
-/// For adjacent or equal blocks, whose windows may be arbitrarily short: the mean is at most the highest
-/// level.
+/// For adjacent or equal blocks, with arbitrarily short windows: the mean is at most the highest level.
 double Blocks::close_bound(std::size_t rank, std::size_t i, std::size_t j, double longest) const {
   const Bounds& begin = bounds_[rank][i];
   const Bounds& end = bounds_[rank][j];

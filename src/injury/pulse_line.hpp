@@ -21,8 +21,7 @@ struct LinePoint {
 
 using Magnitude = std::vector<LinePoint>;
 
-/// The samples, with a corner at zero wherever a changes sign. Times do not decrease; a zero may round onto a
-/// sample.
+/// The samples, with a corner at zero wherever a changes sign. Times do not decrease: a zero may round.
 inline Magnitude magnitude_of(const Pulse& pulse) {
   Magnitude line;
   line.reserve(pulse.time.size() + pulse.time.size() / 8);
@@ -108,8 +107,7 @@ class AccurateSum {
 inline bool has_coarser_run(const Solution& solution) { return solution.coarser.time.size() >= 2; }
 
 /// Relative error of a figure that has the value `coarser` with twice the step. The method is of second
-/// order, so a third of the difference remains; twice that is taken, since times of events fall anywhere in a
-/// step.
+/// order, so a third of the difference remains; twice that is taken, since events fall anywhere in a step.
 inline double step_error(double value, double coarser) {
   return value == 0 ? std::abs(coarser) : 2.0 / 3 * std::abs(coarser / value - 1);
 }

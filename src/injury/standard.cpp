@@ -129,8 +129,7 @@ Standard with_user_values(const Standard& standard, const UserValues& values) {
   return result;
 }
 
-/// Unit conversions are exact to many digits of a double, and users give fewer than nine. NaN stands for no
-/// value.
+/// Unit conversions are exact to many digits, and users give fewer than nine. NaN stands for no value.
 bool differ(double one, double other) {
   if (std::isnan(one) || std::isnan(other)) return std::isnan(one) != std::isnan(other);
   return std::abs(one - other) > 1e-9 * std::max(std::abs(one), std::abs(other));

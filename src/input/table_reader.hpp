@@ -139,8 +139,7 @@ double read_quantity(const TomlNode& node, const std::string& key, const std::st
                      FaultList& faults);
 /// A plain number if `unit` is "1", else a quantity; NaN after a fault.
 double read_value(const TomlNode& node, const std::string& key, const std::string& unit, FaultList& faults);
-/// A list of two quantities, such as a point of a curve. Anything else breaks `rule` and gives nothing. NaN
-/// after a fault.
+/// A list of two quantities, such as a point of a curve. Anything else breaks `rule`. NaN after a fault.
 std::optional<std::array<double, 2>> read_pair(const TomlNode& node, const std::string& key,
                                                const std::array<const char*, 2>& units, const char* rule,
                                                FaultList& faults);

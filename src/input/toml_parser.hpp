@@ -27,8 +27,7 @@
 
 #include <istream>
 #ifdef _LIBCPP_HAS_NO_FILESYSTEM
-/// toml++ would read files, but libc++ for WebAssembly declares this class without defining it. It is never
-/// used.
+/// toml++ would read files, but libc++ for WebAssembly only declares this class. It is never used.
 template <>
 class std::basic_ifstream<char, std::char_traits<char>> : public std::istream {
  public:

@@ -20,8 +20,7 @@ struct UnitFactor {
 };
 
 /// The value of one `unit` in `si_unit`. A temperature scale with its own zero (degC) counts as another
-/// dimension, as does a reciprocal (s as 1/s). "N s/m" means "(N s)/m". Longer texts than 100 characters are
-/// unknown.
+/// dimension, as does a reciprocal (s as 1/s). "N s/m" is "(N s)/m". Beyond 100 characters: unknown.
 UnitFactor unit_factor(std::string_view unit, std::string_view si_unit);
 
 /// The text without blanks at its ends. Look-alike signs (the Greek letter mu, the no-break space, raised

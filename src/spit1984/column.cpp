@@ -35,8 +35,7 @@ void check(PadKey pad, const std::array<double, 21>& parameters, const std::vect
   if (!text.empty()) throw std::invalid_argument(text);
 }
 
-/// The first station is the axis. The second stands for the contact edge, whose stress laws 4 and 5 set to
-/// zero.
+/// The first station is the axis. The second is the contact edge, whose stress laws 4 and 5 set to 0.
 template <class Real>
 std::vector<double> stresses(PadKey pad, const std::array<double, 21>& parameters,
                              const std::vector<double>& strains, double step) {

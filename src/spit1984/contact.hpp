@@ -78,8 +78,7 @@ class Contact {
     return true;
   }
 
-  /// R(MAXR). Where no station is left, the listing reads R(0), which is not in the vector; here it is the
-  /// axis.
+  /// R(MAXR). Where no station is left, the listing reads R(0), outside the vector; here the axis.
   [[nodiscard]] Real outermost() const { return stations_ > 0 ? field_.radius[stations_ - 1] : Real(0); }
 
   /// 150.

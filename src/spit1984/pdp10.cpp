@@ -15,8 +15,7 @@ Pdp10 Pdp10::rounded_half(double x, long double exact) {
 }
 
 /// The functions of double are accurate to one or two units of the last of 53 bits, so they decide unless
-/// they come within 16 units of a half. Only then the functions of 64 bits are used, which are some ten times
-/// slower.
+/// they come within 16 units of a half. Only then are those of 64 bits used, ten times slower.
 template <class Function, class... Numbers>
 Pdp10 Pdp10::rounded_function(Function f, Numbers... x) {
   constexpr std::uint64_t doubt = 16;

@@ -79,8 +79,7 @@ class Spit {
     return iterate(f2_ < Real(0) ? -advance : advance);
   }
 
-  /// 90 to 240: marches by `advance` until the force error changes sign, then bisects a triplet (Eqs. 25,
-  /// 26).
+  /// 90 to 240: marches by `advance` until the force error changes sign, then bisects (Eqs. 25, 26).
   Outcome iterate(Real advance) {
     const int before = step_ - 2, last = step_ - 1;
     const Real zero = Real(0);

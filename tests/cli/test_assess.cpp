@@ -392,9 +392,8 @@ type = "rigid"
   EXPECT_EQ(assess({"en-1177", "--drop-height", "0.55 m"}).exit_code, 3);
   const Outcome outcome = assess({"en-1177", "--drop-height", "0.55 m", "--no-intervals"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              AllOf(ContainsRegex("Peak acceleration +21[0-9.]* g +at most 200 g +fail by "),
-                    ContainsRegex("Unlimited HIC +9[0-9.]+ +at most 1000 +pass with ")));
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("Peak acceleration +21[0-9.]* g +at most 200 g +fail by "),
+                                 ContainsRegex("Unlimited HIC +9[0-9.]+ +at most 1000 +pass with ")));
 }
 
 /// The preset's text was not read, and every figure of it was verified elsewhere.

@@ -41,8 +41,7 @@ struct Comparison {
   int dimension = 0;     ///< of its time history and its contact field
 };
 
-/// Receives the number of time steps of the 1984 program that are done, and about how many there are in all
-/// runs.
+/// Receives the number of the 1984 program's time steps that are done, and about how many there are.
 using ComparisonProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Computes all runs. `time_step` is that of the 1984 program, s; below 0.1 ms its dimensions of 1000 grow in

@@ -34,8 +34,7 @@ std::string validation_json(const Study& study);
 output::Document validation_document(const Study& study,
                                      output::Pictures pictures = output::Pictures::left_out);
 
-/// The Markdown tables that docs/validation.md holds between "<!-- begin NAME -->" and "<!-- end NAME -->",
-/// by name.
+/// The Markdown tables of docs/validation.md by NAME, as in "<!-- begin NAME -->" and "<!-- end NAME -->".
 std::map<std::string, std::string> validation_markdown_tables(const Study& study);
 
 /// Whether the accurate solver passes the rules of each support and quantity (docs/decisions/0007).

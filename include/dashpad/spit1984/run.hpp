@@ -79,8 +79,7 @@ enum class Abend {
   too_many_contact_divisions = 904,
 };
 
-/// An iteration that stopped at the precision limit of the penetration, with its force out of equilibrium by
-/// `error`.
+/// An iteration that stopped at the penetration's precision limit, its force out of balance by `error`.
 struct PrecisionStop {
   int step = 0;         ///< K, the vector index: time is (K - 2) time steps
   double force_lb = 0;  ///< negative in compression
@@ -134,8 +133,7 @@ double longest_time_step_ms(const Deck& deck);
 using Progress = std::function<void(int step)>;
 
 /// Runs the program. Failures of a valid deck are ABENDs. Throws std::invalid_argument for violations() of
-/// the deck, fewer than 3 time steps or fewer than 2 stations. Memory is allocated for the dimensions at
-/// once.
+/// the deck, fewer than 3 time steps or fewer than 2 stations. Memory is allocated at once.
 Run run(const Deck& deck, const Settings& settings = {}, const Progress& progress = {});
 
 /// The stress of one station at the end of each step, psi, positive in compression unlike in the program.

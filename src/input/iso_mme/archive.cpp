@@ -102,8 +102,7 @@ class Archive {
     claimed_ += size;
   }
 
-  /// The name with / between folders and without "./". A name that leads out of the archive makes all of it
-  /// untrustworthy.
+  /// The name with / between folders and without "./". A name that leads out makes all of it untrustworthy.
   std::string safe_name() {
     const char* text = ::archive_entry_pathname_utf8(entry_);
     if (text == nullptr) text = ::archive_entry_pathname(entry_);

@@ -1,6 +1,5 @@
 #pragma once
-/// The files of an ISO-MME test in a folder or archive, and their texts. No name can reach a file outside of
-/// it.
+/// The files of an ISO-MME test in a folder or archive, and their texts. No name reaches a file outside.
 
 #include <cstddef>
 #include <filesystem>
@@ -31,8 +30,7 @@ MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vect
 /// The regular files in an archive. Throws InputError, also if a name leads out of the archive or occurs
 /// twice, or for more than 10,000 names.
 std::vector<std::string> names_in_archive(const std::filesystem::path& archive);
-/// Like read_from_folder(). At most largest_measurement is unpacked in all, whatever sizes the archive
-/// claims.
+/// Like read_from_folder(). At most largest_measurement is unpacked in all, whatever it claims.
 MmeMembers read_from_archive(const std::filesystem::path& archive, const std::vector<std::string>& names,
                              std::size_t most, bool cut);
 

@@ -19,8 +19,7 @@ enum class Content : std::uint8_t { number, stress, density, rate, time, whole }
 struct DeckField {
   const char* name;
   Content content = Content::number;
-  /// For a field without a counterpart here, its meaning, which is reported if the field is set; "" if it is
-  /// not reported.
+  /// The meaning of a field without a counterpart here, reported if the field is set; "" if it is not.
   const char* lost = nullptr;
   std::size_t width = 10;  ///< columns; 20 in the long format of LS-DYNA
 

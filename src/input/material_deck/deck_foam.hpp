@@ -170,8 +170,7 @@ struct CleanCurve {
 std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, MeasurementFaults& faults,
                                       std::vector<std::string>& differences);
 
-/// Limits the stress of a crushed foam to the line of its modulus, and adds this to `differences`. False
-/// after a fault.
+/// Limits a crushed foam's stress to the line of its modulus; says so in `differences`. False after a fault.
 bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& deck_curve,
                            MeasurementFaults& faults, std::vector<std::string>& differences);
 

@@ -89,8 +89,7 @@ struct CsvTable {
   CsvHeader header;
 };
 
-/// Refuses text that is binary, empty, or without a row of two numbers (or of one). `content` must outlive
-/// table and faults.
+/// Refuses text that is binary, empty or without a row of two numbers (or one). `content` outlives both.
 CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool may_have_one_column = false);
 
 struct CsvColumns {

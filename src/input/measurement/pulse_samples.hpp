@@ -45,8 +45,7 @@ struct ExactTime {
   }
 };
 
-/// A number with a decimal point or comma, as in read_csv_number(); absent for more than 18 digits before the
-/// point.
+/// A number with a decimal point or comma, as in read_csv_number(); absent beyond 18 digits before the point.
 std::optional<ExactTime> exact_time(std::string_view number);
 
 /// Whether times count from the first sample: the clock's zero is further away than a thousand times

@@ -19,8 +19,7 @@
 
 namespace dashpad::report1986 {
 
-/// The reason why a text is no finite number above 0 (and below 1 for a fraction). Empty if it is one; then
-/// `value` is set.
+/// Why a text is no finite number above 0 (and below 1 for a fraction); if "", `value` is set.
 inline std::string why_no_reading(const std::string& text, bool is_fraction, double& value) {
   const input::ReadNumber number = input::read_number(text);
   if (number.kind == input::NumberKind::empty) return "is missing";

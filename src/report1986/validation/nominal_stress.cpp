@@ -70,8 +70,7 @@ struct LeastSum {
 /// of a placing is least along a path through the tests, which dynamic programming finds.
 class NominalStressPlacings {
  public:
-  /// Tests with strain and force become points. `stress` gives the nominal stress of a test with its readings
-  /// placed.
+  /// Tests with strain and force become points. `stress` is the nominal stress of a test.
   NominalStressPlacings(const MeasuredTests& measured,
                         const std::function<double(const MeasuredTest&)>& stress) {
     std::map<Placed, std::size_t> here{{Placed{}, 0}};
@@ -187,8 +186,7 @@ Interval means_over(const NominalStressPlacings& placings) {
 }
 
 /// Finds the placing of least scatter, and the range of the scatter. A placing scatters least about its own
-/// mean, so the least scatter about any line is the least of all, and the greatest about one line is an upper
-/// bound.
+/// mean, so the least scatter about any line is the least of all, and the greatest about one an upper bound.
 void scan_lines(const NominalStressPlacings& placings, const Interval& means, NominalStressFit& fit) {
   fit.scatter = infinite;
   std::map<std::size_t, double> bounds;

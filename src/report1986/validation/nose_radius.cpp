@@ -106,8 +106,7 @@ RadiusCriterion of_tests(const ValidationData& data, const std::vector<Predictio
                       Program::accurate, quantity, expected);
 }
 
-/// Strains of the steel projectile. Their rows are lost, so a residual is the root mean square over all
-/// placings.
+/// Strains of the steel projectile, of which no row is known: root mean squares over all placings.
 RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
                                          const std::vector<Prediction>& at_tests) {
   MeasuredTests group{data.measured.tests, {}};

@@ -47,8 +47,7 @@ double curve_b_speed_mph(const ValidationData& data, Projectile projectile, doub
 
 double weight_of(const ValidationData& data, Projectile projectile);  ///< lb
 
-/// A number that the report states and that follows from its other numbers (sections 3.2, 3.3 and 4),
-/// recomputed.
+/// A number that the report states, recomputed from its other numbers (sections 3.2, 3.3 and 4).
 struct ReportClaim {
   std::string where;  ///< "section 3.3, Eq. 34"
   std::string claim;  ///< the statement, for people

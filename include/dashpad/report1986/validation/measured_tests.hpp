@@ -1,8 +1,7 @@
 #pragma once
 /// The 33 validation tests of the report's Table 3-1, in its units, as far as the scan is legible.
 ///
-/// For some readings the scan shows their order in a column, but not their tests. These are kept as separate
-/// groups.
+/// Readings whose order in a column the scan shows, but not their tests, are kept as separate groups.
 
 #include <filesystem>
 #include <optional>

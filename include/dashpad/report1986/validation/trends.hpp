@@ -1,6 +1,5 @@
 #pragma once
-/// The report's trend lines (section 3.3), refitted to the readings of Table 3-1, and the nose radius that
-/// the readings favour.
+/// The report's trend lines (section 3.3), refitted to Table 3-1, and the nose radius that it favours.
 
 #include <algorithm>
 #include <functional>
@@ -107,8 +106,7 @@ struct RadiusCriterion {
   bool of_the_report = false;  ///< a statement of the report, tested with its program
 };
 
-/// The criterion whose residuals at a radius are `residuals_at(radius)`, one per reading; absent if there is
-/// no figure.
+/// The criterion with the residuals `residuals_at(radius)`, one per reading; absent if there is no figure.
 RadiusCriterion radius_criterion(
     std::string name, std::string remark, std::string unit,
     const std::function<std::vector<std::optional<double>>(double radius_in)>& residuals_at);
