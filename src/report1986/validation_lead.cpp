@@ -59,18 +59,18 @@ output::ValueRow score_figure(const Study& study, const HeldOutScore& score) {
   const double share_of_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
   const double share_of_scatter = score.scatter.value_or(0) / rule.scatter;
   const bool is_scatter = share_of_scatter > share_of_bias;
-  const std::string bias = bias_with_error(score), most_bias = "at most ±" + limit_text(rule, rule.high);
+  const std::string bias = bias_with_error(score), max_bias = "at most ±" + limit_text(rule, rule.high);
   const std::string scatter = score.scatter ? scatter_text(*score.scatter, score.quantity) : "";
-  const std::string most_scatter = "at most " + limit_text(rule, rule.scatter);
+  const std::string max_scatter = "at most " + limit_text(rule, rule.scatter);
   output::ValueRow figure{.label = fmt::format("{} of {}, {}", is_scatter ? "Scatter" : "Bias",
                                                to_string(score.quantity), to_string(score.support)),
                           .value = is_scatter ? scatter : bias,
-                          .remark = (is_scatter ? most_scatter : most_bias) + "; ",
+                          .remark = (is_scatter ? max_scatter : max_bias) + "; ",
                           .share = std::max(share_of_bias, share_of_scatter),
                           .tone = score.passed ? output::Tone::good : output::Tone::bad};
-  figure.remark += is_scatter        ? fmt::format("bias {}, {}", bias, most_bias)
+  figure.remark += is_scatter        ? fmt::format("bias {}, {}", bias, max_bias)
                    : scatter.empty() ? "too few tests for a scatter"
-                                     : fmt::format("scatter {}, {}", scatter, most_scatter);
+                                     : fmt::format("scatter {}, {}", scatter, max_scatter);
   if (by_law != nullptr && !by_law->errors.empty())
     figure.remark += "; with the report's law the bias is " + bias_text(by_law->bias, score.quantity);
   return figure;

@@ -162,7 +162,7 @@ TEST_F(CompareTest, KeepsExistingFilesUnlessForced) {
   EXPECT_TRUE(json::accept(read_file(file("old.json"))));
   EXPECT_THAT(refused({nine, "--json", file("nowhere/a.json")}).err, HasSubstr("there is no folder"));
   EXPECT_THAT(refused({nine, "--json", file("a.svg"), "--picture", file("a.svg")}).err,
-              HasSubstr("--picture too"));
+              HasSubstr("also the file of --picture"));
   EXPECT_THAT(other_files(), ElementsAre("old.json"));
 }
 

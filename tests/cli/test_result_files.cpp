@@ -73,7 +73,7 @@ TEST_F(ResultFilesTest, TwoResultsCannotShareAFile) {
   for (const std::string& other : {name, fs::path{name}.parent_path().string() + "/./both"}) {
     const Outcome outcome = dashpad({"run", case_file(), "--json", name, "--csv", other, "--force"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("--json too"));
+    EXPECT_THAT(outcome.err, HasSubstr("also the file of --json"));
   }
   EXPECT_THAT(other_files(), IsEmpty());
 }

@@ -438,7 +438,7 @@ TEST_F(FitFileTest, AsksForUnknowns) {
 TEST_F(FitFileTest, AsksForAsManyDataAsUnknowns) {
   write("test.csv", "strain,stress_kPa\n0.1,10\n0.3,40\n");
   EXPECT_THAT(faults_of(edited(good_fit, "noise =", "offset = true\nnoise =")),
-              HasSubstr("for 2 measured numbers"));
+              HasSubstr("only 2 measured numbers"));
 }
 
 TEST_F(FitFileTest, NamesTheLinesOfBadData) {
