@@ -139,7 +139,8 @@ TEST(ValidationLead, FollowsTheVerdicts) {
   study.rebounds.front().passed = true;
   lead = report1986::validation_lead(study, output::Pictures::drawn);
   EXPECT_EQ(lead.tone, Tone::good);
-  EXPECT_THAT(lead.answer, HasSubstr("are all reproduced within the rules: the report's foam law passes 2 of 2"));
+  EXPECT_THAT(lead.answer,
+              HasSubstr("are all reproduced within the rules: the report's foam law passes 2 of 2"));
 }
 
 TEST(ValidationLead, ABiasStandsBesideItsRule) {
