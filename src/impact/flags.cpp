@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -281,12 +282,13 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (std::optional<Flag> flag = striking_through(summary)) all.push_back(*std::move(flag));
   if (!summary.softening_rates.empty())
     add("SOFTENING", softening(summary), {{"rate_per_s", summary.softening_rates.front()}});
-  const std::size_t others = all.size();
+  const auto others = static_cast<std::ptrdiff_t>(all.size());
   for (const Extrapolation& extrapolation : summary.extrapolations)
     if (std::optional<Flag> flag = extrapolation_flag(summary, extrapolation, decisive))
       all.push_back(*std::move(flag));
-  std::ranges::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(others), all.end(), std::greater<>(),
-                           largest_effect);
+  std::ranges::stable_sort(all.begin() + others, all.end(), std::greater<>(), [](const Flag& flag) {
+    return flag.figures.empty() ? std::numeric_limits<double>::infinity() : largest_effect(flag);
+  });
   if (summary.intervals && !summary.intervals->warning.empty())
     all.push_back({"SMALL NOSE", summary.intervals->warning});
   return all;

@@ -69,9 +69,9 @@ double largest_effect(const Flag& flag);
 const std::vector<std::string>& usual_figures();
 
 /// Flags of a result; none if there is no reservation. EXTRAPOLATED ... appears once for each reason, that
-/// with the largest effect first; if there are intervals, only where the extrapolation moves one of the
-/// `decisive` figures by more than 1 %, which the text then states. A pad that bottomed out on a rigid
-/// support is BOTTOMED, not PULSE CUT.
+/// with an unknown or the largest effect first; if there are intervals, only where the extrapolation moves
+/// one of the `decisive` figures by more than 1 %, which the text then states. A pad that bottomed out on a
+/// rigid support is BOTTOMED, not PULSE CUT.
 std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& decisive = usual_figures());
 
 }  // namespace dashpad
