@@ -74,7 +74,7 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
               AllOf(StartsWith("The computed peak is "), HasSubstr("; HIC15 is "),
                     ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g, measured 40[.]00 g\n"),
                     HasSubstr("\n  Time to peak "),
-                    ContainsRegex("\n  Width at half the peak .* , measured 5[.]000 ms\n"),
+                    ContainsRegex("\n  Width at half the peak .*, measured 5[.]000 ms\n"),
                     HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
                     HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
                     ContainsRegex("Impactor +a sphere of 5 kg"), HasSubstr("drop.csv (CSV) against "),
