@@ -48,6 +48,12 @@ Flag cut(const std::string& where, double acceleration, double peak, const std::
 
 std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
 
+/// " (gravity's 0.335 m/s subtracted)": the sensor shows it, but it is no part of the change of motion.
+std::string less_gravity(const PulseReport& report, const SpeedCheck& check) {
+  const double given = report.contact.velocity_change - check.change;
+  return given > 0 ? " (gravity's " + brief(given, 3) + " m/s subtracted)" : "";
+}
+
 /// "2 % greater" for a factor near 1, else "1.3 times this one".
 std::string other_scale(double factor) {
   constexpr double near = 0.1;
@@ -102,15 +108,16 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
   const std::optional<SpeedCheck> check = speed_check(report);
   if (check && !check->agrees()) {
     const bool is_short = check->shortfall > 0;
-    all.push_back(flag_of(
-        "IMPOSSIBLE VELOCITY CHANGE",
-        fmt::format("{} m/s is {} the impact speed, {} m/s; likely {}", brief(std::max(check->change, 0.0)),
-                    is_short ? "less than" : "more than twice", brief(report.impact->speed),
-                    is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
-                               "sensor has an offset"
-                             : "the sensor has an offset, the unit or the sensitivity is wrong, "
-                               "or there is more than one impact in the pulse"),
-        {{"velocity_change_m_per_s", check->change}, {"speed_m_per_s", report.impact->speed}}));
+    all.push_back(
+        flag_of("IMPOSSIBLE VELOCITY CHANGE",
+                fmt::format("{} m/s{} is {} the impact speed, {} m/s; likely {}",
+                            brief(std::max(check->change, 0.0)), less_gravity(report, *check),
+                            is_short ? "less than" : "more than twice", brief(report.impact->speed),
+                            is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
+                                       "sensor has an offset"
+                                     : "the sensor has an offset, the unit or the sensitivity is wrong, "
+                                       "or there is more than one impact in the pulse"),
+                {{"velocity_change_m_per_s", check->change}, {"speed_m_per_s", report.impact->speed}}));
   }
   if (std::optional<Flag> flag = height_in_doubt(report)) all.push_back(*std::move(flag));
   return all;
@@ -130,9 +137,9 @@ std::string in_percent(double fraction) {
 
 std::string change_of_hic15(const OffsetEffect& effect) {
   if (!(effect.hic15_without > 0))
-    return fmt::format("HIC15 is {} with it, and 0 without", brief(effect.hic15_with));
+    return fmt::format("HIC15 is {} with the offset, and 0 without", brief(effect.hic15_with));
   const double change = effect.hic15_with / effect.hic15_without - 1;
-  return fmt::format("HIC15 is {} {} with it than without", in_percent(std::abs(change)),
+  return fmt::format("HIC15 is {} {} with the offset than without", in_percent(std::abs(change)),
                      change < 0 ? "lower" : "higher");
 }
 
@@ -166,11 +173,12 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
   }
   const char* stated = report.impact->drop_height ? "drop height" : "speed";
   check.text = check.agrees() ? fmt::format(
-                                    "Velocity change and {} agree: {} lies between {} (no rebound) "
-                                    "and twice that. This would also hold if all accelerations were {} to {} "
-                                    "times as large: a smaller scale error cannot be detected here.",
-                                    stated, shown(check.change), shown(speed), brief(*check.min_scale, 3),
-                                    brief(*check.greatest_scale, 3))
+                                    "Velocity change and {} agree: {}{} lies between {} (no rebound) and "
+                                    "twice that. They would agree as well "
+                                    "if all accelerations were {} to {} times as large: a scale error within "
+                                    "that range goes unnoticed.",
+                                    stated, shown(check.change), less_gravity(report, check), shown(speed),
+                                    brief(*check.min_scale, 3), brief(*check.greatest_scale, 3))
                               : way_out(check, report.contact, stated);
   return check;
 }

@@ -82,9 +82,9 @@ std::string words_beside(const ValueRow& row) {
 Table table_of(const RowGroup& group) {
   const std::vector<ValueRow>& rows = group.rows;
   using Cell = std::string (*)(const ValueRow&);
-  constexpr std::array<std::pair<const char*, Cell>, 4> optional{{
+  const std::array<std::pair<const char*, Cell>, 4> optional{{
       {"95 % interval", [](const ValueRow& row) { return row.interval; }},
-      {"Numerical error",
+      {group.error,
        [](const ValueRow& row) { return row.error ? "± " + shown_error(*row.error) : std::string{}; }},
       {"Limit", [](const ValueRow& row) { return row.limit; }},
       {"Remark", [](const ValueRow& row) { return row.remark; }},

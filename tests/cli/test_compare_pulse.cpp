@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <regex>
 
 #include "command.hpp"
 #include "schema.hpp"
@@ -70,16 +71,26 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
   const Outcome outcome = compare(file("drop.csv"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("The computed peak is "), HasSubstr("; HIC15 is "),
-                    ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g, measured 40[.]00 g\n"),
-                    HasSubstr("\n  Time to peak "),
-                    ContainsRegex("\n  Width at half the peak .*, measured 5[.]000 ms\n"),
-                    HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
-                    HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
-                    ContainsRegex("Impactor +a sphere of 5 kg"), HasSubstr("drop.csv (CSV) against "),
-                    HasSubstr("Acceleration  acc_g in g (from the file)")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(StartsWith("The computed peak is "), HasSubstr("; HIC15 is "),
+            ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g computed.*, 40[.]00 g measured\n"),
+            HasSubstr("\n  Time to peak "),
+            ContainsRegex("\n  Width at half the peak .* computed.*, 5[.]000 ms measured\n"),
+            HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
+            HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
+            ContainsRegex("Impactor +a sphere of 5 kg"), HasSubstr("drop.csv (CSV) against "),
+            HasSubstr("Acceleration  acc_g in g (from the file)")));
   EXPECT_TRUE(other_files() == std::vector<std::string>{"drop.csv"});
+}
+
+TEST_F(ComparePulseTest, SaysWhetherTheMeasuredPeakLiesInTheIntervalOfTheComputed) {
+  const std::vector<std::string> command{"compare", examples + "helmet-pad-10fps.toml", "--pulse",
+                                         examples + "pulses/synthetic-helmet-pad.csv"};
+  const std::string said = std::regex_replace(dashpad(command).out, std::regex("\n +"), " ");
+  EXPECT_THAT(said,
+              AllOf(HasSubstr(" The measured peak lies outside the 95 % interval of the computed one.\n"),
+                    ContainsRegex("Peak acceleration .* g computed \\([0-9.]+ to [0-9.]+ g at 95 %\\), 32")));
 }
 
 TEST_F(ComparePulseTest, FiguresAreThoseOfRunAndOfPulse) {

@@ -103,7 +103,7 @@ TEST_F(PulseOffsetTest, SaysWhatAnOffsetDoesToHic) {
                                  HasSubstr("samples from -8 to -"), HasSubstr(" ms; scatter 0 g\n")));
   EXPECT_THAT(unwrapped(outcome.out),
               AllOf(HasSubstr("REMARK: an offset of 1.2 g before the impact: HIC15 is " + two_digits(higher) +
-                              " % higher with it than without; --zero auto subtracts it\n"),
+                              " % higher with the offset than without; --zero auto subtracts it\n"),
                     Not(HasSubstr("PULSE CUT"))));
   const json offset = result({drop}).at("offset");
   EXPECT_NEAR(offset.at("mean_g").at(0).get<double>(), 1.2, 1e-9);
@@ -135,7 +135,7 @@ TEST_F(PulseOffsetTest, ZeroTakesTheOffsetOffWhateverItIs) {
   EXPECT_THAT(unwrapped(outcome.out),
               AllOf(HasSubstr("\nZeroed        1.2 g subtracted, the mean of 701 samples from -8 to -1 ms; "
                               "scatter 0 g; HIC15 is "),
-                    HasSubstr("% higher with it than without\n"), Not(HasSubstr("REMARK"))));
+                    HasSubstr("% higher with the offset than without\n"), Not(HasSubstr("REMARK"))));
   const json offset = result({file("drop.csv"), "--zero", "-8 ms,-1 ms"}).at("offset");
   EXPECT_EQ(offset.at("interval"), "given");
   EXPECT_EQ(offset.at("taken_off"), true);

@@ -74,7 +74,9 @@ TEST_F(PulseUncertaintyTest, ACalibrationIsInEveryFigureToItsPower) {
 TEST_F(PulseUncertaintyTest, ItIsOnThePage) {
   const Outcome outcome = pulse(pulse_from("0", 0), {"--calibration", "3 %", "--report", file("pulse.html")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(read_file(file("pulse.html")), HasSubstr("calibration 3 %"));
+  EXPECT_THAT(read_file(file("pulse.html")),
+              testing::AllOf(HasSubstr("Uncertainty (k = 2)"), HasSubstr("Sources of the uncertainty"),
+                             testing::ContainsRegex(">3[^<]{1,6}%<")));
 }
 
 TEST_F(PulseUncertaintyTest, WhatIsNoCalibrationIsRefused) {

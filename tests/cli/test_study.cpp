@@ -89,7 +89,7 @@ TEST_F(StudyTest, ComputesAndSumsUp) {
   EXPECT_THAT(
       summary.out,
       AllOf(
-          StartsWith("In 8 % of cases peak acceleration exceeds 30 g (5.54 % to 11.1 %)\nDrawn\n800 of 800"),
+          StartsWith("In 8 % of draws peak acceleration exceeds 30 g (5.54 % to 11.1 %)\nDrawn\n800 of 800"),
           HasSubstr("Impact speed "), HasSubstr("normal, mean 3 m/s, deviation 0.2 m/s"), HasSubstr("30 g"),
           HasSubstr("2000 N"), HasSubstr("Sobol' indices")));
   EXPECT_THAT(read_file(file("answers.md")),
@@ -129,7 +129,7 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
   };
   EXPECT_THAT(
       heading({"--limit", "peak_acceleration > 30 g"}),
-      ContainsRegex("In [0-9.]+ % of cases peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
+      ContainsRegex("In [0-9.]+ % of draws peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
               ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its variance$"));
 }

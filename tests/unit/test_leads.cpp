@@ -295,7 +295,9 @@ TEST(StudyAnswer, OverTwoFactorsSaysUpToWhereTheLimitIsKept) {
   ask_for(answers, 25);
   EXPECT_EQ(answer_to(answers), "Peak acceleration stays within 25 g nowhere at 10 mm, everywhere at 60 mm");
   answers.records.factors[1] = {.06, .06, .06, .01, .01, .01, .03, .03, .03};
-  EXPECT_EQ(answer_to(answers), "Peak acceleration stays within 25 g nowhere at 10 mm, up to 2 m/s at 60 mm");
+  EXPECT_EQ(answer_to(answers),
+            "Peak acceleration stays within 25 g nowhere at 10 mm, up to between 2 m/s and 3 m/s at "
+            "60 mm");
 }
 
 TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {
@@ -323,7 +325,21 @@ TEST(StudyAnswer, SpeaksOfTheLimitThatIsExceededMost) {
   study::StudyAnswers answers = answers_of({100, 200, 300, 400}, true);
   ask_for(answers, 35);
   ask_for(answers, 15);
-  EXPECT_THAT(answer_to(answers), HasSubstr("In 75 % of cases peak acceleration exceeds 15 g"));
+  EXPECT_THAT(answer_to(answers), HasSubstr("In 75 % of draws peak acceleration exceeds 15 g"));
+}
+
+TEST(StudyAnswer, OfNoneOrAllOfTheDrawsGivesTheEndThatIsNotSure) {
+  study::StudyAnswers above = answers_of({100, 200, 300, 400}, true), below = above;
+  ask_for(above, 5);
+  EXPECT_THAT(answer_to(above),
+              AllOf(HasSubstr("Peak acceleration exceeds 5 g in all 4 draws (probability at "
+                              "least "),
+                    Not(HasSubstr("100 %"))));
+  ask_for(below, 50);
+  EXPECT_THAT(answer_to(below),
+              AllOf(HasSubstr("Peak acceleration exceeds 50 g in none of 4 draws (probability "
+                              "at most "),
+                    Not(HasSubstr(" 0 %"))));
 }
 
 TEST(StudyAnswer, OfSeveralCombinationsNamesTheBestAndTheWorst) {
@@ -335,7 +351,7 @@ TEST(StudyAnswer, OfSeveralCombinationsNamesTheBestAndTheWorst) {
   answers.groups[1].group.levels = {2};
   answers.groups[1].exceedances[0].probability.value = 0.1;
   EXPECT_EQ(answer_to(answers),
-            "Peak acceleration exceeds 15 g in 10 % of cases at impact speed 2 m/s, in 75 % of cases at "
+            "Peak acceleration exceeds 15 g in 10 % of draws at impact speed 2 m/s, in 75 % of draws at "
             "impact speed 1 m/s");
 }
 

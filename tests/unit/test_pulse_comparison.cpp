@@ -135,9 +135,9 @@ TEST(PulseFlags, SayWhichWayAnOffsetMovesHic) {
   injury::OffsetEffect effect;
   effect.hic15_with = 110;
   effect.hic15_without = 100;
-  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 10 % higher with it than without");
+  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 10 % higher with the offset than without");
   effect.hic15_with = 80;
-  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 20 % lower with it than without");
+  EXPECT_EQ(injury::change_of_hic15(effect), "HIC15 is 20 % lower with the offset than without");
 }
 
 TEST(PulseShape, RefusesAPulseWithoutAcceleration) {

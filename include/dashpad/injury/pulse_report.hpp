@@ -197,7 +197,7 @@ std::string each_in_g(const std::vector<double>& accelerations, double peak);
 /// "12 %": two digits, and all digits before the decimal point.
 std::string in_percent(double fraction);
 
-/// "HIC15 is 4.4 % higher with it than without".
+/// "HIC15 is 4.4 % higher with the offset than without".
 std::string change_of_hic15(const OffsetEffect& effect);
 
 }  // namespace dashpad::injury

@@ -74,6 +74,7 @@ enum class Seen {
 struct RowGroup {
   std::string caption = {};
   std::vector<ValueRow> rows = {};
+  const char* error = "Numerical error";  ///< what the errors of the rows are
 };
 
 /// Shown in this order: heading, figures by rows, text, bars, tables, plots, text to copy.

@@ -67,8 +67,10 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
     const double given = impact.gravity * (report.contact.end - report.contact.begin);
     if (const std::optional<double> restitution = injury::restitution(report.contact, impact))
       add("restitution", result_quantity("restitution").title, *restitution,
-          "for an impact at " + brief_quantity(impact.speed, "m/s", units) +
-              (given > 0 ? ", without gravity's " + brief_quantity(given, "m/s", units, 3) : ""));
+          "relative to " + brief_quantity(impact.speed, "m/s", units) +
+              (given > 0
+                   ? fmt::format(", after subtracting {} for gravity", brief_quantity(given, "m/s", units, 3))
+                   : ""));
   }
   for (const injury::WindowedHic& windowed : report.windows)
     add("hic_unlimited", "HIC of " + brief(1e3 * windowed.longest_window) + " ms", windowed.hic.value,
@@ -93,32 +95,47 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
   return rows;
 }
 
-/// The uncertainty of the measurement, "peak acceleration ± 2.3 % (sampling 0.4 %, filter 1.1 %)", and what
-/// it leaves out; with Detail::main for peak and HIC15 only.
-std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
-  constexpr double next_to_nothing = 5e-5;
-  const auto share = [](double value) {
-    return value < next_to_nothing ? "below 0.01 %" : injury::in_percent(value);
+/// What the uncertainty of the measurement leaves out.
+std::string left_out_words(const injury::MeasurementUncertainty& uncertainty) {
+  const std::string& compared = uncertainty.compared_with;
+  return fmt::format(
+      "k = 2{}. The effect of {} filter applied before the file was written is not included{}.",
+      compared.empty() ? "" : ", including the filter compared with " + compared,
+      compared.empty() ? "a" : "another",
+      uncertainty.calibration ? "" : ", nor is that of the calibration (give it with --calibration)");
+}
+
+/// The uncertainty of each figure of the measurement by source.
+Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty) {
+  const auto share = [](const std::optional<double>& value, const char* none) {
+    return !value ? none : *value < 5e-5 ? "below 0.01 %" : injury::in_percent(*value);
   };
+  Table table{.caption = "Sources of the uncertainty",
+              .columns = {"Figure", "Together", "Sampling", "Filter", "Calibration"}};
+  for (const injury::FigureUncertainty& each : uncertainty.figures)
+    table.rows.push_back({each.quantity->title, "± " + share(each.combined(), ""),
+                          share(each.sampling, "not known"), share(each.filter, "-"),
+                          share(each.calibration, "-")});
+  return table;
+}
+
+/// The uncertainty of peak and HIC15 with its sources, and what it leaves out.
+std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty) {
+  const bool is_sampling = uncertainty.compared_with.empty() && !uncertainty.calibration;
+  const Table table = uncertainty_table(uncertainty);
   std::string text;
-  for (const injury::FigureUncertainty& each : uncertainty.figures) {
-    const std::string_view key = each.quantity->key;
-    if (detail == Detail::main && key != "peak_acceleration" && key != "hic15") continue;
-    text += fmt::format("{}{} ± {} (sampling {}", text.empty() ? "Uncertainty of the measurement: " : "; ",
-                        title_in_sentence(*each.quantity), share(each.combined()),
-                        each.sampling ? share(*each.sampling) : "not known");
-    if (each.filter) text += ", filter " + share(*each.filter);
-    if (each.calibration) text += ", calibration " + share(*each.calibration);
-    text += ")";
+  for (const std::vector<std::string>& row : table.rows) {
+    if (row[0] != result_quantity("peak_acceleration").title && row[0] != result_quantity("hic15").title)
+      continue;
+    std::string sources;
+    for (std::size_t i = 2; i < row.size() && !is_sampling; ++i)
+      if (row[i] != "-") sources += fmt::format("; {} {}", uncapitalised(table.columns[i]), row[i]);
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", uncapitalised(row[0]), row[1],
+                        sources.empty() ? "" : " (" + sources.substr(2) + ")");
   }
   if (text.empty()) return {};
-  text += uncertainty.compared_with.empty()
-              ? ", k = 2. The effect of a filter applied before the file was written is not included"
-              : fmt::format(
-                    ", k = 2, including the filter compared with {}. The effect of another filter applied "
-                    "before the file was written is not included",
-                    uncertainty.compared_with);
-  return {text + (uncertainty.calibration ? "." : ", nor is the calibration, which --calibration states.")};
+  return {fmt::format("Uncertainty {}: {}, {}", is_sampling ? "from sampling alone" : "of the measurement",
+                      text, left_out_words(uncertainty))};
 }
 
 /// The result of a comparison with limits: "Within the limits: HIC(d) has 136 to spare".
@@ -128,9 +145,10 @@ std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& u
   if (next == nullptr) return "Undecided: the pulse is cut, and its figures are lower bounds";
   const std::string name = injury::title_of(next->criterion);
   const std::string margin = margin_words(*next, units, 3);
+  const ValueRow row = criterion_row(*next, units, Detail::main);
   switch (verdict) {
     case injury::Verdict::pass: return fmt::format("Within the limits: {} has {} to spare", name, margin);
-    case injury::Verdict::fail: return fmt::format("Above a limit: {} is {} above it", name, margin);
+    case injury::Verdict::fail: return fmt::format("Fails: {} is {}, {}", name, row.value, row.limit);
     case injury::Verdict::undecided: break;
   }
   return fmt::format("Undecided: {} is {} from its limit", name, margin);
@@ -158,6 +176,12 @@ std::vector<ValueRow> rows_with_limits(const injury::PulseReport& report, const 
     if (std::none_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(limited), is_it))
       rows.push_back(std::move(row));
   }
+  if (detail == Detail::all)
+    for (ValueRow& row : rows) {
+      row.error.reset();
+      for (const injury::FigureUncertainty& each : report.uncertainty.figures)
+        if (row.label == each.quantity->title) row.error = each.combined();
+    }
   return rows;
 }
 
@@ -231,9 +255,12 @@ Document pulse_document(const injury::PulseReport& report, const UnitSystem& uni
   if (pictures == Pictures::drawn) document.lead->curve = untitled(pulse_plot(report, units));
   document.sections = {
       {.heading = "Figures",
-       .rows = {{"", rows_with_limits(report, units, Detail::all)}},
-       .paragraphs = uncertainty_words(report.uncertainty, Detail::all)},
-      {.seen = Seen::in_brief, .paragraphs = uncertainty_words(report.uncertainty, Detail::main)}};
+       .rows = {{.rows = rows_with_limits(report, units, Detail::all), .error = "Uncertainty (k = 2)"}}},
+      {.seen = Seen::in_brief, .paragraphs = uncertainty_words(report.uncertainty)}};
+  if (!report.uncertainty.figures.empty()) {
+    document.sections[0].paragraphs = {"Uncertainty: " + left_out_words(report.uncertainty)};
+    document.sections[0].tables = {uncertainty_table(report.uncertainty)};
+  }
   if (const auto check = injury::speed_check(report))
     document.sections.push_back({.heading = "Velocity", .seen = Seen::always, .paragraphs = {check->text}});
   if (report.limits)

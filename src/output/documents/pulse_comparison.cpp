@@ -102,18 +102,27 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
              : fmt::format("{}; for an impact at {} no restitution between 0 and 1 fits it.", over, speed);
 }
 
+/// The interval of a computed figure. Null without one, and beside a filter, which it is without.
+const FigureInterval* interval_of(const PulseComparisonReport& report, const char* key) {
+  const std::optional<Intervals>& intervals = report.solution.summary.intervals;
+  const FigureInterval* const found = intervals && !report.pulse.filter ? intervals->find(key) : nullptr;
+  return found != nullptr && !found->sources.empty() ? found : nullptr;
+}
+
 /// The differences between computed and measured figures.
 std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const UnitSystem& units) {
   if (!report.comparison.computed) return {};
   std::vector<ValueRow> rows;
   for (const ComparedFigure& figure : report.comparison.figures) {
     const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
+    const FigureInterval* const interval = interval_of(report, figure.quantity->key);
     const std::string in_unit = unit.empty() ? "" : " " + unit;
     rows.push_back({.label = figure.quantity->title,
                     .value = shown_share(figure),
                     .remark = fmt::format(
-                        "{}{}{}, measured {}", shown(figure.computed, scale), in_unit,
+                        "{}{}{} computed{}, {} measured", shown(figure.computed, scale), in_unit,
                         figure.computed && figure.error > 1e-4 ? " ± " + shown_error(figure.error) : "",
+                        interval ? fmt::format(" ({} at 95 %)", interval_words(*interval, units)) : "",
                         figure.measured ? shown(figure.measured, scale) + in_unit : "none")});
   }
   return rows;
@@ -141,7 +150,8 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
 std::string comparison_answer(const PulseComparisonReport& report) {
   if (!report.comparison.computed)
     return "There is no complete computed pulse to compare with. " + outcome(report.solution.summary);
-  const std::string peak = more_or_less(*figure_of(report, "peak_acceleration").share(), "above", "below");
+  const ComparedFigure& of_peak = figure_of(report, "peak_acceleration");
+  const std::string peak = more_or_less(*of_peak.share(), "above", "below");
   std::string text = peak.empty() ? "The computed peak is within 0.5 % of that of the measured pulse"
                                   : "The computed peak is " + peak + " that of the measured pulse";
   if (const auto share = figure_of(report, "time_to_peak").share()) {
@@ -150,6 +160,10 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   }
   const std::string hic = more_or_less(*figure_of(report, "hic15").share(), "higher", "lower");
   text += hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".";
+  if (const FigureInterval* const interval = interval_of(report, "peak_acceleration"))
+    text += fmt::format(
+        " The measured peak lies {} the 95 % interval of the computed one.",
+        *of_peak.measured < interval->low || *of_peak.measured > interval->high ? "outside" : "within");
   const std::optional<injury::MeasuredImpact>& measured = report.pulse.impact;
   const double speed = report.impact.impactor.speed;
   if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
@@ -158,13 +172,15 @@ std::string comparison_answer(const PulseComparisonReport& report) {
 }
 
 Table comparison_table(const PulseComparisonReport& report, const UnitSystem& units) {
-  Table table{.columns = {"Figure", "Unit", "Measured", "Computed", "Difference", "of measured",
-                          "Error of computed"}};
+  Table table{.columns = {"Figure", "Unit", "Measured", "Computed", "Difference", "Difference (%)",
+                          "Numerical error", "95 % interval"}};
   for (const ComparedFigure& figure : report.comparison.figures) {
     const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
+    const FigureInterval* const interval = interval_of(report, figure.quantity->key);
     table.rows.push_back({figure.quantity->title, unit, shown(figure.measured, scale),
                           shown(figure.computed, scale), shown_difference(figure, scale), shown_share(figure),
-                          figure.computed ? shown_error(figure.error) : "-"});
+                          figure.computed ? "± " + shown_error(figure.error) : "-",
+                          interval ? interval_words(*interval, units) : ""});
   }
   return table;
 }

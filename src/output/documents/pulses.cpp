@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "output/documents/assessment.hpp"
 #include "output/documents/pulse.hpp"
 #include "output/plot/axis_with_unit.hpp"
+#include "output/result_rows.hpp"
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -25,7 +28,8 @@ namespace {
 using Reports = std::vector<injury::PulseReport>;
 
 /// The columns of the table.
-constexpr std::array shown_figures{"peak_acceleration", "hic15", "hic36", "hic_d", "velocity_change"};
+constexpr std::array shown_figures{"peak_acceleration", "clip_3ms",       "hic15", "hic36",
+                                   "hic_unlimited",     "velocity_change"};
 
 double value_of(const injury::PulseReport& report, const char* key) {
   return injury::injury_value(report.figures, result_quantity(key)).value().value;
@@ -35,6 +39,14 @@ std::vector<double> values_over(const Reports& reports, const char* key) {
   std::vector<double> values;
   for (const injury::PulseReport& report : reports) values.push_back(value_of(report, key));
   return values;
+}
+
+/// The name of the file, with its folders if another pulse has the same name.
+std::string pulse_name(const injury::PulseReport& report, const Reports& reports) {
+  const auto name = [](const injury::PulseReport& of) {
+    return std::filesystem::path{of.file}.filename().string();
+  };
+  return one_line(std::ranges::count(reports, name(report), name) > 1 ? report.file : name(report));
 }
 
 /// Mean and deviation of the sample; of one value the deviation is 0.
@@ -48,7 +60,7 @@ std::pair<double, double> mean_and_deviation(const std::vector<double>& values) 
 
 Table table_of(const Reports& reports, const UnitSystem& units) {
   Table table{.columns = {"Pulse"}};
-  for (const injury::PulseReport& report : reports) table.rows.push_back({one_line(report.file)});
+  for (const injury::PulseReport& report : reports) table.rows.push_back({pulse_name(report, reports)});
   std::vector<std::string> means{"Mean"}, deviations{"Standard deviation"};
   for (const char* const key : shown_figures) {
     const ResultQuantity& quantity = result_quantity(key);
@@ -65,17 +77,38 @@ Table table_of(const Reports& reports, const UnitSystem& units) {
   return table;
 }
 
-/// "151 to 158 g".
-std::string range_of(const Reports& reports, const char* key, const UnitSystem& units) {
-  const auto [least, most] = std::ranges::minmax(values_over(reports, key));
-  const ScaledUnit unit = shown_as(result_quantity(key).si_unit, units);
-  return with_unit(fmt::format("{} to {}", brief(unit.scale * least, 3), brief(unit.scale * most, 3)),
-                   unit.unit);
+/// The criterion that is nearest to its limit, or farthest beyond it, in any pulse. Null if none has a
+/// margin.
+const injury::CriterionResult* closest_of_all(const Reports& reports) {
+  const injury::CriterionResult* least = nullptr;
+  for (const injury::PulseReport& report : reports)
+    if (const auto* const next = closest(report.limits->results);
+        next != nullptr && (least == nullptr || *next->relative_margin < *least->relative_margin))
+      least = next;
+  return least;
+}
+
+/// The range of the figure that decides over the limits, with its limit, or of peak and HIC15.
+std::string deciding_figures(const Reports& reports, const UnitSystem& units) {
+  const auto range = [&](const std::vector<double>& values, const ResultQuantity& quantity) {
+    const auto [least, most] = std::ranges::minmax(values);
+    return range_words(least, most, quantity.si_unit, units);
+  };
+  const auto of = [&](const char* key) { return range(values_over(reports, key), result_quantity(key)); };
+  const auto* const decides = reports.front().limits ? closest_of_all(reports) : nullptr;
+  if (decides == nullptr) return fmt::format("peak {}, HIC15 {}", of("peak_acceleration"), of("hic15"));
+  const std::string title = injury::title_of(decides->criterion);
+  std::vector<double> values;
+  for (const injury::PulseReport& report : reports)
+    for (const injury::CriterionResult& result : report.limits->results)
+      if (injury::title_of(result.criterion) == title && result.value) values.push_back(*result.value);
+  return fmt::format("{} {}, {}", uncapitalised(title),
+                     range(values, injury::quantity_of(decides->criterion.metric)),
+                     criterion_row(*decides, units, Detail::main).limit);
 }
 
 std::string answer_of(const Reports& reports, const UnitSystem& units) {
-  const std::string figures = fmt::format("peak {}, HIC15 {}", range_of(reports, "peak_acceleration", units),
-                                          range_of(reports, "hic15", units));
+  const std::string figures = deciding_figures(reports, units);
   if (!reports.front().limits) return fmt::format("{} pulses: {}", reports.size(), figures);
   const auto within = std::ranges::count_if(reports, [](const injury::PulseReport& report) {
     return injury::verdict_of(report.limits->results) == injury::Verdict::pass;
@@ -84,9 +117,8 @@ std::string answer_of(const Reports& reports, const UnitSystem& units) {
                      reports.size(), figures);
 }
 
-ValueRow row_of(const injury::PulseReport& report, const UnitSystem& units) {
-  ValueRow row{
-      .label = one_line(report.file), .value = pulse_answer(report, units), .tone = pulse_tone(report)};
+ValueRow row_of(const injury::PulseReport& report, std::string name, const UnitSystem& units) {
+  ValueRow row{.label = std::move(name), .value = pulse_answer(report, units), .tone = pulse_tone(report)};
   if (!report.limits) return row;
   if (const injury::CriterionResult* const next = closest(report.limits->results)) {
     const std::string label = std::exchange(row.label, "");
@@ -96,20 +128,25 @@ ValueRow row_of(const injury::PulseReport& report, const UnitSystem& units) {
   return row;
 }
 
-/// Each text once, with the files of the pulses that have it.
+/// Each text once, and texts that differ in their numbers as the first of them, with the pulses of it.
 std::vector<std::string> reservations_of(const Reports& reports) {
-  std::vector<std::pair<std::string, std::string>> texts;
+  const auto without_numbers = [](std::string text) {
+    std::erase_if(text, [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
+    return text;
+  };
+  std::vector<std::string> texts, pulses;
   for (const injury::PulseReport& report : reports)
     for (const std::string& text : reservations(report)) {
-      const auto known = std::ranges::find(texts, text, &std::pair<std::string, std::string>::first);
+      const auto known = std::ranges::find(texts, without_numbers(text), without_numbers);
+      const std::string name = pulse_name(report, reports);
       if (known == texts.end())
-        texts.emplace_back(text, one_line(report.file));
+        texts.push_back(text), pulses.push_back(name);
       else
-        known->second += ", " + one_line(report.file);
+        pulses[static_cast<std::size_t>(known - texts.begin())] +=
+            (*known == text ? ", " : ", with other figures ") + name;
     }
-  std::vector<std::string> lines;
-  for (const auto& [text, files] : texts) lines.push_back(fmt::format("{} ({})", text, files));
-  return lines;
+  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] += " (" + pulses[i] + ")";
+  return texts;
 }
 
 }  // namespace
@@ -121,7 +158,7 @@ Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSyst
   const double time_factor = value_in(units, 1, "s");
   for (const injury::PulseReport& report : reports) {
     const double length = report.contact.end - report.contact.begin;
-    Series series{.label = one_line(report.file)};
+    Series series{.label = pulse_name(report, reports)};
     for (std::size_t i = 0; i < report.pulse.time.size(); ++i) {
       const double time = report.pulse.time[i] - report.contact.begin;
       if (time < -0.2 * length || time > 1.5 * length) continue;
@@ -143,7 +180,7 @@ Document pulses_document(const std::vector<injury::PulseReport>& reports, const 
   if (reports.front().limits)
     lead.subject.push_back("Limits of " + one_line(reports.front().limits->standard));
   for (const injury::PulseReport& report : reports) {
-    lead.figures.push_back(row_of(report, units));
+    lead.figures.push_back(row_of(report, pulse_name(report, reports), units));
     lead.tone = std::max(lead.tone, pulse_tone(report));  // the more serious comes later
   }
   document.warnings = reservations_of(reports);
@@ -151,7 +188,7 @@ Document pulses_document(const std::vector<injury::PulseReport>& reports, const 
   document.sections = {{.heading = "The pulses", .seen = Seen::always, .tables = {table_of(reports, units)}}};
   for (const injury::PulseReport& report : reports) {
     Document one = pulse_document(report, units, pictures);
-    Section section{.heading = one_line(report.file),
+    Section section{.heading = pulse_name(report, reports),
                     .rows = {{"", one.lead->figures}},
                     .paragraphs = {one.lead->answer + "."}};
     section.tables = {{.columns = {"", ""}, .rows = pulse_basis(report, units)}};

@@ -67,8 +67,7 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
   const std::string& name = response_name(answers, response);
   const AsText shown = in_unit_of(name, units);
   const std::optional<double> limit = limit_of(answers, name);
-  for (const auto& [probability, words] :
-       {std::pair{0.5, "half of the draws below"}, {0.95, "95 % of the draws below"}})
+  for (const auto& [probability, words] : {std::pair{0.5, "median"}, {0.95, "95 % of the draws below"}})
     if (const auto given = study::quantile(answers.groups.front().distributions[response], probability)) {
       ValueRow figure{.label = fmt::format("{}, {}", title_of(name), words),
                       .value = shown(given->value),
@@ -82,7 +81,7 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
     }
 }
 
-/// The range that holds nine draws in ten, for each response but the leading one.
+/// The range that holds 90 % of the draws, for each response but the leading one.
 void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t leading,
                  const UnitSystem& units) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
@@ -92,7 +91,7 @@ void add_spreads(Figures& figures, const StudyAnswers& answers, std::size_t lead
     const std::string& name = response_name(answers, i);
     figures.push_back({.label = title_of(name),
                        .value = three_digit_range(name, low->value, high->value, units),
-                       .remark = "nine draws in ten"});
+                       .remark = "90 % of the draws"});
   }
 }
 

@@ -50,7 +50,7 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
   const double scale = shown_as(si_unit_of(name), units).scale;
   Panel panel{.title = title_of(name),
               .x = {.label = label(name, units)},
-              .y = {.label = "Rows at or below (%)", .low = 0, .high = 100}};
+              .y = {.label = "Share at or below (%)", .low = 0, .high = 100}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), max_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     const std::vector<double> values =

@@ -22,7 +22,7 @@ namespace {
 struct Cell {
   std::vector<double> levels;
   double value = 0;
-  double low = 0, high = 0;  ///< range that holds nine draws in ten
+  double low = 0, high = 0;  ///< range that holds 90 % of the draws
 };
 
 std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t response) {

@@ -93,7 +93,9 @@ CaptionedPlot curves(const study::StudyAnswers& answers, const GridPlane& plane,
     panel.y = {.label = panel.y.label, .has_numbers = false, .low = -1, .high = 0.1 * double(struck.size())};
   panel.add(std::move(struck));
   return study_figure(answers, fmt::format("{} against {}", title_of(name), factor_words(across.key)),
-                      {panel}, (has_bands(plane) ? "Bands hold nine draws in ten. " : "") + note_of(plane));
+                      {panel},
+                      (lines < count ? fmt::format("{} of {} levels are drawn. ", lines, count) : "") +
+                          (has_bands(plane) ? "Bands hold 90 % of the draws. " : "") + note_of(plane));
 }
 
 /// The map of a response; none if no area can be filled.

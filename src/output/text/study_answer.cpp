@@ -16,7 +16,7 @@ namespace {
 
 std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_t limit) {
   const study::Estimate& estimate = group.exceedances[limit].probability;
-  return std::isfinite(estimate.value) ? fmt::format("in {} of cases", per_cent(estimate.value))
+  return std::isfinite(estimate.value) ? fmt::format("in {} of draws", per_cent(estimate.value))
                                        : "undecided";
 }
 
@@ -59,9 +59,16 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
   const bool drawn = answers.groups.front().group.drawn;
   if (drawn && answers.groups.size() > 1) return best_and_worst(answers, number, units);
   if (drawn) {
-    const study::Estimate& estimate = answers.groups.front().exceedances[number].probability;
+    const study::Exceedance& of = answers.groups.front().exceedances[number];
+    const study::Estimate& estimate = of.probability;
     if (!std::isfinite(estimate.value)) return fmt::format("Whether {} is undecided", exceeded);
-    return fmt::format("In {} of cases {} ({} to {})", per_cent(estimate.value), exceeded,
+    if (of.undecided == 0 && of.exceeding == of.rows)
+      return fmt::format("{} in all {} draws (probability at least {})", capitalised(exceeded), of.rows,
+                         per_cent(estimate.low));
+    if (of.undecided == 0 && of.exceeding == 0)
+      return fmt::format("{} in none of {} draws (probability at most {})", capitalised(exceeded), of.rows,
+                         per_cent(estimate.high));
+    return fmt::format("In {} of draws {} ({} to {})", per_cent(estimate.value), exceeded,
                        per_cent(estimate.low), per_cent(estimate.high));
   }
   const LimitCount count = rows_above(answers, number);

@@ -63,15 +63,18 @@ std::string level_words(const study::Study& study, std::size_t factor, double le
                                                         : level_text(study, factor, level, units);
 }
 
-/// The range of a factor within which the limit is kept: "up to 4.5 m/s". Empty if it does not reach one end.
+/// The range of a factor within which the limit is kept: "up to between 4.5 m/s and 5 m/s". Empty if it does
+/// not reach one end.
 std::string where_kept(const study::Study& study, std::size_t factor, const std::vector<LevelRow>& rows,
                        const UnitSystem& units) {
   if (std::ranges::none_of(rows, &LevelRow::second)) return "everywhere";
   if (std::ranges::all_of(rows, &LevelRow::second)) return "nowhere";
   const std::optional<std::size_t> change = only_change(rows);
   if (!change) return "";
-  return rows[*change].second ? "up to " + level_words(study, factor, rows[*change - 1].first, units)
-                              : "from " + level_words(study, factor, rows[*change].first, units) + " on";
+  const std::string before = level_words(study, factor, rows[*change - 1].first, units),
+                    after = level_words(study, factor, rows[*change].first, units);
+  return rows[*change].second ? fmt::format("up to between {} and {}", before, after)
+                              : fmt::format("from between {} and {} on", before, after);
 }
 
 /// The ranges along the factor with more levels, at the first and the last level of the other one.

@@ -200,7 +200,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   add(records.beyond_strain,
       "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam's stress is a guess.");
   add(records.beyond_rate,
-      "EXTRAPOLATED RATE:", "go beyond the tested rates, where the stress follows from the law alone.");
+      "EXTRAPOLATED RATE:", "go beyond the tested rates, where the stress follows an assumed law.");
   if (records.beyond_strain + records.beyond_rate == 0)
     add(records.extrapolated, "EXTRAPOLATED:", "go beyond what the material was measured for.");
   if (answers.groups.size() > max_groups_shown)

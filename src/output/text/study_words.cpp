@@ -111,7 +111,8 @@ std::string share_with_interval(const study::Estimate& share) {
 }
 
 std::string per_cent(double share) {
-  return std::isfinite(share) ? brief(100 * share, 3) + " %" : "undecided";
+  const int digits = share < 1 && share > 0.9995 ? 5 : 3;
+  return std::isfinite(share) ? brief(100 * share, digits) + " %" : "undecided";
 }
 
 std::string percent_with_interval(const study::Estimate& estimate) { return with_interval(estimate, 100); }

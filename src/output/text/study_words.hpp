@@ -21,7 +21,7 @@ std::string four_digits_or_struck(double value);
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);
-/// A share in per cent, with three digits: "12.3 %"; "undecided" if not finite.
+/// A share in per cent, with three digits, or five near all: "12.3 %", "99.963 %"; "undecided" if not finite.
 std::string per_cent(double share);
 /// The estimate of a share, in per cent.
 std::string percent_with_interval(const study::Estimate& estimate);
