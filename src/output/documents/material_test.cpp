@@ -50,14 +50,15 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
   }
   const bool has_best = runs_out(run);
   if (has_best) add("Best used at", shown.stress(best.stress), "the highest energy for its stress");
+  const bool repeats = report.test.kind == laboratory::TestKind::cyclic && report.test.cycles > 1;
   add(has_best ? "Energy absorbed by then" : "Energy put in", shown.energy(best.energy),
-      "efficiency " + brief(best.efficiency, 3));
-  if (has_best)
-    add("Bottoms out at a strain of", brief(best.strain, 3), "beyond, stress grows faster than energy");
+      "efficiency " + brief(best.efficiency, 3) + (repeats ? ", in the first loading" : ""));
+  if (has_best) add("Best strain", brief(best.strain, 3), "beyond, stress grows faster than energy");
   if (run.unloads)
     add("Energy returned",
         of_run.energy_in > 0 ? MaterialTestValues::share(of_run.energy_returned / of_run.energy_in) : "none",
-        fmt::format("{} of {}", shown.energy(of_run.energy_returned), shown.energy(of_run.energy_in)));
+        fmt::format("{} of {}{}", shown.energy(of_run.energy_returned), shown.energy(of_run.energy_in),
+                    repeats ? fmt::format(" in all {} cycles", report.test.cycles) : ""));
   const double reached = run.column.largest_strain;
   add("Strain reached", brief(reached, 3));
   if (const auto range = range_of(report.material)) {
@@ -88,23 +89,22 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
     if (run.figures.peak_stress > max_over_best * best.stress) {
       panel.y.low = 0;
       panel.y.high = value_in(units, max_over_best * best.stress, "Pa");
-      panel.title = fmt::format("The stress continues to rise, to {}",
+      panel.title = fmt::format("Beyond the plot the stress rises to {}",
                                 MaterialTestValues{units}.stress(run.figures.peak_stress));
     }
   }
   for (const double limit : report.test.stress_limits)
     panel.series.push_back({.label = "limit " + brief_quantity(limit, "Pa", units),
                             .style = SeriesStyle::horizontal_line,
-                            .y = {value_in(units, limit, "Pa")}});
+                            .y = {value_in(units, limit, "Pa")},
+                            .palette_index = report.runs.size() + 1});
   if (std::optional<Series> line = line_of_range(report.material)) panel.series.push_back(*std::move(line));
   return panel;
 }
 
 Panel deciding_panel(const MaterialTestReport& report, const MaterialTestRun& run, const UnitSystem& units) {
   if (!run.relaxed && !run.crept) return stress_panel(report, run, units);
-  Panel panel = run.relaxed ? stress_over_time(report, units) : strain_over_time(report, units);
-  panel.title.clear();
-  return panel;
+  return run.relaxed ? stress_over_time(report, units) : strain_over_time(report, units);
 }
 
 /// Whether the answer speaks of a strain or a rate beyond what the foam was tested for.

@@ -156,8 +156,8 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
       .lead =
           Lead{.answer = counted(all),
                .tone = worst.document.lead->tone,
-               .subject = {fmt::format("Test plan: cases {}, standards {}", plan.rows.size(),
-                                       plan.columns.size() - 1),
+               .subject = {fmt::format("Test plan: {}, {}", plural(plan.rows.size(), "case"),
+                                       plural(plan.columns.size() - 1, "standard")),
                            fmt::format("{}: {}. {}.", rank(worst) == 2 ? "Smallest margin" : "Most critical",
                                        full_title(worst), worst.document.lead->answer)}},
       .warnings = reservations(all)};
@@ -167,6 +167,11 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
     row.remark = to_string(combination->report.assessment.verdict);
     document.lead->figures.push_back(std::move(row));
   }
+  if (all.size() > max_key_figures)
+    document.sections.push_back(
+        {.seen = Seen::on_pages,
+         .paragraphs = {
+             fmt::format("Above are the {} most critical of {} assessments.", max_key_figures, all.size())}});
   document.sections.push_back({.heading = "The plan", .seen = Seen::always, .tables = {plan}});
   if (!document.warnings.empty())
     document.sections.back().paragraphs = {

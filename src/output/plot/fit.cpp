@@ -56,6 +56,8 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
       {.label = "test, loading", .style = SeriesStyle::points, .palette_index = turn_of_data},
       {.label = "test, unloading", .style = SeriesStyle::points, .palette_index = turn_of_way_back}};
   BothWays difference = measured;
+  difference.up.label = "loading";
+  difference.down.label = "unloading";
   const double offset = test.offset.value_or(0);
   for (std::size_t i = 0; i < test.strain.size(); ++i) {
     measured.way(test.course[i]).add(test.strain[i], value_in(units, test.measured[i], "Pa"));
@@ -65,11 +67,12 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
   measured.add_to(stress);
   model_of(test, offset, units).add_to(stress);  // over the points
   difference.add_to(off);
+  const std::string lowest = brief(test.lowest_rate, 3), highest = brief(test.highest_rate, 3);
   CaptionedPlot figure;
   figure.plot = {
       one_line(test.file) + (test.is_held_out ? ", predicted, not fitted" : ""),
       {std::move(stress), std::move(off)},
-      fmt::format("dashpad {}; {:.3g} to {:.3g} 1/s", version(), test.lowest_rate, test.highest_rate)};
+      fmt::format("dashpad {}; {} 1/s", version(), lowest == highest ? lowest : lowest + " to " + highest)};
   if (test.offset)
     figure.note = fmt::format("The model is shown with the fitted shift of the force zero, {}.",
                               brief_quantity(*test.offset, "Pa", units, 3));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "output/plot/study_figures.hpp"
+#include "output/text/capitals.hpp"
 #include "output/text/study_words.hpp"
 
 namespace dashpad::output {
@@ -144,7 +145,8 @@ std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answe
                                ? fmt::format("The first {} combinations of levels.", max_lines_drawn)
                                : "";
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
-    figures.push_back(study_figure(answers, "Distribution of " + title_of(response_name(answers, i)),
+    figures.push_back(study_figure(answers,
+                                   "Distribution of " + uncapitalised(title_of(response_name(answers, i))),
                                    {distribution_panel(answers, i, units)}, note));
   return figures;
 }

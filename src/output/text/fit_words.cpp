@@ -53,7 +53,7 @@ Determined determined(const fit::FitReport& report) {
 std::string beside_data(const Determined& determined) {
   std::string text;
   if (determined.by_prior > 0)
-    text += fmt::format(", leave {} to {}", determined.by_prior,
+    text += fmt::format(", {}leave {} to {}", determined.open > 0 ? "" : "and ", determined.by_prior,
                         determined.by_prior == 1 ? "its prior" : "their priors");
   if (determined.open > 0) text += fmt::format(", and leave {} open", determined.open);
   return text;
@@ -106,8 +106,7 @@ std::string fit_answer(const fit::FitReport& report) {
     data.push_back(plural(report.points - figures - points_of_pulses, "point") + " of " +
                    plural(tests, "test"));
   if (figures > 0) data.push_back(plural(figures, "figure") + " of impacts");
-  if (pulses > 0)
-    data.push_back(plural(points_of_pulses, "point") + " of " + plural(pulses, "pulse") + " of impacts");
+  if (pulses > 0) data.push_back(plural(points_of_pulses, "point") + " of " + plural(pulses, "impact pulse"));
   if (report.priors > 0) data.push_back(plural(report.priors, "prior"));
   std::string text = plural(of.all, "unknown") + " from " + listed(data);
   text += of.by_data == of.all ? ": the data determine all of them. "
@@ -132,8 +131,8 @@ std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& 
   if (unknown.is_identified())
     return shown(unknown.low.value_or(unknown.lowest)) + " to " +
            shown(unknown.high.value_or(unknown.highest));
-  if (unknown.low) return "above " + shown(*unknown.low) + ", open above";
-  if (unknown.high) return "below " + shown(*unknown.high) + ", open below";
+  if (unknown.low) return "from " + shown(*unknown.low) + ", without an upper end";
+  if (unknown.high) return "up to " + shown(*unknown.high) + ", without a lower end";
   return "open on both sides";
 }
 

@@ -21,9 +21,9 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
                                 const MaterialTestValues& shown) {
   const std::string hold = brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed && run.relaxed->at_end_of_ramp > 0)
-    return fmt::format("Retains {} of its stress over {} at a strain of {}",
-                       MaterialTestValues::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp), hold,
-                       brief(report.test.strain, 3));
+    return fmt::format("After {} at a strain of {}, {} of the stress is left", hold,
+                       brief(report.test.strain, 3),
+                       MaterialTestValues::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp));
   if (run.crept)
     return fmt::format("Creeps from a strain of {} to {} in {} under {}",
                        brief(run.crept->at_end_of_loading, 3), brief(run.crept->after_hold, 3), hold,
@@ -38,8 +38,8 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
   if (runs_out(run))
     return fmt::format("Best used at {}, where it has absorbed {}", shown.stress(best.stress),
                        shown.energy(best.energy));
-  return fmt::format("Absorbs {} up to a strain of {}, without bottoming out", shown.energy(best.energy),
-                     brief(best.strain, 3));
+  return fmt::format("Absorbs {} up to a strain of {}, its efficiency still rising",
+                     shown.energy(best.energy), brief(best.strain, 3));
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::vector<std::string> flag_words(const laboratory::MaterialTestReport& report
       if (same == all.end())
         all.emplace_back(flag, run.rate ? brief(*run.rate) : "");
       else
-        same->second += ", " + (run.rate ? brief(*run.rate) : "");
+        same->second += " and " + (run.rate ? brief(*run.rate) : "");
     }
   std::vector<std::string> lines;
   for (const auto& [flag, rates] : all)
