@@ -95,47 +95,32 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
   return rows;
 }
 
-/// What the uncertainty of the measurement leaves out.
-std::string left_out_words(const injury::MeasurementUncertainty& uncertainty) {
-  const std::string& compared = uncertainty.compared_with;
-  return fmt::format(
-      "k = 2{}. The effect of {} filter applied before the file was written is not included{}.",
-      compared.empty() ? "" : ", including the filter compared with " + compared,
-      compared.empty() ? "a" : "another",
-      uncertainty.calibration ? "" : ", nor is that of the calibration (give it with --calibration)");
-}
-
-/// The uncertainty of each figure of the measurement by source.
-Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty) {
+/// The uncertainty of each figure of the measurement by source, with Detail::main of peak and HIC15 only.
+Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
   const auto share = [](const std::optional<double>& value, const char* none) {
     return !value ? none : *value < 5e-5 ? "below 0.01 %" : injury::in_percent(*value);
   };
-  Table table{.caption = "Sources of the uncertainty",
-              .columns = {"Figure", "Together", "Sampling", "Filter", "Calibration"}};
-  for (const injury::FigureUncertainty& each : uncertainty.figures)
-    table.rows.push_back({each.quantity->title, "± " + share(each.combined(), ""),
-                          share(each.sampling, "not known"), share(each.filter, "-"),
-                          share(each.calibration, "-")});
+  Table table{.columns = {"Uncertainty of", "Combined", "Sampling", "Filter", "Calibration"}};
+  for (const injury::FigureUncertainty& each : uncertainty.figures) {
+    const std::string_view key = each.quantity->key;
+    if (detail == Detail::all || key == "peak_acceleration" || key == "hic15")
+      table.rows.push_back({each.quantity->title, "± " + share(each.combined(), ""),
+                            share(each.sampling, "not known"), share(each.filter, "-"),
+                            share(each.calibration, "-")});
+  }
   return table;
 }
 
-/// The uncertainty of peak and HIC15 with its sources, and what it leaves out.
-std::vector<std::string> uncertainty_words(const injury::MeasurementUncertainty& uncertainty) {
-  const bool is_sampling = uncertainty.compared_with.empty() && !uncertainty.calibration;
-  const Table table = uncertainty_table(uncertainty);
-  std::string text;
-  for (const std::vector<std::string>& row : table.rows) {
-    if (row[0] != result_quantity("peak_acceleration").title && row[0] != result_quantity("hic15").title)
-      continue;
-    std::string sources;
-    for (std::size_t i = 2; i < row.size() && !is_sampling; ++i)
-      if (row[i] != "-") sources += fmt::format("; {} {}", uncapitalised(table.columns[i]), row[i]);
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", uncapitalised(row[0]), row[1],
-                        sources.empty() ? "" : " (" + sources.substr(2) + ")");
-  }
-  if (text.empty()) return {};
-  return {fmt::format("Uncertainty {}: {}, {}", is_sampling ? "from sampling alone" : "of the measurement",
-                      text, left_out_words(uncertainty))};
+/// What the uncertainty of the measurement is, and what it leaves out.
+std::string uncertainty_words(const injury::MeasurementUncertainty& uncertainty) {
+  const std::string& compared = uncertainty.compared_with;
+  return fmt::format(
+      "Uncertainty of the measurement{}: k = 2{}. The effect of {} filter applied before the file was "
+      "written is not included{}.",
+      compared.empty() && !uncertainty.calibration ? " from sampling alone" : "",
+      compared.empty() ? "" : ", including the filter compared with " + compared,
+      compared.empty() ? "a" : "another",
+      uncertainty.calibration ? "" : ", nor is that of the calibration (give it with --calibration)");
 }
 
 /// The result of a comparison with limits: "Within the limits: HIC(d) has 136 to spare".
@@ -255,12 +240,12 @@ Document pulse_document(const injury::PulseReport& report, const UnitSystem& uni
   if (pictures == Pictures::drawn) document.lead->curve = untitled(pulse_plot(report, units));
   document.sections = {
       {.heading = "Figures",
-       .rows = {{.rows = rows_with_limits(report, units, Detail::all), .error = "Uncertainty (k = 2)"}}},
-      {.seen = Seen::in_brief, .paragraphs = uncertainty_words(report.uncertainty)}};
-  if (!report.uncertainty.figures.empty()) {
-    document.sections[0].paragraphs = {"Uncertainty: " + left_out_words(report.uncertainty)};
-    document.sections[0].tables = {uncertainty_table(report.uncertainty)};
-  }
+       .rows = {{.rows = rows_with_limits(report, units, Detail::all), .error = "Uncertainty (k = 2)"}}}};
+  if (!report.uncertainty.figures.empty())
+    for (const auto& [seen, detail] : {std::pair{Seen::in_full, Detail::all}, {Seen::in_brief, Detail::main}})
+      document.sections.push_back({.seen = seen,
+                                   .paragraphs = {uncertainty_words(report.uncertainty)},
+                                   .tables = {uncertainty_table(report.uncertainty, detail)}});
   if (const auto check = injury::speed_check(report))
     document.sections.push_back({.heading = "Velocity", .seen = Seen::always, .paragraphs = {check->text}});
   if (report.limits)

@@ -1,5 +1,6 @@
 #include "dashpad/output/pulse.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -22,9 +23,8 @@ constexpr double next_to_nothing = 5e-3;  // share of the measured figure below 
 constexpr double rounding_of_figures = 1e-6;
 
 const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string_view key) {
-  for (const ComparedFigure& figure : report.comparison.figures)
-    if (key == figure.quantity->key) return figure;
-  return report.comparison.figures.front();
+  return *std::ranges::find(report.comparison.figures, key,
+                            [](const ComparedFigure& figure) { return figure.quantity->key; });
 }
 
 /// "12 %": two digits, and all before the point; of 100,000 % and more nobody wants them.
@@ -103,7 +103,7 @@ std::string restitution_note(const PulseComparisonReport& report, const UnitSyst
 }
 
 /// The interval of a computed figure. Null without one, and beside a filter, which it is without.
-const FigureInterval* interval_of(const PulseComparisonReport& report, const char* key) {
+const FigureInterval* interval_beside(const PulseComparisonReport& report, const char* key) {
   const std::optional<Intervals>& intervals = report.solution.summary.intervals;
   const FigureInterval* const found = intervals && !report.pulse.filter ? intervals->find(key) : nullptr;
   return found != nullptr && !found->sources.empty() ? found : nullptr;
@@ -115,7 +115,7 @@ std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const Uni
   std::vector<ValueRow> rows;
   for (const ComparedFigure& figure : report.comparison.figures) {
     const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
-    const FigureInterval* const interval = interval_of(report, figure.quantity->key);
+    const FigureInterval* const interval = interval_beside(report, figure.quantity->key);
     const std::string in_unit = unit.empty() ? "" : " " + unit;
     rows.push_back({.label = figure.quantity->title,
                     .value = shown_share(figure),
@@ -160,7 +160,7 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   }
   const std::string hic = more_or_less(*figure_of(report, "hic15").share(), "higher", "lower");
   text += hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".";
-  if (const FigureInterval* const interval = interval_of(report, "peak_acceleration"))
+  if (const FigureInterval* const interval = interval_beside(report, "peak_acceleration"))
     text += fmt::format(
         " The measured peak lies {} the 95 % interval of the computed one.",
         *of_peak.measured < interval->low || *of_peak.measured > interval->high ? "outside" : "within");
@@ -176,7 +176,7 @@ Table comparison_table(const PulseComparisonReport& report, const UnitSystem& un
                           "Numerical error", "95 % interval"}};
   for (const ComparedFigure& figure : report.comparison.figures) {
     const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
-    const FigureInterval* const interval = interval_of(report, figure.quantity->key);
+    const FigureInterval* const interval = interval_beside(report, figure.quantity->key);
     table.rows.push_back({figure.quantity->title, unit, shown(figure.measured, scale),
                           shown(figure.computed, scale), shown_difference(figure, scale), shown_share(figure),
                           figure.computed ? "± " + shown_error(figure.error) : "-",

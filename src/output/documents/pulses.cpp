@@ -77,17 +77,6 @@ Table table_of(const Reports& reports, const UnitSystem& units) {
   return table;
 }
 
-/// The criterion that is nearest to its limit, or farthest beyond it, in any pulse. Null if none has a
-/// margin.
-const injury::CriterionResult* closest_of_all(const Reports& reports) {
-  const injury::CriterionResult* least = nullptr;
-  for (const injury::PulseReport& report : reports)
-    if (const auto* const next = closest(report.limits->results);
-        next != nullptr && (least == nullptr || *next->relative_margin < *least->relative_margin))
-      least = next;
-  return least;
-}
-
 /// The range of the figure that decides over the limits, with its limit, or of peak and HIC15.
 std::string deciding_figures(const Reports& reports, const UnitSystem& units) {
   const auto range = [&](const std::vector<double>& values, const ResultQuantity& quantity) {
@@ -95,13 +84,16 @@ std::string deciding_figures(const Reports& reports, const UnitSystem& units) {
     return range_words(least, most, quantity.si_unit, units);
   };
   const auto of = [&](const char* key) { return range(values_over(reports, key), result_quantity(key)); };
-  const auto* const decides = reports.front().limits ? closest_of_all(reports) : nullptr;
+  std::vector<injury::CriterionResult> results;
+  for (const injury::PulseReport& report : reports)
+    if (report.limits)
+      results.insert(results.end(), report.limits->results.begin(), report.limits->results.end());
+  const injury::CriterionResult* const decides = closest(results);
   if (decides == nullptr) return fmt::format("peak {}, HIC15 {}", of("peak_acceleration"), of("hic15"));
   const std::string title = injury::title_of(decides->criterion);
   std::vector<double> values;
-  for (const injury::PulseReport& report : reports)
-    for (const injury::CriterionResult& result : report.limits->results)
-      if (injury::title_of(result.criterion) == title && result.value) values.push_back(*result.value);
+  for (const injury::CriterionResult& result : results)
+    if (injury::title_of(result.criterion) == title && result.value) values.push_back(*result.value);
   return fmt::format("{} {}, {}", uncapitalised(title),
                      range(values, injury::quantity_of(decides->criterion.metric)),
                      criterion_row(*decides, units, Detail::main).limit);
