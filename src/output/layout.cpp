@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <utility>
 
 #include "quantities/text.hpp"
@@ -10,44 +11,13 @@ namespace dashpad::output {
 
 namespace {
 
-/// Takes `part` from the beginning of `text`, if it stands there.
-bool take(std::string_view& text, std::string_view part) {
-  if (!text.starts_with(part)) return false;
-  text.remove_prefix(part.size());
-  return true;
-}
-
-bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
-
-/// Takes the characters at the front of `text` that are among `letters`.
-std::string_view take_any_of(std::string_view& text, std::string_view letters) {
-  const std::string_view taken = text.substr(0, text.find_first_not_of(letters));
-  text.remove_prefix(taken.size());
-  return taken;
-}
-
-void take_signs(std::string_view& text) {
-  for (bool again = true; again;) {
-    again = !take_any_of(text, "<>~+- ").empty();
-    for (const std::string_view sign : {"≤", "≥", "≈", "±", "−"}) again = take(text, sign) || again;
-  }
-}
-
 /// Whether the text is one number, perhaps with an exponent, a deviation or a unit of one word.
-bool is_number(std::string_view text) {
-  take_signs(text);
-  take(text, ".");
-  if (text.empty() || !is_digit(text.front())) return false;
-  take_any_of(text, "0123456789.,");
-  std::string_view exponent = text;
-  if (take(exponent, "e") || take(exponent, "E")) {
-    if (!take(exponent, "-")) take(exponent, "+");
-    if (!take_any_of(exponent, "0123456789").empty()) text = exponent;
-  }
-  take_any_of(text, " ");
-  if (text.starts_with("±")) return true;
-  if (text.empty() || is_digit(text.front())) return text.empty();
-  return text.find(' ') >= text.find_last_not_of(' ');
+bool is_number(const std::string& text) {
+  constexpr std::size_t longest = 100;
+  static const std::regex number{
+      "(?:[<>~+ -]|≤|≥|≈|±|−)*\\.?[0-9][0-9.,]*(?:[eE][-+]?[0-9]+)? *"
+      "(?:±.*|[^ 0-9][^ ]* *)?"};
+  return text.size() <= longest && std::regex_match(text, number);
 }
 
 bool is_none(const std::string& cell) {

@@ -29,9 +29,7 @@ const ComparedFigure& figure_of(const PulseComparisonReport& report, std::string
 
 /// "12 %": two digits, and all before the point; of 100,000 % and more nobody wants them.
 std::string in_percent(double share) {
-  if (std::abs(share) >= 1000) return "more than 1000 times";
-  const double percent = 100 * std::abs(share);
-  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+  return std::abs(share) < 1000 ? injury::in_percent(std::abs(share)) : "more than 1000 times";
 }
 
 /// "12 % above", or "" for next to nothing.
@@ -111,19 +109,17 @@ const FigureInterval* interval_beside(const PulseComparisonReport& report, const
 
 /// The differences between computed and measured figures.
 std::vector<ValueRow> key_figures(const PulseComparisonReport& report, const UnitSystem& units) {
-  if (!report.comparison.computed) return {};
   std::vector<ValueRow> rows;
-  for (const ComparedFigure& figure : report.comparison.figures) {
-    const auto [scale, unit] = shown_as(figure.quantity->si_unit, units);
-    const FigureInterval* const interval = interval_beside(report, figure.quantity->key);
-    const std::string in_unit = unit.empty() ? "" : " " + unit;
-    rows.push_back({.label = figure.quantity->title,
-                    .value = shown_share(figure),
-                    .remark = fmt::format(
-                        "{}{}{} computed{}, {} measured", shown(figure.computed, scale), in_unit,
-                        figure.computed && figure.error > 1e-4 ? " ± " + shown_error(figure.error) : "",
-                        interval ? fmt::format(" ({} at 95 %)", interval_words(*interval, units)) : "",
-                        figure.measured ? shown(figure.measured, scale) + in_unit : "none")});
+  if (!report.comparison.computed) return rows;
+  for (const std::vector<std::string>& row : comparison_table(report, units).rows) {
+    const auto value = [&](const std::string& cell) {
+      return cell == "-" ? "none" : with_unit(cell, row[1]);
+    };
+    const std::string interval = row[7].empty() ? "" : fmt::format(" ({} at 95 %)", row[7]);
+    rows.push_back(
+        {.label = row[0],
+         .value = row[5],
+         .remark = fmt::format("{} computed{}, {} measured", value(row[3]), interval, value(row[2]))});
   }
   return rows;
 }
