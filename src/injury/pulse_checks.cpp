@@ -172,14 +172,14 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
     check.greatest_scale = (2 * speed + given) / sensed;
   }
   const char* stated = report.impact->drop_height ? "drop height" : "speed";
-  check.text = check.agrees() ? fmt::format(
-                                    "Velocity change and {} agree: {}{} lies between {} (no rebound) and "
-                                    "twice that. They would agree as well "
-                                    "if all accelerations were {} to {} times as large: a scale error within "
-                                    "that range goes unnoticed.",
-                                    stated, shown(check.change), less_gravity(report, check), shown(speed),
-                                    brief(*check.min_scale, 3), brief(*check.greatest_scale, 3))
-                              : way_out(check, report.contact, stated);
+  check.text = way_out(check, report.contact, stated);
+  if (check.agrees())
+    check.text = fmt::format(
+        "Velocity change and {} agree: {}{} lies between {} (no rebound) and twice that. They would agree as "
+        "well if all accelerations were {} to {} times as large: a scale error within that range goes "
+        "unnoticed.",
+        stated, shown(check.change), less_gravity(report, check), shown(speed), brief(*check.min_scale, 3),
+        brief(*check.greatest_scale, 3));
   return check;
 }
 

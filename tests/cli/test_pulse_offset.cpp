@@ -186,7 +186,7 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
   EXPECT_NEAR(of_drop.at("impact").at("speed_m_per_s").get<double>(), speed, 1e-6);
   EXPECT_NEAR(of_drop.at("impact").at("drop_height_m").get<double>(), speed * speed / 2 / g, 1e-8);
   EXPECT_THAT(pulse({drop, "--speed", at_speed}).out,
-              AllOf(ContainsRegex("  Restitution +0.6000 +for an impact at 3.9019 m/s\n"),
+              AllOf(ContainsRegex("  Restitution +0.6000 +relative to 3.9019 m/s\n"),
                     Not(HasSubstr("IMPOSSIBLE"))));
   EXPECT_TRUE(result({drop}).at("impact").is_null());
 
