@@ -179,8 +179,7 @@ int command(int argument_count, char** arguments) {
   app.require_subcommand(1);
 
   Action action;
-  // If the first argument is a subcommand, only its options are added, since those of all take longer than
-  // many an impact.
+  // If the first argument is a subcommand, only its options are added: all take longer than many an impact.
   const std::string_view first = argument_count > 1 ? arguments[1] : "";
   const bool is_named = std::ranges::find(commands, first, &Command::name) != std::end(commands);
   for (const auto& [group, name, add, only_looks] : commands) {

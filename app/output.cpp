@@ -173,8 +173,7 @@ PendingFile::PendingFile(const Target& target, const WriteFile& write, bool forc
   settle(0);
 }
 
-/// Gives the draft the mode of the file that it replaces, syncs and closes it. `problem` is the error number
-/// of writing it, or 0.
+/// Gives the draft the mode of the file that it replaces, syncs and closes it. `problem`: errno or 0.
 void PendingFile::settle(int problem) {
   struct stat old {};
   if (force_ && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);

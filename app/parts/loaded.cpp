@@ -1,5 +1,4 @@
-// Replacements for functions in parts, which load the part and call its function. The linker prefers them to
-// those of the library.
+// Replacements for functions in parts, which load the part and call its function. The linker prefers them.
 
 #include <stdexcept>
 #include <string>

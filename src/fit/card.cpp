@@ -82,8 +82,7 @@ FittedRange range_of_tests(const Fit& fit) {
 
 /// The tested range, never what the model reached. Tests give the strains; impacts, whose forces were
 /// measured, give rates. Without tests the strain is that of the card from which the fit started, else that
-/// of a curve in the fit file. A single rate covers half a decade on either side. Absent if no strain is
-/// known.
+/// of a curve in the fit file. A single rate covers half a decade on either side. Absent without a strain.
 std::optional<FittedRange> range_of_data(const Fit& fit, std::span<const double> values,
                                          const Material& material) {
   FittedRange range = range_of_tests(fit);

@@ -88,8 +88,7 @@ ProfileEnd profile(const LeastSquares& problem, const Minimum& minimum, const Pr
 // w_k = n / n_eff is 1 for independent errors, and (1 + rho) / (1 - rho) for errors along a curve whose
 // neighbours are correlated by rho: the fit weighs them as if they were independent.
 //
-// From the covariance follow the uncertainty of predictions and draws from the Laplace approximation of the
-// posterior.
+// From it follow the uncertainty of predictions and draws from the posterior's Laplace approximation.
 
 /// Eigenvalues of a symmetric matrix, rising, and their directions of length 1.
 struct PrincipalAxes {

@@ -93,8 +93,7 @@ class Best {
 /// Offers the best of the windows of length `longest` that begin in interval i and end in interval j >= i.
 void offer_longest(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best);
 
-/// Offers every window not longer than `longest` that begins in interval i, ends in interval j >= i and can
-/// be the best of all.
+/// Offers every window up to `longest` that begins in interval i, ends in j >= i and can be the best.
 void offer_candidates(const Curve& curve, std::size_t i, std::size_t j, double longest, Best& best);
 
 // A hierarchy of blocks of intervals, with bounds on the windows between two blocks.

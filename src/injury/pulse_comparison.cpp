@@ -67,8 +67,7 @@ double shift_of(const PulseShape& measured, const std::optional<PulseShape>& com
   return 0;
 }
 
-/// The solver's relative error of a figure, due to that of the force with its exponent, or to those of its
-/// times.
+/// The solver's relative error of a figure: that of the force with its exponent, or those of its times.
 double error_of_solver(std::string_view key, double value, const Summary& summary) {
   const ErrorEstimates& errors = summary.errors;
   const double contact_end = summary.contact_end ? summary.contact_end->time : 0;

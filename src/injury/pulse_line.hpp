@@ -1,6 +1,5 @@
 #pragma once
-/// A pulse that is linear between its samples: its magnitude |a| as a polyline, the stretches above a level,
-/// and accurate sums.
+/// A pulse that is linear between its samples: |a| as a polyline, stretches above a level, accurate sums.
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +100,7 @@ class AccurateSum {
   double high_ = 0, low_ = 0;
 };
 
-// Errors of the time steps in the figures of a history, by the next coarser run and by the curvature of the
-// history.
+// Errors of the time steps in the figures of a history, by the next coarser run and by its curvature.
 
 inline bool has_coarser_run(const Solution& solution) { return solution.coarser.time.size() >= 2; }
 

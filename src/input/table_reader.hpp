@@ -42,8 +42,7 @@ class FaultList {
     add(reading.faults());
     return std::nullopt;
   }
-  /// Adds broken rules with line and text of their keys, except for keys, or parts of keys, that already have
-  /// a fault.
+  /// Adds broken rules with line and text of their keys, except for keys or parts that have a fault.
   void add(const std::vector<Violation>& violations);
   /// The value or, if there are faults, all of them by line.
   template <class T>
@@ -96,8 +95,7 @@ class TableReader {
   std::optional<std::filesystem::path> file(const std::string& key, const std::filesystem::path& folder);
   std::optional<TableReader> table(const std::string& key, Presence presence = Presence::required);
   const TomlNode* array(const std::string& key);
-  /// Calls `read` for each table of the array at `key`. Other entries break `rule`, or "must be a table:
-  /// [[key]]".
+  /// Calls `read` for each table of the array at `key`. Others break `rule`, or "must be a table: [[key]]".
   template <class Read>
   void each_table(const std::string& key, const TomlNode& array, Read&& read, const char* rule = nullptr) {
     for (const TomlNode& node : array.children) {

@@ -36,15 +36,13 @@ struct TomlNode {
   [[nodiscard]] TomlNode* child(std::string_view name) {
     return const_cast<TomlNode*>(std::as_const(*this).child(name));
   }
-  /// The entry with a dotted key, such as "pad.thickness" or "support.points[3]", or the last existing one on
-  /// the way.
+  /// The entry with a dotted key, such as "support.points[3]", or the last existing one on the way.
   [[nodiscard]] const TomlNode& nearest(std::string_view dotted_key) const;
   /// The value as in the file, as one line; "" for tables and arrays.
   [[nodiscard]] std::string written() const;
 };
 
-/// Removes the first part of a dotted key: "pad.layers[2].thickness" has the parts pad, layers, [2],
-/// thickness.
+/// Removes the first part of a dotted key: "pad.layers[2].mu" has the parts pad, layers, [2], mu.
 std::string_view take_key_part(std::string_view& key);
 
 struct TomlFile {

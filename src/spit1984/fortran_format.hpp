@@ -1,6 +1,5 @@
 #pragma once
-/// The parts of Fortran's FORMAT that the 1984 program uses, as executed by FOROTS, the run-time system of
-/// the DECSystem-10.
+/// The parts of Fortran's FORMAT that the 1984 program uses, as run by the DECSystem-10's FOROTS.
 
 #include <optional>
 #include <string>

@@ -61,8 +61,7 @@ Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner co
                    Ends ends = Ends::mirrored);
 
 /// Even samples by linear interpolation, from the first time to at most one interval before the end.
-/// `interval` in s, > 0 and no longer than the pulse. Throws std::invalid_argument, also for more than 10
-/// million samples.
+/// `interval` in s, > 0 and no longer than the pulse. Throws std::invalid_argument, also beyond 10 million.
 Pulse resampled(const Pulse& pulse, double interval);
 
 }  // namespace dashpad::injury

@@ -34,8 +34,7 @@ struct PulseShape {
   double side = 1;  ///< 1 or -1: the sign of the acceleration at the peak
   /// s, when |a| first reaches onset_share of its peak; absent if the first sample is already there.
   std::optional<double> onset;
-  /// s, when it does so for the last time before its peak: later than the onset if noise or an offset reaches
-  /// that level earlier.
+  /// s, when it does so for the last time before its peak: later than the onset if noise gets there earlier.
   std::optional<double> last_onset;
   double width = 0;  ///< s, total time with |a| above half the peak
   Contact contact;

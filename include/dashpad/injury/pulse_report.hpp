@@ -180,8 +180,7 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
 /// times at the levels of the standard.
 PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 
-/// A remark if the sampling frequency, as measured or as resampled, is less than ten times the class of the
-/// filter.
+/// A remark if the sampling frequency, measured or resampled, is less than ten times the filter's class.
 std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
                                               const PulseFilter& filter);
 

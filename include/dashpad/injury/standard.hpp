@@ -135,8 +135,7 @@ struct CriterionResult {
 };
 
 /// Decides a result and sets its margins. Fail: the value, or the whole interval, is above the limit by more
-/// than the error. Pass: it is within the limit even with the error added, and is no lower bound. Otherwise
-/// undecided.
+/// than the error. Pass: it is within the limit with the error added, and no lower bound. Else undecided.
 void decide(CriterionResult& result);
 
 /// Fail if one criterion fails; else undecided if one is undecided; else pass.
@@ -205,8 +204,7 @@ struct OtherChoice {
 };
 
 /// The choices that turn a verdict into a pass or a fail; both together only if neither does so alone. Values
-/// that the user gave are no choices. `standard` is the one before with_kept(). `judged` solves and assesses
-/// the case.
+/// that the user gave are no choices. `standard` is before with_kept(). `judged` solves and assesses.
 std::vector<OtherChoice> turning_choices(
     const Standard& standard, const ImpactCase& given, Kept kept, Verdict verdict,
     const std::function<Assessment(const Standard&, const ImpactCase&)>& judged);

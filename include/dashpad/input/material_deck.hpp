@@ -36,8 +36,7 @@ const UnitSystem& deck_system(std::string_view name);
 
 /// Reads a column called strain, a pure number or in %, and columns of stress with units ("stress_kPa"). Of
 /// several stresses, each header has the rate after an @: "stress_kPa @ 10 1/s". `rate`, 1/s, applies to a
-/// single stress without a rate. A stress may be empty after the end of its curve. Reports all faults, or the
-/// first 200.
+/// single stress without a rate. A stress may be empty after its curve ends. Reports at most 200 faults.
 Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::optional<double> rate);
 
 }  // namespace dashpad::input

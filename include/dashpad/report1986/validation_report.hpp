@@ -1,6 +1,5 @@
 #pragma once
-/// Output of the validation study: text, JSON, figures, page and tables. Units are those of the report (lb,
-/// in, mph, ms, in.lb).
+/// Output of the validation study: text, JSON, figures, page and tables. Units of the report (lb, in).
 
 #include <map>
 #include <string>

@@ -18,8 +18,7 @@ enum class Arithmetic {
   pdp10,     ///< the 36-bit words of the machine that printed Appendix C (dashpad/spit1984/pdp10.hpp)
 };
 
-/// The defects of the listing; docs/spit1984.md shows their effects. True: as printed, the faithful mode.
-/// False: mended.
+/// The defects of the listing; docs/spit1984.md shows their effects. True: as printed; false: mended.
 struct Defects {
   /// A trial that does not widen the contact keeps the bookkeeping of an earlier trial (LAST, RL), which a
   /// later restore then brings back. Mended: every trial starts from the contact at the start of the step.

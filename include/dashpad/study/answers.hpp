@@ -147,8 +147,7 @@ RowCounts row_counts(const Store& store);
 
 /// Cushion curves in the manner of ASTM D1596: peak deceleration over static stress, for drop heights and
 /// thicknesses (docs/studies.md). Static stress is the weight over the projected contact area at the largest
-/// penetration; drop height is v^2 / 2 g. Curves of a sphere differ from those of a platen and must not be
-/// mixed with them.
+/// penetration; drop height is v^2 / 2 g. Curves of a sphere and of a platen must not be mixed.
 struct CushionCurve {
   double thickness = 0;                   ///< m
   std::vector<double> static_stress;      ///< Pa, in the order of the masses

@@ -50,8 +50,7 @@ class Store {
  public:
   /// Creates the file, or opens that of the very same study (text, named files, program version and commit)
   /// to continue. While it is open only this store can write, but all can read. Throws std::runtime_error in
-  /// the user's words for another study, a file that is no store or read-only, another writer, or a full
-  /// disk.
+  /// the user's words for another study, a file that is no store or read-only, another writer, a full disk.
   static Store open_for(const Study& study, const std::filesystem::path& file);
   /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
@@ -76,8 +75,7 @@ class Store {
   [[nodiscard]] std::vector<std::uint64_t> missing_batches() const;
 
   /// Writes all rows of a batch in one transaction. Throws std::invalid_argument for rows that do not belong
-  /// to the batch, std::runtime_error if the disk refuses or the batch is there already; then nothing of it
-  /// is written.
+  /// to the batch, std::runtime_error if the disk refuses or the batch is there; then nothing is written.
   void write_batch(std::uint64_t batch, std::span<const StoredRow> rows);
 
   /// Throws std::runtime_error if the file was deleted, renamed or replaced since it was opened, so that
@@ -113,8 +111,7 @@ ExportedColumn exported(const StoredColumn& column);
 /// Writes the rows done as CSV, in pieces so that memory does not grow: a heading, then a line per row by row
 /// number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and bottomed (0 or 1),
 /// error, factors, responses; the heading has units: "impactor.speed_m_per_s". Numbers read back exactly,
-/// except accelerations, which the store has in m/s2; missing values are empty. Exceptions of `write` pass
-/// through.
+/// except accelerations, which the store has in m/s2; missing values are empty. Passes exceptions of `write`.
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

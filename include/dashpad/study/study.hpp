@@ -87,8 +87,7 @@ double row_count(const Study& study);
 
 /// All rules that a study breaks, under keys of study files: "samples", "factors.impactor.speed",
 /// "correlations[1]". If the factors are sound, they include the rules of the case that levels and ends of
-/// distributions break (docs/studies.md). Rarer combinations that make no valid case become rows that are
-/// "not run".
+/// distributions break (docs/studies.md). Rarer combinations that make no valid case become "not run" rows.
 std::vector<Violation> violations(const Study& study);
 
 // Which row of a study has which factors: a function of the row's number alone, so that the order of the

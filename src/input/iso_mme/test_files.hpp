@@ -22,8 +22,7 @@ bool is_archive(const std::filesystem::path& file);
 
 /// The regular files in `folder` and in its folder Channel. Throws InputError.
 std::vector<std::string> names_in_folder(const std::filesystem::path& folder);
-/// Reads files, at most `most` bytes of each; a larger file is a fault unless `cut`. Links are not followed.
-/// Throws InputError.
+/// Reads files, at most `most` bytes of each; more is a fault unless `cut`. No links. Throws InputError.
 MmeMembers read_from_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
                             std::size_t most, bool cut);
 

@@ -64,8 +64,7 @@ class LawLines {
 };
 
 /// Readers of the laws, after the line of the density: crushable foam with closed cells (FOAM_PLAS), Ogden
-/// with branches (VISC_HYP), tabulated foam (FOAM_TAB) and tabulated foam with hysteresis. False if a line is
-/// missing or at fault.
+/// with branches (VISC_HYP), tabulated foam (FOAM_TAB), the same with hysteresis. False after a fault.
 bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam);
 bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam);

@@ -26,8 +26,7 @@ bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// The unit in the notation of the units database: "ms" for "msec", "m/s^2" for "m/s**2", "m/s2" for
-/// "m_per_s2".
+/// The unit in the notation of the table of units: "ms" for "msec", "m/s2" for "m_per_s2".
 std::string standard_unit(std::string_view unit) {
   std::string text(without_blanks(unit));
   replace_all(text, "**", "^");

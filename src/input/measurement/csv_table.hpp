@@ -27,8 +27,7 @@ class CsvRows {
  public:
   CsvRows(std::string_view text, char separator) : lines_(text), separator_(separator) {}
 
-  /// Reads the next row with content; false at the end. Skips comments (#), and counts blank lines and lines
-  /// of separators only.
+  /// Reads the next row with content; false at the end. Skips comments (#), and counts lines without content.
   bool next(CsvRow& row);
 
   [[nodiscard]] const LineReader& lines() const { return lines_; }
@@ -130,14 +129,12 @@ void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take) {
   }
 }
 
-/// Reports rows between names and numbers that hold a number in one of these columns, from `first` on, and
-/// would be lost.
+/// Reports rows between names and numbers that hold a number in one of these columns, from `first` on.
 void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
                         const std::vector<injury::MeasuredColumn>& chosen, char separator,
                         MeasurementFaults& faults, std::size_t first = 0);
 
-/// Chooses the columns of time and acceleration with their units; adds remarks on choices that were not
-/// obvious.
+/// Chooses the columns of time and acceleration with their units; remarks on choices that were not obvious.
 void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
                     MeasurementFaults& faults, std::vector<std::string>& remarks);
 

@@ -84,8 +84,7 @@ class DeckNumbers {
 /// The numbers of a card by field name, SI; missing ones are 0.
 using CardValues = std::map<std::string_view, double>;
 
-/// A comment with the names of the fields, and a line with their numbers. `width` overrides that of the
-/// fields.
+/// A comment with the names of the fields, and a line with their numbers. `width` overrides theirs.
 std::string card_text(char mark, input::DeckCard card, const CardValues& values, DeckNumbers& numbers,
                       std::size_t width = 0);
 /// The line of numbers alone.

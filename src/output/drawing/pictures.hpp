@@ -38,8 +38,7 @@ std::vector<Place> both_halves(const std::vector<Place>& right, double axis);
 std::string nose_picture(const Nose& nose, const NoseFrame& frame, std::string_view style);
 
 /// The pad under the nose, columns shaded by strain, layers hatched. For several layers only the axis is
-/// computed; elsewhere the strain of each layer falls like the shortening of the whole column, which keeps
-/// their sum.
+/// computed; elsewhere the strain of each layer falls like the whole column's shortening: the sum is kept.
 std::string pad_picture(const Scene& scene, const Picture& picture);
 
 /// The support below the pad as symbols: panel, gap, springs, damper, ground or a free body.

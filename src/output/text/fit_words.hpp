@@ -25,14 +25,14 @@ std::string fit_answer(const fit::FitReport& report);
 /// The unknown that the program added to those of the fit file, and why; empty if it added none.
 std::string words_on_added(const fit::FitReport& report);
 
-/// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (root mean
-/// square)."
+/// "The data determine all 5 unknowns; the model misses the tests by 1.2 % of their largest stress (rms)."
 std::string fit_headline(const fit::FitReport& report);
 
 /// The accuracy of the predictions of held-out data; empty if nothing was held out.
 std::string prediction_words(const fit::FitReport& report);
 
-/// "1.2 to 3.4 kPa", "from 1.2 kPa, without an upper end", "open on both sides"; a natural bound ends it as well.
+/// "1.2 to 3.4 kPa", "from 1.2 kPa, without an upper end", "open on both sides"; a natural bound ends it as
+/// well.
 std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units);
 
 /// Unknowns that the data do not determine, a sentence each.

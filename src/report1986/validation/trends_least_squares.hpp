@@ -1,6 +1,5 @@
 #pragma once
-/// Least squares for one or two constants, with 95 % intervals by Student's t, which are infinite without a
-/// degree of freedom.
+/// Least squares for one or two constants, with 95 % intervals by Student's t, infinite without freedom.
 
 #include <vector>
 

@@ -1,6 +1,5 @@
 #pragma once
-/// Tests in the format ISO-MME (ISO/TS 13499): a folder, its .mme file, or a zip or tar of it
-/// (docs/pulses.md).
+/// Tests in the format ISO-MME (ISO/TS 13499): a folder, its .mme file, a zip or tar (docs/pulses.md).
 
 #include <filesystem>
 #include <string>
@@ -35,8 +34,7 @@ struct IsoMmeOptions {
 };
 
 /// Reads nothing outside of the folder or archive: links are not followed, and archives with names that lead
-/// elsewhere are refused. Reports all faults, or the first 200. At most 1 GiB unpacked and 50 million samples
-/// per channel.
+/// elsewhere are refused. Reports at most 200 faults. At most 1 GiB unpacked, 50 million samples each.
 Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
 
 }  // namespace dashpad::input

@@ -1,6 +1,5 @@
 #pragma once
-/// Tables of numbers (CSV) from measuring programs: pulses, strain histories and compression tests
-/// (docs/pulses.md).
+/// Tables of numbers (CSV) from measuring programs: pulses, strains, compression (docs/pulses.md).
 
 #include <filesystem>
 #include <optional>
@@ -36,8 +35,7 @@ struct PulseCsvOptions {
   bool bridge_gaps = false;                    ///< take straight lines where samples are missing
   /// For accelerations in volts, one for all or one for each in their order; empty if none is in volts.
   std::vector<Sensitivity> sensitivity = {};
-  /// The sampling interval of a table without times, s, > 0; the first sample is at 0. A column of times is
-  /// ignored then.
+  /// The sampling interval of a table without times, s, > 0; the first is at 0. Ignores a column of times.
   std::optional<double> interval = {};
 };
 

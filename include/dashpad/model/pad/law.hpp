@@ -49,8 +49,7 @@ concept IsMemoryless = IsPadLaw<L> && L::memoryless && requires(const L law) {
   { L::recovers } -> std::convertible_to<bool>;
 };
 
-/// A law with memory: the stress of a column depends on its history. Stresses in Pa, rates in 1/s, times in s
-/// since first contact.
+/// A law with memory: the stress of a column depends on its history. Stresses in Pa, rates in 1/s, times s.
 template <class L>
 concept HasMemory =
     IsPadLaw<L> && !L::memoryless && requires(const L law, double x, typename L::RatePart rate) {

@@ -1,6 +1,5 @@
 #pragma once
-/// The report's energy account (section 3.3, Eqs. 32 and 34 to 37, Table 3-2), in its units and with its
-/// constants.
+/// The report's energy account (section 3.3, Eqs. 32 and 34 to 37, Table 3-2), in its units and constants.
 
 #include <string>
 #include <vector>

@@ -43,8 +43,7 @@ struct FittedFoam {
 };
 Material material_of(const FittedFoam& foam);
 
-/// Least squares of ln(predicted / measured), or of the difference for strains, over the scatters of
-/// decision 16.
+/// Least squares of ln(predicted / measured), or the strains' differences, over decision 16's scatters.
 FittedFoam fit_foam(const ValidationData& data, const std::vector<Reading>& readings);
 
 /// A quantity on a support, predicted by fits that have not seen the test. The form of the foam was chosen

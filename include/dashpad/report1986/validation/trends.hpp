@@ -99,8 +99,7 @@ struct RadiusCriterion {
       0;  ///< least misfit, by a parabola through three radii, to 0.01 in; NaN without any misfit
   /// The minimum is at an end of the range, or of the radii with a figure: a bound rather than an estimate.
   bool at_an_end = false;
-  /// Radii whose misfit is not significantly larger (95 %, F test with one parameter); the whole range if the
-  /// data cannot tell.
+  /// Radii whose misfit is not significantly larger (95 %, F test with one parameter), perhaps all.
   Interval admitted = {};
   int readings = 0;
   bool of_the_report = false;  ///< a statement of the report, tested with its program

@@ -28,8 +28,7 @@ std::optional<double> predicted(const Prediction& prediction, Quantity quantity)
 std::optional<double> predicted(const std::vector<Prediction>& predictions, Program program,
                                 const Setup& setup, Quantity quantity);
 
-/// The rule of a quantity: bounds of the bias and the scatter of ln(predicted/measured), or of the difference
-/// for strain.
+/// The rule of a quantity: bounds of bias and scatter of ln(predicted/measured); for strain, the difference.
 struct Rule {
   Quantity quantity;
   double low = 0, high = 0, scatter = 0;
