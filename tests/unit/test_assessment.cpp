@@ -557,6 +557,14 @@ TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
                           HasSubstr("nor a certification")));
 }
 
+TEST(assessment_text, names_the_blow_that_its_figures_are_of) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
+  Solution solution = half_sine();
+  EXPECT_THAT(write(standard, solution).text, Not(HasSubstr("blow")));
+  solution.summary.blow = solution.summary.blows = 3;
+  EXPECT_THAT(write(standard, solution).text, HasSubstr("\nFigures of blow 3 of 3\n"));
+}
+
 TEST(assessment_text, a_lower_bound_has_a_margin_only_where_it_fails) {
   const Written failed = write(standard_with({criterion(Metric::hic15, 100)}), rising_flank());
   EXPECT_THAT(failed.text,
