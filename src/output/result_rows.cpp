@@ -47,7 +47,8 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
                       const UnitSystem& units, int digits) {
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
   if (key == "peak_motion") return "pad and support";
-  if (key == "peak_strain") return "on the axis";
+  if (key.starts_with("peak_strain"))
+    return impact.pad.layers.empty() ? "on the axis" : "of the whole pad, on the axis";
   if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
       summary.support && summary.support->body_speed)
     return "moves on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
@@ -67,17 +68,23 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   return "";
 }
 
-/// Largest strain of each layer on the axis.
-void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summary, int digits) {
+/// Largest strain of each layer on the axis; in detail also its rate.
+void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summary, Detail detail) {
+  const int digits = digits_of(detail);
   for (std::size_t i = 0; i < summary.layers.size(); ++i) {
     const Material& material = pad.layers[i].material;
     const auto tested = range_of(material);
     std::string remark = one_line(material.name);
-    if (tested) remark += fmt::format(", tested up to {}", significant(tested->highest_strain, digits));
+    if (tested) remark += fmt::format(", tested up to {}", brief(tested->highest_strain));
     rows.push_back({.key = fmt::format("layer_{}_peak_strain", i + 1),
                     .label = fmt::format("Strain of layer {}", i + 1),
                     .value = significant(summary.layers[i].peak_strain, digits),
                     .remark = remark});
+    if (detail == Detail::all)
+      rows.push_back({.key = fmt::format("layer_{}_peak_strain_rate", i + 1),
+                      .label = fmt::format("Strain rate of layer {}", i + 1),
+                      .value = significant(summary.layers[i].peak_strain_rate, digits),
+                      .unit = "1/s"});
   }
 }
 
@@ -126,9 +133,8 @@ bool is_same(const injury::InjuryValue& a, const injury::InjuryValue& b) {
 }
 
 std::string tolerance_text(const Summary& summary) {
-  const std::string tolerance = percentage(summary.tolerance);
-  return summary.trustworthy() ? "to a tolerance of " + tolerance
-                               : "without meeting the tolerance of " + tolerance;
+  return fmt::format("{} tolerance of {} for peak forces, distances and rebound",
+                     summary.trustworthy() ? "to a" : "without meeting the", percentage(summary.tolerance));
 }
 
 /// The end of a completed run.
@@ -191,7 +197,7 @@ std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summ
     if (quantity.has_estimate()) rows.back().error = estimate.error;
     rows.back().remark = remark_on(key, impact, summary, units, digits);
   }
-  add_layers(rows, impact.pad, summary, digits);
+  add_layers(rows, impact.pad, summary, detail);
   return rows;
 }
 
@@ -211,7 +217,7 @@ std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const Uni
       continue;
     if (detail == Detail::main && before != nullptr && is_same(figure, *before)) {
       same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
-      rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; also " + same;
+      rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; the same for " + same;
       continue;
     }
     same.clear();

@@ -30,12 +30,17 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// Sources without an interval, and why they have none.
-std::vector<std::string> unknown_words(const Intervals& intervals) {
+/// Adds the sources without an interval, and why they have none.
+void add_unknown(std::vector<std::string>& paragraphs, const Intervals& intervals) {
   std::vector<std::string> all;
   for (const OpenSource& source : intervals.sources)
     if (!source.why_not.empty()) all.push_back(one_line(source.words) + ": " + one_line(source.why_not));
-  return all;
+  if (!all.empty()) paragraphs.push_back(fmt::format("Not in the intervals: {}.", joined(all)));
+}
+
+/// The name of a source where people read it.
+std::string title_of_source(Source source) {
+  return source == Source::way_back ? "Unloading" : capitalised(to_string(source));
 }
 
 std::string figure_words(const FigureInterval& interval, const Intervals& intervals,
@@ -91,7 +96,7 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   for (const OpenSource& source : intervals.sources)
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
       open.push_back(source.source);
-  for (const Source source : open) table.columns.push_back(capitalised(to_string(source)));
+  for (const Source source : open) table.columns.push_back(title_of_source(source));
   for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
     if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
   for (const std::string& key : asked) {
@@ -108,22 +113,21 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   return table;
 }
 
-std::string source_paragraph(const Intervals& intervals) {
+std::vector<std::string> source_paragraphs(const Intervals& intervals) {
   std::vector<std::string> all;
   for (const OpenSource& source : intervals.sources)
-    all.push_back(fmt::format("{}: {}{}", to_string(source.source), one_line(source.words),
-                              source.why_not.empty() ? "" : "; no interval: " + one_line(source.why_not)));
-  return all.empty() ? "" : capitalised(joined(all)) + ".";
+    if (source.why_not.empty())
+      all.push_back(fmt::format("{}: {}.", title_of_source(source.source), one_line(source.words)));
+  add_unknown(all, intervals);
+  return all;
 }
 
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units) {
-  if (!summary.intervals) return {};
   const Intervals& intervals = *summary.intervals;
   std::vector<std::string> all;
   if (const FigureInterval* interval = first_asked(intervals))
     all.push_back(figure_words(*interval, intervals, units));
-  if (const std::vector<std::string> unknown = unknown_words(intervals); !unknown.empty())
-    all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
+  add_unknown(all, intervals);
   return all;
 }
 
