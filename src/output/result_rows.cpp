@@ -68,23 +68,18 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
   return "";
 }
 
-/// Largest strain of each layer on the axis; in detail also its rate.
-void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summary, Detail detail) {
-  const int digits = digits_of(detail);
+/// Largest strain of each layer on the axis.
+void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summary, int digits) {
   for (std::size_t i = 0; i < summary.layers.size(); ++i) {
     const Material& material = pad.layers[i].material;
     const auto tested = range_of(material);
     std::string remark = one_line(material.name);
     if (tested) remark += fmt::format(", tested up to {}", brief(tested->highest_strain));
+    remark += fmt::format("; rate up to {} 1/s", brief(summary.layers[i].peak_strain_rate, digits));
     rows.push_back({.key = fmt::format("layer_{}_peak_strain", i + 1),
                     .label = fmt::format("Strain of layer {}", i + 1),
                     .value = significant(summary.layers[i].peak_strain, digits),
                     .remark = remark});
-    if (detail == Detail::all)
-      rows.push_back({.key = fmt::format("layer_{}_peak_strain_rate", i + 1),
-                      .label = fmt::format("Strain rate of layer {}", i + 1),
-                      .value = significant(summary.layers[i].peak_strain_rate, digits),
-                      .unit = "1/s"});
   }
 }
 
@@ -197,7 +192,7 @@ std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summ
     if (quantity.has_estimate()) rows.back().error = estimate.error;
     rows.back().remark = remark_on(key, impact, summary, units, digits);
   }
-  add_layers(rows, impact.pad, summary, detail);
+  add_layers(rows, impact.pad, summary, digits);
   return rows;
 }
 

@@ -69,10 +69,9 @@ void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const Un
 
 /// A table with a row for each figure: its interval from all sources together, then from each source alone.
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked = {});
-/// The sources in words, and why one gives no interval, a paragraph each.
-std::vector<std::string> source_paragraphs(const Intervals& intervals);
 
-/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each.
+/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each, of a
+/// summary with intervals.
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

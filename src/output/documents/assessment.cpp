@@ -253,7 +253,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
     for (const injury::CriterionResult& result : assessment.results)
       limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
     document.sections.push_back({.heading = "Uncertainty of the figures",
-                                 .paragraphs = source_paragraphs(*intervals),
+                                 .paragraphs = interval_paragraphs(summary, units),
                                  .tables = {interval_table(summary, units, limited)}});
   }
   document.sections.push_back({.heading = basis_heading,

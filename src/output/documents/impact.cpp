@@ -162,7 +162,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   if (summary.intervals && !summary.intervals->figures.empty()) {
     document.sections.push_back({.seen = Seen::in_brief, .paragraphs = interval_paragraphs(summary, units)});
     document.sections.push_back({.heading = "Uncertainty of the figures",
-                                 .paragraphs = source_paragraphs(*summary.intervals),
+                                 .paragraphs = interval_paragraphs(summary, units),
                                  .tables = {interval_table(summary, units)}});
   }
   std::vector<std::string> brief = case_lines(impact, units);

@@ -177,8 +177,7 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   }
   Panel distances = over_time(history, axis_with_unit("Distance", "m", units), ways, units);
   Panel energy = over_time(history, axis_with_unit("Energy", "J", units), parts, units);
-  begin_at_zero(distances);
-  begin_at_zero(energy);
+  for (Panel* const panel : {&distances, &energy}) begin_at_zero(*panel);
   std::vector<CaptionedPlot> figures{
       figure("Force over time", force_panel(solution, units), note),
       figure("Deceleration over time", std::move(deceleration), note),

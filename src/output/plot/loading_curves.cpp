@@ -109,8 +109,8 @@ std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRan
   const std::string whose = foam.layer == 0 ? "The foam" : fmt::format("Layer {}", foam.layer);
   const std::string text = fmt::format("{} reaches a strain of {}", whose, brief(foam.strain, 3));
   if (!range) return text;
-  return fmt::format("{}; it was {} up to {}", text, how_known(foam.material),
-                     brief(range->highest_strain, 3));
+  return text +
+         fmt::format("; it was {} up to {}", how_known(foam.material), brief(range->highest_strain, 3));
 }
 
 /// "at 0.01 per second"; empty where the law has no rate effect.

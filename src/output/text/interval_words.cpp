@@ -30,19 +30,6 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// Adds the sources without an interval, and why they have none.
-void add_unknown(std::vector<std::string>& paragraphs, const Intervals& intervals) {
-  std::vector<std::string> all;
-  for (const OpenSource& source : intervals.sources)
-    if (!source.why_not.empty()) all.push_back(one_line(source.words) + ": " + one_line(source.why_not));
-  if (!all.empty()) paragraphs.push_back(fmt::format("Not in the intervals: {}.", joined(all)));
-}
-
-/// The name of a source where people read it.
-std::string title_of_source(Source source) {
-  return source == Source::way_back ? "Unloading" : capitalised(to_string(source));
-}
-
 std::string figure_words(const FigureInterval& interval, const Intervals& intervals,
                          const UnitSystem& units) {
   const ResultQuantity& quantity = result_quantity(interval.key);
@@ -96,7 +83,8 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   for (const OpenSource& source : intervals.sources)
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
       open.push_back(source.source);
-  for (const Source source : open) table.columns.push_back(title_of_source(source));
+  for (const Source source : open)
+    table.columns.push_back(source == Source::way_back ? "Unloading" : capitalised(to_string(source)));
   for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
     if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
   for (const std::string& key : asked) {
@@ -113,21 +101,14 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   return table;
 }
 
-std::vector<std::string> source_paragraphs(const Intervals& intervals) {
-  std::vector<std::string> all;
-  for (const OpenSource& source : intervals.sources)
-    if (source.why_not.empty())
-      all.push_back(fmt::format("{}: {}.", title_of_source(source.source), one_line(source.words)));
-  add_unknown(all, intervals);
-  return all;
-}
-
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units) {
   const Intervals& intervals = *summary.intervals;
-  std::vector<std::string> all;
+  std::vector<std::string> all, unknown;
   if (const FigureInterval* interval = first_asked(intervals))
     all.push_back(figure_words(*interval, intervals, units));
-  add_unknown(all, intervals);
+  for (const OpenSource& source : intervals.sources)
+    if (!source.why_not.empty()) unknown.push_back(one_line(source.words) + ": " + one_line(source.why_not));
+  if (!unknown.empty()) all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
   return all;
 }
 
