@@ -179,9 +179,8 @@ std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summ
     const ResultQuantity& quantity = *entry->quantity;
     const std::string key = quantity.key;
     const EstimatedValue estimate = entry->of(summary);
-    if (detail == Detail::main &&
-        (!quantity.role.is_main || (key == "peak_motion" && impact.support.is_rigid())))
-      continue;
+    const bool is_penetration = key == "peak_motion" && impact.support.is_rigid() && !summary.support;
+    if (is_penetration || (detail == Detail::main && !quantity.role.is_main)) continue;
     if (key == "peak_force" && std::isnan(estimate.value))
       rows.push_back({.key = key,
                       .label = quantity.title,

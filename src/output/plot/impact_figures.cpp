@@ -80,15 +80,6 @@ void begin_at_zero(Panel& panel) {
     for (double& value : series.y) value = std::max(value, 0.0);
 }
 
-/// Whether the support moved by more than rounding.
-bool gives_way(const History& history) {
-  constexpr double rounding = 1e-9;
-  const double motion = std::ranges::max(history.motion);
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (std::abs(history.motion[i] - history.penetration[i]) > rounding * motion) return true;
-  return false;
-}
-
 std::string percent(double share) { return fmt::format("{} %", significant(100 * share, 2)); }
 
 /// Nearer to full compression than half a hundredth, stress has no finite limit.
@@ -165,7 +156,7 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   const EnergyLedger& audit = solution.summary.energy;
   Panel deceleration = deceleration_panel(solution, injury, units);
   deceleration.title.clear();
-  const bool is_rigid = !gives_way(history);
+  const bool is_rigid = impact.support.is_rigid() && !solution.summary.support;
   std::vector<OverTime> ways{{"penetration", history.penetration, 1}};
   std::vector<OverTime> parts{{"kinetic_energy", energies.kinetic, 0},
                               {"pad_energy", energies.pad, 1},
