@@ -168,10 +168,12 @@ class TimeSlider {
   // Null: as the page was written.
   show(time) {
     const { moments } = this;
-    const lengths = ["Displacement", "Penetration", "Deflection of the support"];
-    const [motion, penetration, deflection] = lengths.map((name) => (time === null ? null : moments.siValue(name, time)));
-    const isKnown = ![motion, penetration, deflection].includes(null);
-    const moment = isKnown ? { penetration, deflection, body: motion - penetration - deflection } : null;
+    const at = (name) => (time === null ? null : moments.siValue(name, time));
+    const penetration = at("Penetration");
+    // On a rigid support there are no curves of these.
+    const motion = at("Displacement") ?? penetration;
+    const deflection = at("Deflection of the support") ?? 0;
+    const moment = penetration === null ? null : { penetration, deflection, body: motion - penetration - deflection };
     const words = time === null ? "" : `At ${moments.timeText(time)}`;
     this.picture()?.show(moment, words);
     this.slider.value = time ?? moments.timeOfSi(this.moving?.time) ?? moments.end;

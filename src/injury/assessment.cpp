@@ -123,10 +123,11 @@ struct ReadNames {
   }
   void say(std::vector<Flag>& reservations) const {
     if (!unverified.empty())
-      reservations.push_back(
-          flag_of("UNVERIFIED", "not read in the standard or a source that quotes it: " + unverified));
+      reservations.push_back(flag_of(
+          "UNVERIFIED", "found neither in the standard nor in a source that quotes it: " + unverified));
     if (!secondary.empty())
-      reservations.push_back(flag_of("SECONDARY SOURCE", "not read in the standard itself: " + secondary));
+      reservations.push_back(
+          flag_of("SECONDARY SOURCE", "the standard itself was not read for " + secondary));
   }
 };
 

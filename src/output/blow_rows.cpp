@@ -22,11 +22,11 @@ double peak_in_g(const BlowResult& blow) {
 }
 double hic15(const BlowResult& blow) { return blow.injury ? blow.injury->hic15.value : none; }
 
-/// " from 35.81 to 61.2 g (+70.9 %)"
-std::string change(double from, double to, const std::string& unit) {
+/// "61.2 g, 71 % above"
+std::string with_change(double from, double to, const std::string& unit) {
   const double tenths = std::round(1000 * (to / from - 1));
-  return fmt::format(" from {} to {}{} ({:+.1f} %)", significant(from, 4), significant(to, 4), unit,
-                     tenths == 0 ? 0.0 : tenths / 10);
+  return fmt::format("{}{}, {} % {}", brief(to, 3), unit, brief(std::abs(tenths) / 10, 2),
+                     tenths < 0 ? "below" : "above");
 }
 
 std::string why_alike(const PadLaw& law) {
@@ -58,12 +58,12 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   if (first.earlier_penetration == last.earlier_penetration &&
       first.summary.peak_force == last.summary.peak_force)
     return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
-  std::string text = fmt::format("From blow 1 to blow {} the peak acceleration", blows.size());
+  std::string text = fmt::format("Blow {} peaks ", blows.size());
   if (std::isnan(peak_in_g(last)))
-    text += fmt::format(" increases from {} g without bound", significant(peak_in_g(first), 4));
+    text += fmt::format("without bound, blow 1 at {} g", brief(peak_in_g(first), 3));
   else
-    text += " changes" + change(peak_in_g(first), peak_in_g(last), " g");
-  if (first.injury && last.injury) text += ", HIC15" + change(hic15(first), hic15(last), "");
+    text += "at " + with_change(peak_in_g(first), peak_in_g(last), " g") + " blow 1";
+  if (first.injury && last.injury) text += "; HIC15 " + with_change(hic15(first), hic15(last), "");
   return text + ".";
 }
 

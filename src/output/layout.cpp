@@ -16,7 +16,7 @@ bool is_number(const std::string& text) {
   constexpr std::size_t longest = 100;
   static const std::regex number{
       "(?:[<>~+ -]|≤|≥|≈|±|−)*\\.?[0-9][0-9.,]*(?:[eE][-+]?[0-9]+)? *"
-      "(?:±.*|[^ 0-9][^ ]* *)?"};
+      "(?:±.*|(?:1/)?[^ 0-9][^ ]* *)?"};
   return text.size() <= longest && std::regex_match(text, number);
 }
 

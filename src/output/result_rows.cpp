@@ -47,7 +47,8 @@ std::string remark_on(const std::string& key, const ImpactCase& impact, const Su
                       const UnitSystem& units, int digits) {
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
   if (key == "peak_motion") return "pad and support";
-  if (key == "peak_strain") return "on the axis";
+  if (key.starts_with("peak_strain"))
+    return impact.pad.layers.empty() ? "on the axis" : "of the whole pad, on the axis";
   if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
       summary.support && summary.support->body_speed)
     return "moves on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
@@ -73,7 +74,8 @@ void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summ
     const Material& material = pad.layers[i].material;
     const auto tested = range_of(material);
     std::string remark = one_line(material.name);
-    if (tested) remark += fmt::format(", tested up to {}", significant(tested->highest_strain, digits));
+    if (tested) remark += fmt::format(", tested up to {}", brief(tested->highest_strain));
+    remark += fmt::format("; rate up to {} 1/s", brief(summary.layers[i].peak_strain_rate, digits));
     rows.push_back({.key = fmt::format("layer_{}_peak_strain", i + 1),
                     .label = fmt::format("Strain of layer {}", i + 1),
                     .value = significant(summary.layers[i].peak_strain, digits),
@@ -126,9 +128,8 @@ bool is_same(const injury::InjuryValue& a, const injury::InjuryValue& b) {
 }
 
 std::string tolerance_text(const Summary& summary) {
-  const std::string tolerance = percentage(summary.tolerance);
-  return summary.trustworthy() ? "to a tolerance of " + tolerance
-                               : "without meeting the tolerance of " + tolerance;
+  return fmt::format("{} tolerance of {} for peak forces, distances and rebound",
+                     summary.trustworthy() ? "to a" : "without meeting the", percentage(summary.tolerance));
 }
 
 /// The end of a completed run.
@@ -178,9 +179,8 @@ std::vector<ValueRow> summary_rows(const ImpactCase& impact, const Summary& summ
     const ResultQuantity& quantity = *entry->quantity;
     const std::string key = quantity.key;
     const EstimatedValue estimate = entry->of(summary);
-    if (detail == Detail::main &&
-        (!quantity.role.is_main || (key == "peak_motion" && impact.support.is_rigid())))
-      continue;
+    const bool is_penetration = key == "peak_motion" && impact.support.is_rigid() && !summary.support;
+    if (is_penetration || (detail == Detail::main && !quantity.role.is_main)) continue;
     if (key == "peak_force" && std::isnan(estimate.value))
       rows.push_back({.key = key,
                       .label = quantity.title,
@@ -211,7 +211,7 @@ std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const Uni
       continue;
     if (detail == Detail::main && before != nullptr && is_same(figure, *before)) {
       same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
-      rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; also " + same;
+      rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; the same for " + same;
       continue;
     }
     same.clear();

@@ -38,7 +38,7 @@ std::vector<ValueRow> main_rows(const ImpactCase& impact, const Summary& summary
 std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary& summary,
                                         const UnitSystem& units);
 
-/// How it was computed: "to a tolerance of 0.01 %: 120 steps, contact force in closed form, 3 runs, 1.2 ms".
+/// How it was computed: "to a tolerance of 0.01 % for peak forces, distances and rebound: 120 steps, contact force in closed form, 3 runs, 1.2 ms".
 std::string numbers_text(const Summary& summary);
 
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.
@@ -69,10 +69,9 @@ void add_intervals(std::vector<ValueRow>& rows, const Summary& summary, const Un
 
 /// A table with a row for each figure: its interval from all sources together, then from each source alone.
 Table interval_table(const Summary& summary, const UnitSystem& units, std::vector<std::string> asked = {});
-/// The sources in words, and why one gives no interval.
-std::string source_paragraph(const Intervals& intervals);
 
-/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each.
+/// The interval of the leading figure with its sources, and what no interval covers, a paragraph each, of a
+/// summary with intervals.
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units);
 
 }  // namespace dashpad::output

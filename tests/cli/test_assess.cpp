@@ -241,8 +241,9 @@ TEST_F(AssessTest, SaysWhereAnotherNoseOrSpeedWouldTurnTheVerdict) {
   const std::string between = standard("between", limiting(slow, fast));
   const Outcome fails = assess({between, "--no-intervals"});
   EXPECT_EQ(fails.exit_code, 4) << fails.out;
-  EXPECT_THAT(fails.out, ContainsRegex("\nOTHER SPEED: with the case's own speed, 3 m/s, the verdict is pass "
-                                       "\\(Peak acceleration [0-9.]+ g\\):\\s+--keep-speed\n"));
+  EXPECT_THAT(fails.out,
+              ContainsRegex("\nOTHER SPEED: with the case's own speed, 3 m/s, the verdict is pass "
+                            "\\(Peak acceleration [0-9.]+ g\\);\\s+run\\s+with\\s+--keep-speed\n"));
   const Outcome passes = assess({between, "--keep-speed", "--no-intervals", "--json", file("kept.json")});
   EXPECT_EQ(passes.exit_code, 0) << passes.out;
   EXPECT_THAT(passes.out,
@@ -401,7 +402,7 @@ TEST_F(AssessTest, APassOfFiguresReadElsewhereHasAReservation) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_THAT(outcome.out, AllOf(StartsWith("Passes: "),
-                                 HasSubstr("\nSECONDARY SOURCE: not read in the standard itself: mass, "
+                                 HasSubstr("\nSECONDARY SOURCE: the standard itself was not read for mass, "
                                            "radius, speed, limit of 3 ms clip\n")));
 }
 

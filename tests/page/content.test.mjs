@@ -16,6 +16,9 @@ const all = [
   "Stress over the contact",
   "Strain over the contact",
 ];
+const onRigid = all
+  .filter((name) => name !== "Force against displacement")
+  .map((name) => name.replace("Penetration and displacement", "Penetration"));
 const caseOf = (law, parameters, more = "") => `
 [impactor]
 mass = "4 kg"
@@ -36,7 +39,7 @@ async function check(file, plots = all) {
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
   const seen = await drawn(page);
   const [foam, ...others] = seen.map(({ name }) => name);
-  assert.match(foam, /^The foam is (used to a strain of [01]\b)/);
+  assert.match(foam, /^The foam reaches a strain of [01]\b/);
   assert.deepEqual(others, plots);
   for (const { name, size } of seen) assert.ok(size > 300, `${name} is ${size} px of curve`);
   return page;
@@ -66,9 +69,9 @@ test("the example of the README", async () => {
 });
 
 test("a row for each of repeated blows", async () => {
-  const page = await check(report(example("playground-three-drops")));
+  const page = await check(report(example("playground-three-drops")), onRigid);
   const table = page.locator("#section-1 table").first();
-  assert.match(await words(page.locator("h1")), /^From blow 1 to blow 3 the peak acceleration changes from/);
+  assert.match(await words(page.locator("h1")), /^Blow 3 peaks at [\d.]+ g, \d+ % above blow 1; HIC15 \d+, \d+ % above$/);
   assert.equal(await table.locator("tbody tr").count(), 3);
   assert.match(await table.locator("thead").innerText(), /Peak acceleration, g[\s\S]*HIC15[\s\S]*Peak force, N/);
 });
@@ -85,7 +88,7 @@ test("every law, every example", async () => {
 });
 
 test("a pad that bottoms out has no peak force and no injury figures", async () => {
-  const page = await check(report(example("rigid-floor-bottoming")));
+  const page = await check(report(example("rigid-floor-bottoming")), onRigid);
   assert.match(await page.locator(".reservation").innerText(), /BOTTOMED at 5\.9/);
   assert.match(await page.getByRole("row", { name: /^Peak force/ }).innerText(), /none/);
   assert.equal(await page.locator("#section-1 table").count(), 1);

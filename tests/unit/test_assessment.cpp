@@ -299,8 +299,8 @@ TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
   standard.mass.origin.kind = injury::SourceKind::secondary;
   standard.criteria[1].origin.kind = injury::SourceKind::secondary;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
-              ElementsAre(says("SECONDARY SOURCE: not read in the standard itself: mass, limit of dwell time "
-                               "above 50 g")));
+              ElementsAre(says("SECONDARY SOURCE: the standard itself was not read for mass, limit of dwell "
+                               "time above 50 g")));
   // What was not even read there is named once.
   standard.mass.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
@@ -557,6 +557,14 @@ TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
                           HasSubstr("nor a certification")));
 }
 
+TEST(assessment_text, names_the_blow_that_its_figures_are_of) {
+  const Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
+  Solution solution = half_sine();
+  EXPECT_THAT(write(standard, solution).text, Not(HasSubstr("blow")));
+  solution.summary.blow = solution.summary.blows = 3;
+  EXPECT_THAT(write(standard, solution).text, HasSubstr("\nFigures of blow 3 of 3\n"));
+}
+
 TEST(assessment_text, a_lower_bound_has_a_margin_only_where_it_fails) {
   const Written failed = write(standard_with({criterion(Metric::hic15, 100)}), rising_flank());
   EXPECT_THAT(failed.text,
@@ -632,8 +640,8 @@ TEST(assessment_text, has_the_key_figures_of_the_impact) {
   EXPECT_THAT(
       whole.text,
       AllOf(ContainsRegex("Peak acceleration +100 g +at most 125 g"), ContainsRegex("Peak strain +0.8 "),
-            ContainsRegex("HIC15 +414.6[0-9]*\n +End of contact +24.2 ms\n"),
-            ContainsRegex("Rebound speed +8.603 m/s\n +HIC36 +414.6[0-9]*\n +Restitution +0.9622\n")));
+            ContainsRegex("HIC15 +414.6[0-9]*\n +HIC36 +414.6[0-9]*\n +End of contact +24.2 ms\n"),
+            ContainsRegex("Rebound speed +8.603 m/s\n +Restitution +0.9622\n")));
   const auto figures = nlohmann::json::parse(whole.json)["figures"];
   EXPECT_NEAR(figures["peak_acceleration_g"]["value"].get<double>(), 100, 1e-9);
   EXPECT_EQ(figures["hic15"]["lower_bound"], false);

@@ -60,7 +60,7 @@ TEST(FoamCurve, TheUsedPartEndsAtTheLargestStrainAndTheRestBeginsThere) {
   EXPECT_DOUBLE_EQ(used->x.back(), 0.403);
   for (std::size_t i = 0; i < used->x.size(); ++i)
     EXPECT_NEAR(used->y[i], 1e-3 * modulus * used->x[i], 1e-6) << used->x[i];
-  const output::Series* const rest = series_of(*plot, "not used");
+  const output::Series* const rest = series_of(*plot, "not reached");
   ASSERT_NE(rest, nullptr);
   EXPECT_DOUBLE_EQ(rest->x.front(), 0.403);
   EXPECT_DOUBLE_EQ(rest->y.front(), used->y.back());
@@ -72,8 +72,8 @@ TEST(FoamCurve, TheUsedPartEndsAtTheLargestStrainAndTheRestBeginsThere) {
 TEST(FoamCurve, SaysHowFarTheFoamWasKnown) {
   const auto within = plot_of(spring_pad(), used_to(0.4)), beyond = plot_of(spring_pad(), used_to(0.7));
   ASSERT_TRUE(within && beyond);
-  EXPECT_EQ(within->title, "The foam is used to a strain of 0.4, within the 0.6 that was fitted");
-  EXPECT_THAT(beyond->title, HasSubstr("beyond the 0.6"));
+  EXPECT_EQ(within->title, "The foam reaches a strain of 0.4; it was fitted up to 0.6");
+  EXPECT_EQ(beyond->title, "The foam reaches a strain of 0.7; it was fitted up to 0.6");
   ASSERT_NE(series_of(*within, "fitted to 0.6"), nullptr);
   EXPECT_THAT(series_of(*within, "fitted to 0.6")->x, ElementsAre(0.6));
   // An elastic foam knows no rate.
@@ -85,7 +85,7 @@ TEST(FoamCurve, OfAnUnknownRangeNothingIsSaid) {
   pad.material.fitted.reset();
   const auto plot = plot_of(pad, used_to(0.4));
   ASSERT_TRUE(plot);
-  EXPECT_EQ(plot->title, "The foam is used to a strain of 0.4");
+  EXPECT_EQ(plot->title, "The foam reaches a strain of 0.4");
   EXPECT_EQ(series_of(*plot, "fitted to 0.6"), nullptr);
 }
 
@@ -107,7 +107,7 @@ TEST(FoamCurve, OfLayersTheOneThatIsCompressedMost) {
   summary.layers = {{.peak_strain = 0.3}, {.peak_strain = 0.5}};
   const auto plot = plot_of(pad, summary);
   ASSERT_TRUE(plot);
-  EXPECT_THAT(plot->title, HasSubstr("Layer 2 is used to a strain of 0.5"));
+  EXPECT_THAT(plot->title, HasSubstr("Layer 2 reaches a strain of 0.5"));
   EXPECT_NEAR(series_of(*plot, "used by this impact")->y.back(), 1.5e-3 * modulus * 0.5, 1e-6);
 }
 
@@ -116,8 +116,16 @@ TEST(FoamCurve, OfAPadThatIsPressedFlatTheCurveStaysLegible) {
   pad.material.law = test::sample_law<NineParameter>();
   const auto plot = plot_of(pad, used_to(1));
   ASSERT_TRUE(plot);
-  EXPECT_EQ(series_of(*plot, "not used"), nullptr);
-  const output::Series* const used = series_of(*plot, "used by this impact");
+  EXPECT_EQ(series_of(*plot, "not reached"), nullptr);
+  // Its law has a rate effect: the area under one curve is not the energy, and the curve has its rate as
+  // name.
+  EXPECT_EQ(series_of(*plot, "used by this impact"), nullptr);
+  const output::Series* const used = series_of(*plot, "at 1 per second");
+  ASSERT_NE(used, nullptr);
+  const output::Series& shaded = plot->panels.front().series.front();
+  EXPECT_EQ(shaded.style, output::SeriesStyle::band);
+  EXPECT_THAT(shaded.y, Each(*plot->panels.front().y.high));
+  EXPECT_THAT(shaded.y2, Each(0));
   const double at_half = used->y[used->y.size() / 2];
   EXPECT_LT(*plot->panels.front().y.high, 20 * at_half);
   EXPECT_GT(used->y.back(), *plot->panels.front().y.high);

@@ -184,7 +184,7 @@ TEST(ImpactDrawing, KnowsEverySupport) {
     expect_sound(svg);
     EXPECT_EQ(svg.find("free body 7.4 kg") != std::string::npos, (parts & 16) != 0);
     EXPECT_EQ(svg.find("body moved") != std::string::npos, (parts & 16) != 0);
-    EXPECT_EQ(svg.find("crushes") != std::string::npos, (parts & 2) != 0);
+    EXPECT_EQ(svg.find("crushable") != std::string::npos, (parts & 2) != 0);
     EXPECT_THAT(svg, HasSubstr("30 mm</text>"));
   }
 }

@@ -229,6 +229,11 @@ TEST(LayerCases, SayWhatEachLayerWentThrough) {
       test::impact_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::main);
   EXPECT_THAT(text, HasSubstr("EXTRAPOLATED STRAIN: layer 1 (team-wendy-hard-pu): strain reaches"));
   EXPECT_THAT(text, HasSubstr("Strain of layer 2"));
+  EXPECT_THAT(text, testing::ContainsRegex("rate\\s+up\\s+to\\s+[0-9]+"));
+  const std::string all =
+      test::impact_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::all);
+  EXPECT_THAT(all,
+              testing::ContainsRegex("Peak strain rate +[0-9.]+ 1/s [^\n]*of\\s+the\\s+whole\\s+pad,\\s+on"));
   const std::string csv = output::history_csv(solution.history, unit_system("si"));
   EXPECT_THAT(csv.substr(0, csv.find('\n')), HasSubstr("axis_strain_layer_1,axis_strain_layer_2"));
 }

@@ -119,7 +119,7 @@ TEST(PageHtml, LeavesPointsOutAndSaysSo) {
 
 TEST(PageHtml, TellsNumbersFromWords) {
   for (const char* cell :
-       {"12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2", "+12 %", "-", "none", "", "12 mm", "8.94 m/s"})
+       {"352.00 1/s", "12.5", "-3e-4", "< 0.1 %", "4.1 ± 0.2", "+12 %", "-", "none", "", "12 mm", "8.94 m/s"})
     EXPECT_TRUE(is_number_or_none(cell)) << cell;
   for (const char* cell : {"pass", "layer 2", "1 to 2", "3 ms clip"})
     EXPECT_FALSE(is_number_or_none(cell)) << cell;

@@ -34,7 +34,7 @@ struct AssessmentReport {
 };
 
 /// The reservation about another choice of nose or speed: "OTHER SPEED: with the case's own speed, 6.7 m/s,
-/// the verdict is fail (HIC(d) 1005): --keep-speed". `standard` has its own nose and speed.
+/// the verdict is fail (HIC(d) 1005); run with --keep-speed". `standard` has its own nose and speed.
 Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& standard,
                   const ImpactCase& given, const UnitSystem& units);
 

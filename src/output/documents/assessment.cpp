@@ -221,13 +221,17 @@ std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& un
 Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
   const injury::Standard& standard = report.standard;
+  const Summary& summary = report.solution.summary;
   const std::string title = one_line(report.assessed.title);
   Document document{
       .title = title,
       .lead = Lead{.answer = answer_of(report, units),
                    .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
                    .subject = {fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
-                               title.empty() ? "" : "The case: " + title},
+                               title.empty() ? "" : "The case: " + title,
+                               summary.blows > 1
+                                   ? fmt::format("Figures of blow {} of {}", summary.blow, summary.blows)
+                                   : ""},
                    .figures = figures_of(report, units, Detail::main)},
       .is_one_impact = true};
   document.warnings = by_severity(assessment.reservations);
@@ -244,13 +248,13 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   if (!standard.note.empty()) brief.push_back(one_line(standard.note));
   document.sections = {{.seen = Seen::in_brief, .paragraphs = std::move(brief)},
                        {.heading = "Figures", .rows = {{"", figures_of(report, units, Detail::all)}}}};
-  if (const auto& intervals = report.solution.summary.intervals; intervals && !intervals->figures.empty()) {
+  if (const auto& intervals = summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
     for (const injury::CriterionResult& result : assessment.results)
       limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
     document.sections.push_back({.heading = "Uncertainty of the figures",
-                                 .paragraphs = {source_paragraph(*intervals)},
-                                 .tables = {interval_table(report.solution.summary, units, limited)}});
+                                 .paragraphs = interval_paragraphs(summary, units),
+                                 .tables = {interval_table(summary, units, limited)}});
   }
   document.sections.push_back({.heading = basis_heading,
                                .paragraphs = {replaced.kept},

@@ -17,9 +17,9 @@ inline constexpr KeyFigure figures_of_assessment[]{
     {"peak_acceleration", &injury::KeyFigures::peak_acceleration},
     {"peak_strain", &injury::KeyFigures::peak_strain},
     {"hic15", &injury::KeyFigures::hic15},
+    {"hic36", &injury::KeyFigures::hic36},
     {"contact_end", &injury::KeyFigures::contact_end},
     {"rebound_speed", &injury::KeyFigures::rebound_speed},
-    {"hic36", &injury::KeyFigures::hic36},
     {"restitution", &injury::KeyFigures::restitution}};
 
 Tone tone_of(injury::Verdict verdict);

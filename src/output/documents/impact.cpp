@@ -109,10 +109,9 @@ std::vector<ValueRow> figures_of(const ImpactReport& report, std::vector<ValueRo
 }
 
 std::vector<std::string> subject_of(const ImpactReport& report) {
-  std::vector<std::string> lines{one_line(report.impact.title)};
-  if (!report.blows.empty()) lines.push_back(fmt::format("Blow {}:", report.blows.back().summary.blow));
-  lines.push_back(outcome(report.solution.summary));
-  return lines;
+  const Summary& summary = report.solution.summary;
+  const std::string blow = report.blows.empty() ? "" : fmt::format("Blow {}: ", summary.blow);
+  return {one_line(report.impact.title), blow + outcome(summary)};
 }
 
 void add_blows(Document& document, const ImpactReport& report, const UnitSystem& units) {
@@ -163,7 +162,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   if (summary.intervals && !summary.intervals->figures.empty()) {
     document.sections.push_back({.seen = Seen::in_brief, .paragraphs = interval_paragraphs(summary, units)});
     document.sections.push_back({.heading = "Uncertainty of the figures",
-                                 .paragraphs = {source_paragraph(*summary.intervals)},
+                                 .paragraphs = interval_paragraphs(summary, units),
                                  .tables = {interval_table(summary, units)}});
   }
   std::vector<std::string> brief = case_lines(impact, units);

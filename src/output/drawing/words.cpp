@@ -55,7 +55,7 @@ std::string nose_words(const Scene& scene) {
       scene.impact.impactor.nose);
 }
 
-/// "a spring of 100 N/mm, which crushes, a panel of 1.2 kg": what stands there.
+/// "a crushable spring of 100 N/mm, a panel of 1.2 kg": what stands there.
 std::string support_words(const Scene& scene) {
   const Backing& backing = scene.impact.backing;
   const Support& support = scene.impact.support;
@@ -64,13 +64,13 @@ std::string support_words(const Scene& scene) {
   if (!support.is_rigid()) {
     const auto& points = support.points();
     const Support::Point& last = points.back();
-    text = points.size() == 1 ? "a spring of " + shown(last.force / last.deflection, "N/m")
-                              : fmt::format("a spring with a curve up to {} at {}", shown(last.force, "N"),
-                                            shown(last.deflection, "m"));
-    if (backing.unloading_stiffness > 0) text += ", which crushes";
+    text = backing.unloading_stiffness > 0 ? "a crushable spring " : "a spring ";
+    text += points.size() == 1 ? "of " + shown(last.force / last.deflection, "N/m")
+                               : fmt::format("with a curve up to {} at {}", shown(last.force, "N"),
+                                             shown(last.deflection, "m"));
   }
   if (backing.damping > 0) text += ", a damper of " + shown(backing.damping, "N s/m");
-  if (backing.loss_factor > 0) text += fmt::format(", a damper of loss factor {:.3g}", backing.loss_factor);
+  if (backing.loss_factor > 0) text += fmt::format(", a loss factor of {:.3g}", backing.loss_factor);
   if (backing.mass > 0) text += ", a panel of " + shown(backing.mass, "kg");
   if (backing.gap > 0) text += ", a gap of " + shown(backing.gap, "m");
   if (backing.preload > 0)

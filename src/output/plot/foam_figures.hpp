@@ -15,7 +15,7 @@ namespace dashpad::output {
 /// How an impact uses its foam: stress against strain in first loading at the slowest tested rate, in the
 /// condition of the pad; solid and shaded up to the largest strain of the impact, dashed beyond, with a line
 /// where the tests end. Of several layers, the most compressed one is shown. For a foam with a rate effect
-/// the curve at the highest rate of the impact is added.
+/// the curve at the highest rate of the impact is added, and the whole range of strains is shaded.
 ///
 /// The title says how far the foam is used. None if nothing was run or the law breaks a rule.
 std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, const UnitSystem& units);

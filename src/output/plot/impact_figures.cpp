@@ -27,6 +27,7 @@ Panel loop(const char* key, const std::vector<double>& way, const Solution& solu
   const std::vector<double> x = values_in(units, way, "m"), y = values_in(units, solution.history.force, "N");
   Panel panel{.x = axis_of(key, units), .y = axis_of("force", units)};
   panel.x.low = panel.y.low = 0;
+  panel.y.high = 1.06 * std::ranges::max(y);
   end_before_bottoming(panel.y, solution, y);
   const auto palette_index = static_cast<std::size_t>(std::ranges::max_element(x) - x.begin());
   Series there{.label = result_quantity(key).title, .style = SeriesStyle::solid_line, .palette_index = 0};
@@ -60,6 +61,7 @@ Panel over_time(const History& history, Axis y, const std::vector<OverTime>& col
 Panel force_panel(const Solution& solution, const UnitSystem& units) {
   const History& history = solution.history;
   Panel panel = over_time(history, axis_of("force", units), {{"force", history.force, 0}}, units);
+  panel.y.high = 1.06 * std::ranges::max(panel.series.front().y);
   show_bottoming(panel, solution, std::vector(panel.series.front().y), units);
   return panel;
 }
@@ -76,15 +78,6 @@ void begin_at_zero(Panel& panel) {
   panel.y.low = 0;
   for (Series& series : panel.series)
     for (double& value : series.y) value = std::max(value, 0.0);
-}
-
-/// Whether the support moved by more than rounding.
-bool gives_way(const History& history) {
-  constexpr double rounding = 1e-9;
-  const double motion = std::ranges::max(history.motion);
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (std::abs(history.motion[i] - history.penetration[i]) > rounding * motion) return true;
-  return false;
 }
 
 std::string percent(double share) { return fmt::format("{} %", significant(100 * share, 2)); }
@@ -163,27 +156,28 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   const EnergyLedger& audit = solution.summary.energy;
   Panel deceleration = deceleration_panel(solution, injury, units);
   deceleration.title.clear();
-  Panel distances = over_time(history, axis_with_unit("Distance", "m", units),
-                              {{"motion", history.motion, 0},
-                               {"penetration", history.penetration, 1},
-                               {"support_deflection", history.support_deflection, 2}},
-                              units);
-  Panel energy = over_time(history, axis_with_unit("Energy", "J", units),
-                           {{"kinetic_energy", energies.kinetic, 0},
-                            {"pad_energy", energies.pad, 1},
-                            {"support_energy", energies.support, 2},
-                            {"total_energy", energies.total, 6}},
-                           units);
-  begin_at_zero(distances);
-  begin_at_zero(energy);
+  const bool is_rigid = impact.support.is_rigid() && !solution.summary.support;
+  std::vector<OverTime> ways{{"penetration", history.penetration, 1}};
+  std::vector<OverTime> parts{{"kinetic_energy", energies.kinetic, 0},
+                              {"pad_energy", energies.pad, 1},
+                              {"total_energy", energies.total, 6}};
+  if (!is_rigid) {
+    ways.push_back({"motion", history.motion, 0});
+    ways.push_back({"support_deflection", history.support_deflection, 2});
+    parts.push_back({"support_energy", energies.support, 2});
+  }
+  Panel distances = over_time(history, axis_with_unit("Distance", "m", units), ways, units);
+  Panel energy = over_time(history, axis_with_unit("Energy", "J", units), parts, units);
+  for (Panel* const panel : {&distances, &energy}) begin_at_zero(*panel);
   std::vector<CaptionedPlot> figures{
       figure("Force over time", force_panel(solution, units), note),
       figure("Deceleration over time", std::move(deceleration), note),
       figure("Force against penetration", loop("penetration", history.penetration, solution, units), note)};
-  if (gives_way(history))
+  if (!is_rigid)
     figures.push_back(
         figure("Force against displacement", loop("motion", history.motion, solution, units), note));
-  figures.push_back(figure("Penetration and displacement over time", std::move(distances)));
+  figures.push_back(figure(is_rigid ? "Penetration over time" : "Penetration and displacement over time",
+                           std::move(distances)));
   figures.push_back(figure(
       "Energy over time", std::move(energy),
       fmt::format("The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "

@@ -104,22 +104,22 @@ UsedFoam used_foam(const Pad& pad, const Summary& summary) {
   return {pad.layers[i].material, pad.layers[i].condition, used.peak_strain, used.peak_strain_rate, i + 1};
 }
 
-/// "The foam is used to a strain of 0.84, beyond the 0.6 that was tested".
+/// "The foam reaches a strain of 0.84; it was tested up to 0.6".
 std::string foam_curve_title(const UsedFoam& foam, const std::optional<FittedRange>& range) {
   const std::string whose = foam.layer == 0 ? "The foam" : fmt::format("Layer {}", foam.layer);
-  const std::string text = fmt::format("{} is used to a strain of {}", whose, brief(foam.strain, 3));
+  const std::string text = fmt::format("{} reaches a strain of {}", whose, brief(foam.strain, 3));
   if (!range) return text;
-  return fmt::format("{}, {} the {} that was {}", text, is_beyond(foam.strain, *range) ? "beyond" : "within",
-                     brief(range->highest_strain, 3), how_known(foam.material));
+  return text +
+         fmt::format("; it was {} up to {}", how_known(foam.material), brief(range->highest_strain, 3));
 }
 
-/// "at 0.01 per second"; empty where the law knows no rate.
+/// "at 0.01 per second"; empty where the law has no rate effect.
 std::string rate_words_of(const Material& material, double rate) {
   const FoamCurves* const curves = foam_curves(material.law);
   const bool has_rate =
       curves ? !std::holds_alternative<NoRateEffect>(curves->rate_effect)
              : std::visit([]<class Law>(const Law&) { return !Law::memoryless; }, material.law);
-  return has_rate ? fmt::format(" at {} per second", brief(rate, 3)) : "";
+  return has_rate ? fmt::format("at {} per second", brief(rate, 3)) : "";
 }
 
 /// A little above what was used.
@@ -169,7 +169,8 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   panel.y.low = 0;
   panel.y.high = value_in(units, highest, "Pa");
   Series part = part_of_curve(curve, 0, used, SeriesStyle::solid_line, 0, units);
-  part.label = "used by this impact";
+  const std::string rate_words = rate_words_of(material, rate);
+  part.label = rate_words.empty() ? "used by this impact" : rate_words;
   Series ground = part;
   ground.of = std::exchange(ground.label, {});
   ground.style = SeriesStyle::band;
@@ -177,15 +178,19 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   panel.series = {std::move(ground), std::move(part)};
   if (used < last_drawn_strain) {
     panel.series.push_back(part_of_curve(curve, used, last_drawn_strain, SeriesStyle::dashed_line, 0, units));
-    panel.series.back().label = "not used";
+    panel.series.back().label = "not reached";
   }
-  std::string source =
-      fmt::format("{}: first loading{}", one_line(material.name), rate_words_of(material, rate));
+  std::string source = fmt::format("{}: first loading", one_line(material.name));
+  if (!rate_words.empty()) source += " " + rate_words;
   if (std::optional<Series> fast = curve_at_rate(material, foam, rate, units)) {
     const double shown = std::min(fast->y.back(), steepest * fast->y[fast->y.size() / 2]);
     panel.y.high = std::max(*panel.y.high, 1.05 * shown);
     panel.series.push_back(*std::move(fast));
     source += ", and at the highest rate of this impact";
+  }
+  if (!rate_words.empty()) {  // the energy is not the area under the slow curve
+    panel.series.front().y.assign(panel.series.front().y.size(), *panel.y.high);
+    source += "; shaded: the strains of this impact";
   }
   if (std::optional<Series> line = line_of_range(material)) panel.series.push_back(*std::move(line));
   return Plot{.title = foam_curve_title(foam, range_of(material)),

@@ -30,14 +30,6 @@ std::string joined(const std::vector<std::string>& parts) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// Sources without an interval, and why they have none.
-std::vector<std::string> unknown_words(const Intervals& intervals) {
-  std::vector<std::string> all;
-  for (const OpenSource& source : intervals.sources)
-    if (!source.why_not.empty()) all.push_back(one_line(source.words) + ": " + one_line(source.why_not));
-  return all;
-}
-
 std::string figure_words(const FigureInterval& interval, const Intervals& intervals,
                          const UnitSystem& units) {
   const ResultQuantity& quantity = result_quantity(interval.key);
@@ -91,7 +83,8 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   for (const OpenSource& source : intervals.sources)
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
       open.push_back(source.source);
-  for (const Source source : open) table.columns.push_back(capitalised(to_string(source)));
+  for (const Source source : open)
+    table.columns.push_back(source == Source::way_back ? "Unloading" : capitalised(to_string(source)));
   for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
     if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
   for (const std::string& key : asked) {
@@ -108,22 +101,14 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
   return table;
 }
 
-std::string source_paragraph(const Intervals& intervals) {
-  std::vector<std::string> all;
-  for (const OpenSource& source : intervals.sources)
-    all.push_back(fmt::format("{}: {}{}", to_string(source.source), one_line(source.words),
-                              source.why_not.empty() ? "" : "; no interval: " + one_line(source.why_not)));
-  return all.empty() ? "" : capitalised(joined(all)) + ".";
-}
-
 std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitSystem& units) {
-  if (!summary.intervals) return {};
   const Intervals& intervals = *summary.intervals;
-  std::vector<std::string> all;
+  std::vector<std::string> all, unknown;
   if (const FigureInterval* interval = first_asked(intervals))
     all.push_back(figure_words(*interval, intervals, units));
-  if (const std::vector<std::string> unknown = unknown_words(intervals); !unknown.empty())
-    all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
+  for (const OpenSource& source : intervals.sources)
+    if (!source.why_not.empty()) unknown.push_back(one_line(source.words) + ": " + one_line(source.why_not));
+  if (!unknown.empty()) all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
   return all;
 }
 

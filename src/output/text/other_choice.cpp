@@ -46,14 +46,14 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
   if (choice.other.speed)
     add("speed", choice.kept.speed,
         brief_quantity(choice.kept.speed ? given.impactor.speed : *standard.speed.value, "m/s", units));
-  std::string how = fmt::format("{}", fmt::join(give, " "));
+  std::string how = give.empty() ? "" : fmt::format("with {}", fmt::join(give, " "));
   if (!leave_out.empty())
     how += fmt::format("{}without {}", how.empty() ? "" : " and ", fmt::join(leave_out, " "));
   const char* const name = !choice.other.speed  ? "OTHER NOSE"
                            : !choice.other.nose ? "OTHER SPEED"
                                                 : "OTHER NOSE AND SPEED";
   return {name,
-          fmt::format("{}: with {}, the verdict is {} ({}): {}", name, fmt::join(values, ", and "),
+          fmt::format("{}: with {}, the verdict is {} ({}); run {}", name, fmt::join(values, ", and "),
                       to_string(choice.assessment.verdict), decisive_figure(choice.assessment, units), how)};
 }
 
