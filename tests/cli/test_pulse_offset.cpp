@@ -185,9 +185,9 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
   const json of_drop = result({drop, "--drop-height", std::to_string(1e3 * speed * speed / 2 / g) + " mm"});
   EXPECT_NEAR(of_drop.at("impact").at("speed_m_per_s").get<double>(), speed, 1e-6);
   EXPECT_NEAR(of_drop.at("impact").at("drop_height_m").get<double>(), speed * speed / 2 / g, 1e-8);
-  EXPECT_THAT(pulse({drop, "--speed", at_speed}).out,
-              AllOf(ContainsRegex("  Restitution +0.6000 +relative to 3.9019 m/s\n"),
-                    Not(HasSubstr("IMPOSSIBLE"))));
+  EXPECT_THAT(
+      pulse({drop, "--speed", at_speed}).out,
+      AllOf(ContainsRegex("  Restitution +0.6000 +relative to 3.9019 m/s\n"), Not(HasSubstr("IMPOSSIBLE"))));
   EXPECT_TRUE(result({drop}).at("impact").is_null());
 
   const Outcome low = pulse({drop, "--speed", "8 m/s"});
