@@ -43,8 +43,8 @@ std::vector<double> values_over(const Reports& reports, const char* key) {
 
 /// The name of the file, with its folders if another pulse has the same name.
 std::string pulse_name(const injury::PulseReport& report, const Reports& reports) {
-  const auto name = [](const injury::PulseReport& of) {
-    return std::filesystem::path{of.file}.filename().string();
+  const auto name = [](const injury::PulseReport& each) {
+    return std::filesystem::path{each.file}.filename().string();
   };
   return one_line(std::ranges::count(reports, name(report), name) > 1 ? report.file : name(report));
 }
