@@ -35,7 +35,7 @@ std::string in_short(const std::vector<std::string>& reservations) {
   return reservations.size() == 1 ? first : fmt::format("{} (+{})", first, reservations.size() - 1);
 }
 
-std::string range_words(double low, double high) { return fmt::format("{} to {}", brief(low), brief(high)); }
+std::string tested_range(double low, double high) { return fmt::format("{} to {}", brief(low), brief(high)); }
 
 std::vector<std::string> row_of(const Material& material) {
   const auto range = range_of(material);
@@ -43,7 +43,7 @@ std::vector<std::string> row_of(const Material& material) {
           name_of(material.law),
           material.density ? brief(*material.density) : not_stated,
           range ? brief(range->highest_strain) : not_stated,
-          range ? range_words(range->lowest_rate, range->highest_rate) : not_stated,
+          range ? tested_range(range->lowest_rate, range->highest_rate) : not_stated,
           or_not_stated(material.basis),
           in_short(material.reservations)};
 }
