@@ -43,7 +43,7 @@ function unitSwitch(panels) {
     label.append(choice, textElement("span", system.title));
     choices.append(label);
   }
-  const words = place.querySelector('[data-part="words"]');
+  const words = place.querySelector('[data-part=words]');
   if (words) words.after(choices);
   else place.prepend(choices);
 }

@@ -110,7 +110,7 @@ TEST(MaterialTestReport, FlagsStrainAndRateBeyondTheFit) {
   EXPECT_THAT(report.runs[0].flags[0].text, StartsWith("EXTRAPOLATED STRAIN: strain reaches 0.600"));
   ASSERT_THAT(report.runs[1].flags, SizeIs(2));
   EXPECT_THAT(report.runs[1].flags[1].text, HasSubstr("rate reaches 20 per second"));
-  EXPECT_THAT(told(report), AllOf(HasSubstr("EXTRAPOLATED STRAIN (at 5, 20 per second): strain"),
+  EXPECT_THAT(told(report), AllOf(HasSubstr("EXTRAPOLATED STRAIN (at 5 and 20 per second): strain"),
                                   HasSubstr("EXTRAPOLATED RATE (at 20 per second): strain rate")));
 }
 
