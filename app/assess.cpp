@@ -37,13 +37,13 @@ Every figure has a 95 % interval for the uncertainty of the foam and the model; 
 Verdicts: pass if every interval lies within its limit, fail if a whole interval lies above its limit, undecided
 if a limit lies within an interval. A pad that bottomed out on a rigid support fails. A pulse that ends before
 contact is lost (PULSE CUT: a foam that does not unload, on a rigid support, or the time limit) gives lower
-bounds: above a limit they fail, below it they are undecided. Only the peak is fully assessed once the impactor
-has come to rest. A pass is "with reservations" if the result has a flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE
+bounds: above a limit they fail, below it they are undecided. If the impactor comes to rest on the
+pad, only the peak is fully assessed. A pass is "with reservations" if the result has a flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE
 CUT, ...), if a source of uncertainty has NO INTERVAL, if the material has an UNKNOWN RANGE, if a value of the
 standard is UNVERIFIED or from a SECONDARY SOURCE, or if you REPLACED one. An assessment is a computation with
 one rigid nose on a flat pad; it is neither a test to the standard nor a certification.
 
-Exit codes: 0 pass, also with reservations; 4 fail, even if the tolerance is missed;
+Exit codes: 0 pass, with or without reservations; 4 fail, even if the tolerance is missed;
 3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
 2 invalid input or command line, nothing was run. For a test plan: 4 if any combination fails, else 3 if any is
 undecided.)";

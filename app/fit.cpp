@@ -55,7 +55,7 @@ A fit file names the law with its starting values, the unknowns with their bound
   [[impacts]]
   case = "drop.toml"
   peak_force = {value = "1.8 kN", deviation = "5 %"}
-  hic15 = {value = 640, deviation = "5 %"}          # as hic36, hic_unlimited, clip_3ms, rebound_speed, ...
+  hic15 = {value = 640, deviation = "5 %"}          # likewise hic36, hic_unlimited, clip_3ms, rebound_speed, ...
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
 
 docs/fits.md describes every key and the meaning of the numbers.
@@ -215,7 +215,7 @@ int fit_material(const FitRequest& request) {
   account += kept_by_case(request, report);
   if (!report.posterior.empty())
     account +=
-        "The draws are from the Laplace approximation: normal in the coordinates of the search, cut off at "
+        "The draws are from the Laplace approximation: normal in the coordinates of the search, truncated at "
         "the bounds.\n";
   publish(targets, request.files.force, text_of, account);
   return report.converged ? exit_done : exit_not_trusted;

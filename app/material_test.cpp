@@ -237,7 +237,8 @@ int show(const MaterialTestRequest& request) {
 
 void add_material_test(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<MaterialTestRequest>(
-      app, action, "material-test", "Test a pad material in the laboratory", material_test_footer, show);
+      app, action, "material-test", "Simulate a laboratory test of a pad material", material_test_footer,
+      show);
   add_option(sub, "MATERIAL", request.material, "Name of a card, or a file")->required();
   add_test_options(sub, request);
   add_file(sub, request.files, "--json", "Write everything as JSON, in SI units (- for standard output)");

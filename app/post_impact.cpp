@@ -53,13 +53,14 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       errors.push_back(
           request.given.file +
-          ": post-impact allows neither gravity nor a support with anything but its curve; give "
-          "the other body as support.body_mass, and dashpad run computes the velocities of both");
+          ": post-impact allows no gravity, and of a support its force curve alone; instead give the "
+          "other body as support.body_mass to dashpad run, which computes both velocities");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
-      errors.push_back(fmt::format("--other-velocity {}: the bodies must approach; the impactor has {} m/s",
-                                   *request.other_velocity, impactor.speed));
+      errors.push_back(fmt::format(
+          "--other-velocity {}: the bodies must approach each other; the impactor moves at {} m/s",
+          *request.other_velocity, impactor.speed));
   }
   if (errors.empty()) {
     input.file.impact = relative_motion(input.file.impact, input.first, input.second);

@@ -23,7 +23,7 @@ constexpr const char* export_material_footer = R"(Examples:
 Formats for the law foam:
   ls-dyna-057   *MAT_LOW_DENSITY_FOAM: one curve, no rates
   ls-dyna-083   *MAT_FU_CHANG_FOAM: one curve per rate
-  radioss-70    /MAT/LAW70: one curve per rate, a measured unloading
+  radioss-70    /MAT/LAW70: one curve per rate, a measured unloading curve
   radioss-90    /MAT/LAW90: one curve per rate
 Formats for the law crushable-foam:
   ls-dyna-063   *MAT_CRUSHABLE_FOAM: one curve, no rates

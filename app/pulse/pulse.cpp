@@ -181,7 +181,8 @@ void add_pulse(CLI::App& app, Action& action) {
   OutputFiles& written = request.written;
   add_file(sub, written, "--json", "Write figures and processing as JSON (- for standard output)")
       ->excludes(list);
-  add_file(sub, written, "--csv", "Write the pulse of the figures as CSV (- for standard output)")
+  add_file(sub, written, "--csv",
+           "Write the pulse that the figures are computed from as CSV (- for standard output)")
       ->excludes(list);
   add_file(sub, written, "--picture", "Draw the pulse (.svg, .png, .pdf)")->excludes(list);
   for (CLI::Option* document : add_documents(sub, written)) document->excludes(list);

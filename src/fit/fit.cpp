@@ -108,7 +108,7 @@ void check_amount(const Fit& fit, Broken& broken) {
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
     broken.push_back({"unknowns", no_value,
-                      fmt::format("there are {} with the offsets and shifts, but only {} measured "
+                      fmt::format("there are {}, including offsets and shifts, but only {} measured "
                                   "numbers and priors: at least as many data are needed",
                                   unknowns, data)});
 }

@@ -173,9 +173,9 @@ MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<
   const injury::PulseShape shape =
       injury::pulse_shape(measured, std::nullopt, injury::contact_of(measured, quiet));
   if (!shape.onset)
-    throw std::invalid_argument(
-        fmt::format("its first sample is already above {:.0f} % of its peak, so that its onset is not in it",
-                    100 * injury::onset_share));
+    throw std::invalid_argument(fmt::format(
+        "its first sample is already above {:.0f} % of its peak, so the onset is not in the record",
+        100 * injury::onset_share));
   MeasuredDeceleration result;
   result.peak = shape.peak.magnitude;
   result.onset = *shape.onset;

@@ -107,7 +107,7 @@ void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) 
     if (!impact.pulse) continue;
     const Impactor impactor = impact_with(fit, impact, values).impactor;
     if (impact.pulse->impact && injury::unlike_speeds(*impact.pulse->impact, {.speed = impactor.speed}))
-      all.push_back(fmt::format("{} strikes at {} m/s, but the impact of its pulse {} at {} m/s.",
+      all.push_back(fmt::format("{} strikes at {} m/s, but the impact recorded in {} was at {} m/s.",
                                 impact.file, brief(impactor.speed, 4), impact.pulse->file,
                                 brief(impact.pulse->impact->speed, 4)));
     const double change = impact.pulse->velocity_change - impactor.gravity * impact.pulse->time.back();

@@ -64,7 +64,7 @@ void take(const json& from, std::size_t fewest, std::size_t most, Minimum& resul
   const json why = from.value("why_not", json()), x = from.value("x", json()),
              misfit = from.value("misfit", json());
   if (!why.is_string() || why.get_ref<const std::string&>().size() > longest_reason)
-    throw Damage("why_not must be a short text");
+    throw Damage("why_not must be short text");
   if (!misfit.is_number() || !std::isfinite(misfit.get<double>()) || misfit.get<double>() < 0)
     throw Damage("misfit must be a finite number, 0 or more");
   if (!x.is_array() || x.size() < fewest || x.size() > most)

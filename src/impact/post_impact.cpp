@@ -29,7 +29,7 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction, double
   if (std::isinf(first.mass) && std::isinf(second.mass))
     throw std::invalid_argument("post impact: both masses are infinite");
   if (!(first.velocity > second.velocity))
-    throw std::invalid_argument("post impact: the bodies do not approach");
+    throw std::invalid_argument("post impact: the bodies do not approach each other");
   if (!(absorbed_fraction >= 0 && absorbed_fraction <= 1))
     throw std::invalid_argument("post impact: the absorbed fraction is not in [0, 1]");
   if (!(error >= 0)) throw std::invalid_argument("post impact: the error is negative");

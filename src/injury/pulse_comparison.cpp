@@ -121,10 +121,10 @@ PulseShape pulse_shape(const Pulse& pulse, const std::optional<MeasuredImpact>& 
 
 void check_alignment(const PulseShape& measured, Alignment alignment) {
   if (alignment != Alignment::onset || measured.onset) return;
-  throw std::invalid_argument(
-      fmt::format("its first sample is already above {:.0f} % of its peak, so that its onset is not in it; "
-                  "--align peak and --align none do not need it",
-                  100 * onset_share));
+  throw std::invalid_argument(fmt::format(
+      "its first sample is already above {:.0f} % of its peak, so the onset is not in the record; "
+      "--align peak and --align none do not need it",
+      100 * onset_share));
 }
 
 std::array<ComparedFigure, 6> compared_figures(const PulseShape& measured,

@@ -67,7 +67,7 @@ std::vector<std::string> read_keys(TableReader& table, const PadLaw& law) {
   for (const TomlNode& entry : list->children) {
     if (entry.kind != TomlNode::Kind::text || !std::ranges::count(known, entry.text))
       table.faults().add(entry, table.full_key("keys") + entry.key,
-                         "must be a number of this law" + did_you_mean(entry.text, known));
+                         "must be a numeric parameter of this law" + did_you_mean(entry.text, known));
     keys.push_back(entry.text);
   }
   return keys;

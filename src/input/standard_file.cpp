@@ -150,7 +150,7 @@ std::vector<injury::StandardVariant> read_variants(TableReader& top) {
   if (!table) return variants;
   for (const TomlNode& entry : table->node().children) {
     if (!is_variant_name(entry.key))
-      table->fault(entry.key, "the name of a variant has lower-case letters, digits, - and . only");
+      table->fault(entry.key, "the name of a variant may contain only lower-case letters, digits, - and .");
     else if (const auto variant = table->table(entry.key))
       variants.push_back(read_variant(*variant, entry.key));
   }

@@ -31,7 +31,7 @@ bool asks_for_oblique_blow(const std::string& key) {
 }
 
 constexpr const char* no_oblique_blow =
-    "impacts are along the normal of the pad; oblique impacts are not supported. Using the normal component "
+    "impacts are normal to the pad; oblique impacts are not supported. Using the normal component "
     "of the speed alone neglects friction on the pad, the resulting rotation of the head, and the larger "
     "contact of a sliding nose";
 
@@ -76,7 +76,7 @@ double read_value(const TomlNode& node, const std::string& key, const std::strin
   if (node.kind == Kind::number && std::isfinite(node.number)) return node.number;
   faults.add(node, key,
              node.kind == Kind::number ? "must be a finite number"
-                                       : "must be a plain number, without quotes and unit");
+                                       : "must be a plain number, without quotes or a unit");
   return no_value;
 }
 

@@ -53,7 +53,7 @@ Json effect_json(const RateEffect& effect) {
 template <class Variant>
 Variant form_of(const Json& json) {
   auto form = alternative_named<Variant>(json.at("form").get<std::string>());
-  if (!form) throw std::runtime_error("no such form of a curve");
+  if (!form) throw std::runtime_error("no such curve form");
   const Json& values = json.at("parameters");
   std::visit(
       [&]<class Form>(Form& held) {

@@ -131,7 +131,7 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
     flags.push_back(flag_of(
         "ASSUMPTION",
         std::holds_alternative<RigidFoam>(material.law)
-            ? "reloaded after contact was lost; the foam does not recover, and carries nothing below its "
+            ? "reloaded after contact was lost; the foam does not recover, and carries no stress below its "
               "largest strain"
             : "reloaded after contact was lost; the law does not cover this, and the column is assumed to "
               "have followed the platen without force and to start again from zero stress"));

@@ -135,7 +135,7 @@ std::string tolerance_text(const Summary& summary) {
 /// The end of a completed run.
 std::string end_of_contact(const Summary& summary) {
   if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
-    return "The impactor left the pad and moves on, more slowly than the body behind it.";
+    return "The impactor left the pad but moves on, more slowly than the body behind the pad.";
   return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
                                  : "The pad stopped the impactor and does not push it back.";
 }

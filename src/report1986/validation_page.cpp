@@ -147,7 +147,7 @@ output::Document validation_document(const Study& study, output::Pictures pictur
                       "readings are assigned to tests in every order that the scan allows."},
        .tables = {captioned("Constants of the trend lines", tables, "constants")},
        .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
-      {.heading = "Energy account and statements of the report",
+      {.heading = "Energy balance and statements of the report",
        .tables = {captioned("Statements that can be computed", tables, "claims")},
        .figures = chosen(figures, {"figure-3-8", "figure-3-9"})},
       {.heading = "Simulations",

@@ -248,7 +248,7 @@ AbendText text_of(Abend abend) {
       return {
           "too many iterations",
           "within the impact the penetration converges too slowly: raise --equilibrium-tolerance, shorten "
-          "--time-step or allow --most-iterations. Near the end of rebound the march is too sensitive to the "
+          "--time-step or raise --most-iterations. Near the end of rebound the march is too sensitive to the "
           "strain rate: the last step but one is the last to rely on, and Eq. 27 estimates its speed error"};
     case Abend::bisection_failed:
       return {"bisection failed",
@@ -256,7 +256,7 @@ AbendText text_of(Abend abend) {
               "rate: look at the law and its parameters again"};
     case Abend::too_many_time_steps:
       return {"too many time steps",
-              "the time history is full before the impact is over: allow --most-steps"};
+              "the time history is full before the impact is over: raise --most-steps"};
     case Abend::rate_sensitive_instability:
       return {"rate-sensitive instability",
               "the end of contact cannot be found. The results are usable if the speed error is a small "
@@ -265,7 +265,7 @@ AbendText text_of(Abend abend) {
               "halve --time-step"};
     case Abend::too_many_contact_divisions:
       return {"too many contact divisions",
-              "the contact field is full before the largest penetration: allow --most-stations"};
+              "the contact field is full before the largest penetration: raise --most-stations"};
     case Abend::none: break;
   }
   return {"", ""};

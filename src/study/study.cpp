@@ -84,8 +84,8 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   };
   // Each is compared with all before it: of thousands, there would be millions of faults.
   if (const std::size_t pairs = study.factors.size() * study.factors.size() / 2; all.size() > pairs) {
-    broken.push_back(
-        {"correlations", no_value, fmt::format("there are {}, more than pairs of factors", all.size())});
+    broken.push_back({"correlations", no_value,
+                      fmt::format("there are {}, more than there are pairs of factors", all.size())});
     return;
   }
   bool good = true;

@@ -270,7 +270,7 @@ TEST_F(PulseTest, ListsAndChoosesChannels) {
   EXPECT_THAT(
       pulse({file("test/v1.mme"), "--resultant"}).out,
       AllOf(ContainsRegex("Peak acceleration +50.00 g"), HasSubstr("\nResultant     of 2 directions")));
-  EXPECT_THAT(refused({file("test")}), HasSubstr("several channels may be meant"));
+  EXPECT_THAT(refused({file("test")}), HasSubstr("several channels match"));
   EXPECT_THAT(pulse({file("drop.csv"), "--list"}).out,
               HasSubstr("\n   2  acceleration [g]                g\n"));
 }

@@ -22,7 +22,7 @@ test("the answer is the heading, what is left open stands below it", async () =>
   const open_end = page.locator(".ranges > li", { hasText: "Modulus of the foam" });
   const fading = await open_end.locator(".interval").evaluateAll((all) => all.map((each) => Number(each.getAttribute("opacity"))));
   assert.ok(fading.at(-1) < 0.1 && fading[0] > 0.5, String(fading));
-  assert.match(await open_end.innerText(), /from 45\d\.?\d* kPa, without an upper end; the bar is logarithmic/);
+  assert.match(await open_end.innerText(), /from 45\d\.?\d* kPa, with no upper limit; the bar is logarithmic/);
   await page.screenshot({ path: picture("fit.png") });
   await page.context().close();
 });

@@ -229,7 +229,7 @@ TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
   EXPECT_EQ(reservations(""), "");
   EXPECT_EQ(reservations("speed = \"3.02 m/s\", "), "");
   EXPECT_EQ(reservations("speed = \"3.04 m/s\", "),
-            "drop.toml strikes at 3 m/s, but the impact of its pulse drop.csv at 3.04 m/s.");
+            "drop.toml strikes at 3 m/s, but the impact recorded in drop.csv was at 3.04 m/s.");
   EXPECT_THAT(reservations("drop_height = \"1 m\", "), HasSubstr("drop.csv at 4.429 m/s."));
   EXPECT_EQ(reservations("", 0.91), "");  // 2.9 m/s: 5 % below 3 m/s are forgiven
   EXPECT_THAT(reservations("", 0.88), HasSubstr("changes the velocity by 2.8"));

@@ -204,7 +204,7 @@ TEST(iso_mme, remarks) {
 
 TEST(iso_mme, choices_that_are_not_clear_are_told) {
   const auto rule = [](const input::IsoMmeOptions& options) { return said(sample_test(), options); };
-  EXPECT_THAT(rule({}), HasSubstr("several channels may be meant: 11HEAD0000H3ACXA (1), "));
+  EXPECT_THAT(rule({}), HasSubstr("several channels match: 11HEAD0000H3ACXA (1), "));
   EXPECT_THAT(rule({.channel = "9"}),
               HasSubstr("--channel 9: no such channel; available: 11HEAD0000H3ACXA (1)"));
   EXPECT_THAT(rule({.channel = "HEAD"}), HasSubstr("a number or a code of 16 characters"));

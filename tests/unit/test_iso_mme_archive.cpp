@@ -115,7 +115,7 @@ TEST(iso_mme_archive, archives_that_lead_elsewhere_are_refused) {
       bad.emplace_back(name, "x");
       const fs::path file = folder.path() / ("bad" + ending);
       pack(file, bad);
-      EXPECT_THAT(said(file, {.channel = "1"}), HasSubstr("which leads out of the archive"));
+      EXPECT_THAT(said(file, {.channel = "1"}), HasSubstr("which points outside the archive"));
     }
   }
   auto twice = good;

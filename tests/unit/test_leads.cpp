@@ -265,10 +265,12 @@ std::string answer_to(const study::StudyAnswers& answers) {
 TEST(StudyAnswer, OverOneFactorSaysWhereTheLimitIsPassed) {
   study::StudyAnswers rising = answers_of({100, 200, 300, 400}, false);
   ask_for(rising, 25);
-  EXPECT_EQ(answer_to(rising), "Peak acceleration exceeds 25 g from impact speed 3 m/s on, not up to 2 m/s");
+  EXPECT_EQ(answer_to(rising),
+            "Peak acceleration exceeds 25 g from impact speed 3 m/s upwards, not up to 2 m/s");
   study::StudyAnswers falling = answers_of({400, 300, 200, 100}, false);
   ask_for(falling, 25);
-  EXPECT_EQ(answer_to(falling), "Peak acceleration exceeds 25 g up to impact speed 2 m/s, not from 3 m/s on");
+  EXPECT_EQ(answer_to(falling),
+            "Peak acceleration exceeds 25 g up to impact speed 2 m/s, not from 3 m/s upwards");
   study::StudyAnswers hump = answers_of({100, 300, 100}, false);
   ask_for(hump, 25);
   EXPECT_EQ(answer_to(hump), "In 1 of 3 rows peak acceleration exceeds 25 g");
@@ -294,9 +296,10 @@ TEST(StudyAnswer, OverTwoFactorsSaysUpToWhereTheLimitIsKept) {
   ask_for(answers, 25);
   EXPECT_EQ(answer_to(answers), "Peak acceleration stays within 25 g nowhere at 10 mm, everywhere at 60 mm");
   answers.records.factors[1] = {.06, .06, .06, .01, .01, .01, .03, .03, .03};
-  EXPECT_EQ(answer_to(answers),
-            "Peak acceleration stays within 25 g nowhere at 10 mm, up to between 2 m/s and 3 m/s at "
-            "60 mm");
+  EXPECT_EQ(
+      answer_to(answers),
+      "Peak acceleration stays within 25 g nowhere at 10 mm, up to somewhere between 2 m/s and 3 m/s at "
+      "60 mm");
 }
 
 TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {

@@ -89,7 +89,7 @@ const std::vector<Style> styles{
     {"\xef\xbb\xbft_ms,a_g\n0,1\n2,3\n", {"a byte order mark at the beginning was left out"}},
     {"t_ms,a_g\r\n0,1\r\n2,3\r\n", {}},
     {"t_ms,a_g\r0,1\r2,3\r", {}},
-    {"t_ms,a_g\n0,1\r\n2,3\r", {"the lines end in different ways"}},
+    {"t_ms,a_g\n0,1\r\n2,3\r", {"the file has mixed line endings"}},
     {"t_ms;a_g\n0,0;1,0\n2,0;3,0\n", {"decimal commas were read as points"}},
     {"t_ms\ta_g\n0,0\t1,0\n2,0\t3\n", {"decimal commas were read as points"}},
     {"t_ms a_g\n0,0 1,0\n2,0 3,0\n", {"decimal commas were read as points"}},

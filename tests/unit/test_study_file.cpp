@@ -412,7 +412,7 @@ TEST_F(StudyFile, refuses_endless_lists) {
   expect_fault(grid_of("pad.material", "values = [" + materials + "]"), 3, "factors.pad.material.values",
                "must hold 1 to 1000 materials");
   expect_fault(grid_of("impactor.speed", values + "\n" + correlations), 4, "correlations",
-               "there are 5000, more than pairs of factors");
+               "there are 5000, more than there are pairs of factors");
 }
 
 TEST_F(StudyFile, refuses_factors_that_contradict) {

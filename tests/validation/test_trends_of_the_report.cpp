@@ -131,7 +131,7 @@ TEST(trends_of_the_report, claims_by_number) {
   EXPECT_NEAR(computed("peak force on the plate as an elastic system, 19.6 mph"), 2572.6, 0.05);
   EXPECT_NEAR(computed("W_S, aluminium 12 mph"), 16.813, 5e-4);
   EXPECT_NEAR(computed("V_R*, steel 14.6 mph"), 10.364, 5e-4);
-  EXPECT_NEAR(computed("stiffness that 2 ms correspond to, steel"), 12292, 0.5);
+  EXPECT_NEAR(computed("stiffness that 2 ms corresponds to, steel"), 12292, 0.5);
 }
 
 }  // namespace

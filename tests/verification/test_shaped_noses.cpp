@@ -222,7 +222,7 @@ TEST(Profile, NamesThePointThatBreaksARule) {
   EXPECT_EQ(broken({{0, 0}}), "0: needs two points or more");
   EXPECT_EQ(broken({{0.1, 0}, {1, 1}}), "0: the first depth must be 0: depths are counted from the tip");
   EXPECT_EQ(broken({{0, 0}, {1, 1}, {1, 2}}),
-            "2: the depth must be more than that before, by 1e-9 m or more");
+            "2: the depth must exceed the previous depth by 1e-9 m or more");
   EXPECT_EQ(broken({{0, 0}, {1, 1}, {2, 0.5}}),
             "2: the radius must not fall: a nose grows wider or stays as wide");
   EXPECT_EQ(broken({{0, -1}, {1, 1}}), "0: the radius must not be below 0");

@@ -113,7 +113,7 @@ class Archive {
     const std::string framed = "/" + name + "/";
     if (name.starts_with('/') || has_drive || framed.find("/../") != std::string::npos)
       refuse_file(name_,
-                  fmt::format("holds the name \"{}\", which leads out of the archive", one_line(name)));
+                  fmt::format("holds the name \"{}\", which points outside the archive", one_line(name)));
     while (name.starts_with("./")) name.erase(0, 2);
     return name;
   }

@@ -241,9 +241,8 @@ Channels chosen_channels(const std::filesystem::path& file, const Channels& all,
   Channels found = candidates(file, all, options.channel);
   if (options.resultant) return directions(file, found);
   if (found.size() > 1)
-    refuse_file(file,
-                fmt::format("several channels may be meant: {}; choose with --channel{}", listing(found),
-                            ", or combine the directions of one place with --resultant"));
+    refuse_file(file, fmt::format("several channels match: {}; choose with --channel{}", listing(found),
+                                  ", or combine the directions of one place with --resultant"));
   return found;
 }
 

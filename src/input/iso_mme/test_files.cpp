@@ -51,8 +51,8 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
     if (fits && !is_litter(name)) found.push_back(name);
   }
   if (found.empty())
-    refuse_file(file, wanted.empty() ? "holds no .mme file: not a test in the format ISO-MME"
-                                     : "is not a regular file");
+    refuse_file(
+        file, wanted.empty() ? "holds no .mme file: not a test in ISO-MME format" : "is not a regular file");
   if (found.size() > 1)
     refuse_file(file, fmt::format("holds several tests: {}, {}, ...", found[0], found[1]));
   return found.front();

@@ -198,7 +198,7 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
 /// Adds the differences that hold for every deck.
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
-  differences.emplace_back("Between its points a curve is a monotone cubic here, not straight lines.");
+  differences.emplace_back("Between its points a curve is a monotone cubic here, not piecewise linear.");
   differences.emplace_back("Beyond its last strain a curve is continued until the foam is fully compressed.");
   if (foam.loading.size() > 1) {
     differences.emplace_back(

@@ -211,9 +211,10 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
         following = first.whole(0, "LCID").value_or(0);
         curve = ls_dyna_curve(from, following, name, lines[i].number);
       } else {
-        faults.add(lines[i].number, name, "",
-                   fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it at once; number {} does not",
-                               lines.size() - 1, lines.size() - 1, i));
+        faults.add(
+            lines[i].number, name, "",
+            fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it immediately; number {} does not",
+                        lines.size() - 1, lines.size() - 1, i));
       }
     }
     sound = sound && curve;

@@ -168,7 +168,7 @@ bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   }
   if (!(foam.air.pressure >= 0 && foam.air.relative_density >= 0 && foam.air.relative_density < 1)) {
     from.faults.add(gas->line, lines.key("P0"), "",
-                    "the pressure must not be negative, and Phi be in [0, 1)");
+                    "the pressure must not be negative, and Phi must be in [0, 1)");
     return false;
   }
   if (foam.air.pressure > 0)

@@ -123,7 +123,7 @@ void settle_rates_of(StressColumns& columns, std::optional<double> rate, Measure
   }
   if (rate)
     faults.add(columns.line, "", "",
-               "there are several columns of stress; each header must give its rate, not --rate");
+               "there are several columns of stress; give each rate in its header, not with --rate");
   for (const StressColumn& column : columns.stresses)
     if (column.rate == 0)
       faults.add(columns.line, column.of.name, "",

@@ -182,7 +182,7 @@ class NumberReader {
 std::vector<std::string> remarks_on(const Findings& findings, const CsvRows& rows, bool has_mark) {
   std::vector<std::string> remarks;
   if (has_mark) remarks.emplace_back("a byte order mark at the beginning was left out");
-  if (rows.lines().kinds_of_ends() > 1) remarks.emplace_back("the lines end in different ways");
+  if (rows.lines().kinds_of_ends() > 1) remarks.emplace_back("the file has mixed line endings");
   if (rows.blank_lines() > 0)
     remarks.push_back(plural(rows.blank_lines(), "line") + " without content left out");
   if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");

@@ -88,8 +88,8 @@ StrainTable read_rows(const CsvTable& csv, const StrainColumns& columns, Measure
       add_fault(row, columns.time, rule_for(NumberKind::out_of_range), faults);
     else if (last_time && !(*time - begin > *last_time - begin))
       add_fault(row, columns.time,
-                *time > *last_time ? "is too close to the time before, this long after the first"
-                                   : "must be later than the time before",
+                *time > *last_time ? "rounds to the previous time, so long after the first"
+                                   : "must be later than the previous time",
                 faults);
     last_time = time;
     if (!(*strain >= 0 && *strain < 1))

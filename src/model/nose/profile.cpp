@@ -141,7 +141,7 @@ std::vector<Profile::Fault> Profile::faults() const {
     else if (!before && now.depth != 0)
       broken.push_back({i, "the first depth must be 0: depths are counted from the tip"});
     else if (before && now.depth < before->depth + min_advance)
-      broken.push_back({i, "the depth must be more than that before, by 1e-9 m or more"});
+      broken.push_back({i, "the depth must exceed the previous depth by 1e-9 m or more"});
     else if (now.size < 0)
       broken.push_back({i, fmt::format("the {} must not be below 0", what)});
     else if (before && now.size == 0)

@@ -84,7 +84,7 @@ void check_uncertainty(const Material& material, std::vector<Violation>& broken)
   check_range("rate_exponent", of.rate_exponent, {}, shares, broken);
   const auto check_share = [&](const char* key, double value) {
     if (!shares.contain(value))
-      broken.push_back({fmt::format("uncertainty.{}", key), value, "must be a share, from 0 to 1"});
+      broken.push_back({fmt::format("uncertainty.{}", key), value, "must be a fraction, from 0 to 1"});
   };
   if (of.scatter) check_share("scatter", *of.scatter);
   if (const auto& misfit = of.misfit) {
@@ -174,12 +174,12 @@ std::vector<Extrapolation> extrapolations(const Material& material, double large
                                      by_curves ? ", beyond which its curve is continued" : "")});
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
       reasons.push_back(
-          {Beyond::rate, by_curves
-                             ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
-                                           "and outside it the stress of the nearest tested rate is used",
-                                           plain_number(largest_rate), rates_of(*fitted))
-                             : fmt::format("strain rate reaches {} per second; the law was fitted {}",
-                                           plain_number(largest_rate), rates_of(*fitted))});
+          {Beyond::rate,
+           by_curves ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
+                                   "and outside that range the stress of the nearest tested rate is used",
+                                   plain_number(largest_rate), rates_of(*fitted))
+                     : fmt::format("strain rate reaches {} per second; the law was fitted {}",
+                                   plain_number(largest_rate), rates_of(*fitted))});
   }
   std::visit(
       [&](const auto& law) {

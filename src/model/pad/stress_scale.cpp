@@ -92,12 +92,11 @@ std::vector<Extrapolation> extrapolations(const PadCondition& condition, const M
   if (!condition.temperature) return {};
   const std::vector<double>& tested = material.temperature_table.temperature;
   if (*condition.temperature >= tested.front() && *condition.temperature <= tested.back()) return {};
-  return {
-      {Beyond::other,
-       fmt::format(
-           "the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} degC, and outside it "
-           "the factor of the nearest tested temperature is used",
-           *condition.temperature - freezing_K, tested.front() - freezing_K, tested.back() - freezing_K)}};
+  return {{Beyond::other, fmt::format("the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} "
+                                      "degC, and outside that range "
+                                      "the factor of the nearest tested temperature is used",
+                                      *condition.temperature - freezing_K, tested.front() - freezing_K,
+                                      tested.back() - freezing_K)}};
 }
 
 }  // namespace dashpad

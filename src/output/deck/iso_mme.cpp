@@ -47,9 +47,10 @@ void check(const IsoMmeTest& test) {
   require(!test.histories.empty() && test.histories.size() <= max_histories, "1 to 999 histories are needed");
   std::set<std::string> codes;
   for (const IsoMmeHistory& history : test.histories) {
-    require(history.code.size() == 16 &&
-                std::ranges::all_of(history.code, [](char c) { return is_digit(c) || is_capital(c); }),
-            fmt::format("the code \"{}\" must be of sixteen digits and capitals", one_line(history.code)));
+    require(
+        history.code.size() == 16 &&
+            std::ranges::all_of(history.code, [](char c) { return is_digit(c) || is_capital(c); }),
+        fmt::format("the code \"{}\" must be sixteen digits and capital letters", one_line(history.code)));
     require(codes.insert(history.code).second, "the code " + history.code + " appears twice");
     require(!history.unit.empty(), history.code + " needs a unit");
     require(history.values.size() >= 2, history.code + " needs at least two samples");
@@ -147,7 +148,8 @@ const CurveChannel* channel_of(const std::string& curve) {
 
 IsoMmeHistory history_of(const Curve& curve, bool in_g) {
   const CurveChannel* channel = channel_of(curve.name);
-  if (channel == nullptr) throw std::invalid_argument("ISO-MME: " + curve.name + " is not over time");
+  if (channel == nullptr)
+    throw std::invalid_argument("ISO-MME: " + curve.name + " is not a function of time");
   IsoMmeHistory history{channel->code, channel->name, channel->dimension, curve.ordinate.si_unit,
                         injury::resampled({curve.x, curve.y}, iso_mme_interval).acceleration};
   if (in_g && curve.name == "acceleration") {

@@ -110,11 +110,11 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
       },
       material.law);
   remarks.emplace_back(
-      "Between its points the card's curve is a monotone cubic, the solver's straight lines; beyond the last "
-      "one each is continued differently (continuation_exponent).");
+      "Between its points the card's curve is a monotone cubic, but the solver's is piecewise linear; "
+      "beyond the last point they are continued differently (continuation_exponent).");
   if (format->law == Foam::name)
     remarks.emplace_back(
-        "The modulus is the steepest line of the curves; the solver uses it for tension, contact "
+        "The modulus is the steepest slope of the curves; the solver uses it for tension, contact "
         "and the time step.");
   return remarks;
 }

@@ -55,7 +55,7 @@ Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
       continue;
     }
     replaced.lines.push_back(fmt::format("{} {}, {}; the case has {}", entry.name, value_text(entry, units),
-                                         entry.value->chosen_by_user ? "given by you" : "of the standard",
+                                         entry.value->chosen_by_user ? "given by you" : "from the standard",
                                          in_case) +
                              of_standard(entry, units));
   }
@@ -350,7 +350,7 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid nose on a flat pad; not a test to the standard nor a certification.";
+      "A computation with one rigid nose on a flat pad; neither a test to the standard nor a certification.";
   return caveat;
 }
 

@@ -49,7 +49,7 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
         at ? "at a strain of " + brief(at->strain, 3) : "which is not reached");
   }
   const bool has_best = runs_out(run);
-  if (has_best) add("Best used at", shown.stress(best.stress), "the highest energy for its stress");
+  if (has_best) add("Best used at", shown.stress(best.stress), "the highest ratio of energy to stress");
   const bool repeats = report.test.kind == laboratory::TestKind::cyclic && report.test.cycles > 1;
   add(has_best ? "Energy absorbed by then" : "Energy put in", shown.energy(best.energy),
       "efficiency " + brief(best.efficiency, 3) + (repeats ? ", in the first loading" : ""));

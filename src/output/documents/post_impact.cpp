@@ -50,7 +50,7 @@ Document post_impact_document(const Body& first, const Body& second, const Impac
       .subject = {fmt::format("Two bodies: the impactor, {} at {}; the other, {}, at {}.",
                               shown(first.mass, "kg"), shown(first.velocity, "m/s"), other,
                               shown(second.velocity, "m/s")),
-                  fmt::format("Solved as one body of {} at {}, which is their motion towards each other.",
+                  fmt::format("Solved as one body of the reduced mass, {}, at the closing speed, {}.",
                               shown(impact.impactor.mass, "kg"), shown(impact.impactor.speed, "m/s"))},
       .figures = {
           row_of("Velocity of the impactor after", after.first_velocity, after.errors.first_velocity, "m/s",

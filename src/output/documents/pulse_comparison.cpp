@@ -130,7 +130,8 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
   std::vector<std::string> lines;
   if (is_onset_doubtful(report.comparison))
     lines.push_back(fmt::format(
-        "ONSET IN DOUBT: the pulse reaches {:.0f} % of its peak at {}, and for the last time before it at "
+        "ONSET IN DOUBT: the pulse first reaches {:.0f} % of its peak at {}, and for the last time before it "
+        "at "
         "{}; noise or an offset may have been mistaken for the impact: --zero auto, --filter and --align "
         "peak help",
         100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
@@ -183,9 +184,9 @@ Table comparison_table(const PulseComparisonReport& report, const UnitSystem& un
 
 std::vector<std::string> comparison_notes(const PulseComparisonReport& report, const UnitSystem& units) {
   std::vector<std::string> notes{alignment_note(report, units),
-                                 "Width: all time above half the peak. HIC15 is in g^2.5 s.",
+                                 "Width: total time above half the peak. HIC15 is in g^2.5 s.",
                                  restitution_note(report, units)};
-  if (report.pulse.filter) notes.emplace_back("The computed pulse has the filter of the measured one.");
+  if (report.pulse.filter) notes.emplace_back("The computed pulse has the same filter as the measured one.");
   return notes;
 }
 

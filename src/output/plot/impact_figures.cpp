@@ -14,8 +14,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr const char* no_finite_limit =
-    "Without a finite limit at full compression: the curve leaves the plot.";
+constexpr const char* no_finite_limit = "No finite limit at full compression: the curve leaves the plot.";
 
 CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
   return {.plot = {.title = std::move(title), .panels = {std::move(panel)}}, .note = std::move(note)};
@@ -110,7 +109,9 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
     note += fmt::format("The integral of these stresses differs from the force by at most {}. ",
                         percent(deviation_of_stress(snapshots)));
   if (known < std::ssize(snapshots))
-    note += "Where the pad is locked, or rigid foam at rest, the law fixes the force, not its distribution. ";
+    note +=
+        "Where the pad is locked, or the rigid foam is at rest, the law fixes the force, not its "
+        "distribution. ";
   if (leaves) note += "Within 0.5 % of full compression the stress is off the scale. ";
   return note.substr(0, note.find_last_not_of(' ') + 1);
 }
@@ -180,9 +181,10 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
                            std::move(distances)));
   figures.push_back(figure(
       "Energy over time", std::move(energy),
-      fmt::format("The sum of these curves (work by trapezoids) stays within {} of the impact energy. By "
-                  "the solver's own audit, of higher order, the residual at the end is {}.",
-                  percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact)))));
+      fmt::format(
+          "The sum of these curves (work by the trapezoidal rule) stays within {} of the impact energy. By "
+          "the solver's own audit, of higher order, the residual at the end is {}.",
+          percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact)))));
   return figures;
 }
 

@@ -131,7 +131,7 @@ std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& 
   if (unknown.is_identified())
     return shown(unknown.low.value_or(unknown.lowest)) + " to " +
            shown(unknown.high.value_or(unknown.highest));
-  if (unknown.low) return "from " + shown(*unknown.low) + ", without an upper end";
+  if (unknown.low) return "from " + shown(*unknown.low) + ", with no upper limit";
   if (unknown.high) return "up to " + shown(*unknown.high) + ", without a lower end";
   return "open on both sides";
 }
@@ -152,7 +152,7 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
     all.push_back(fmt::format("The errors of {} and {} are correlated: {:.3f}.", correlation.first,
                               correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
-    all.push_back("The end of an interval is approximate, since the limit of refits was reached: " + end +
+    all.push_back("The end of an interval is approximate, since the limit on refits was reached: " + end +
                   ".");
   return all;
 }
@@ -161,8 +161,8 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
   std::vector<std::string> all;
   if (!report.noise_is_stated)
     all.emplace_back(
-        "Noise: not stated for all data; where it is not, it is estimated from the residuals of the fit, as "
-        "one fraction of the largest stress of each test.");
+        "Noise: not stated for all data; missing values are estimated from the residuals of the fit, as the "
+        "same fraction of the largest stress for every test.");
   else if (report.degrees_of_freedom <= 0)
     all.emplace_back(
         "Noise: there are as many unknowns as data, so the misfit contains no information about the model.");

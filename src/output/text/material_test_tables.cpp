@@ -105,7 +105,7 @@ Table creep_table(const laboratory::MaterialTestReport& report, const Cells& cel
 
 Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{
-      .caption = fmt::format("The 1984 update, {} steps to the first loading", *report.test.steps_of_1984),
+      .caption = fmt::format("The 1984 update, {} steps in the first loading", *report.test.steps_of_1984),
       .columns = {"Rate (1/s)", fmt::format("Step ({})", shown_unit(cells.units.time)), "Stress",
                   cells.in_stress("last of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"}};

@@ -52,8 +52,9 @@ std::string over_one(const study::StudyAnswers& answers, const std::vector<Level
                     after = level_text(answers.study, 0, rows[*change].first, units),
                     name = factor_words(answers.study.factors.front().key),
                     limited = capitalised(exceeds(limit, units));
-  return rows[*change].second ? fmt::format("{} from {} {} on, not up to {}", limited, name, after, before)
-                              : fmt::format("{} up to {} {}, not from {} on", limited, name, before, after);
+  return rows[*change].second
+             ? fmt::format("{} from {} {} upwards, not up to {}", limited, name, after, before)
+             : fmt::format("{} up to {} {}, not from {} upwards", limited, name, before, after);
 }
 
 /// "4.5 m/s": the name only where the unit does not tell it from the other factor.
@@ -63,8 +64,8 @@ std::string level_words(const study::Study& study, std::size_t factor, double le
                                                         : level_text(study, factor, level, units);
 }
 
-/// The range of a factor within which the limit is kept: "up to between 4.5 m/s and 5 m/s". Empty if it does
-/// not reach one end.
+/// The range of a factor within which the limit is kept: "up to somewhere between 4.5 m/s and 5 m/s". Empty
+/// if it does not reach one end.
 std::string where_kept(const study::Study& study, std::size_t factor, const std::vector<LevelRow>& rows,
                        const UnitSystem& units) {
   if (std::ranges::none_of(rows, &LevelRow::second)) return "everywhere";
@@ -73,8 +74,8 @@ std::string where_kept(const study::Study& study, std::size_t factor, const std:
   if (!change) return "";
   const std::string before = level_words(study, factor, rows[*change - 1].first, units),
                     after = level_words(study, factor, rows[*change].first, units);
-  return rows[*change].second ? fmt::format("up to between {} and {}", before, after)
-                              : fmt::format("from between {} and {} on", before, after);
+  return rows[*change].second ? fmt::format("up to somewhere between {} and {}", before, after)
+                              : fmt::format("above somewhere between {} and {}", before, after);
 }
 
 /// The ranges along the factor with more levels, at the first and the last level of the other one.

@@ -183,7 +183,8 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
                     "command continues.",
                     rows, answers.rows));
   add(records.doubtful, "DOUBTFUL:",
-      "miss the tolerance, give an invalid case or lack a figure asked for. No limit is decided by them.");
+      "miss the tolerance, give an invalid case or lack a figure asked for. They are not used to decide any "
+      "limit.");
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
@@ -233,12 +234,14 @@ std::string interval_note(const study::StudyAnswers& answers) {
       "probabilities by Clopper and Pearson. They cover the sampling only.";
   if (answers.study.sampling != study::Sampling::monte_carlo)
     note +=
-        " They are made for independent draws; this study's are more even, so they are too wide rather than "
+        " The intervals assume independent draws; this study's are more even, so they are too wide rather "
+        "than "
         "too narrow.";
   const std::string names = unstratified_factors(answers.study);
   if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
     note += fmt::format(
-        " Not stratified: {}. Of two correlated factors only the first keeps one draw a stratum of the Latin "
+        " Not stratified: {}. Of two correlated factors only the first keeps one draw per stratum of the "
+        "Latin "
         "hypercube.",
         names);
   return note;

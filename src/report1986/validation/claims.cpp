@@ -173,7 +173,7 @@ void claim_table_3_2(const ValidationData& data, const ExpectationExample& print
 void claim_stiffness(const ValidationData& data, Claims& claims) {
   const double excess = claims.constant("excess_of_predicted_time_ms");
   const auto add_stiffness = [&](const std::string& name, Projectile projectile) {
-    claims.add("section 4, Eq. 32", "stiffness that 2 ms correspond to, " + name,
+    claims.add("section 4, Eq. 32", "stiffness that 2 ms corresponds to, " + name,
                "stiffness_of_time_" + name + "_lb_per_in",
                stiffness_of_time(weight_of(data, projectile), excess), 50, "the text cites Eq. 30");
   };

@@ -45,7 +45,7 @@ bool check_points(const TableCurve& table, const std::string& key, Violations& b
          fmt::format("has {} numbers where strain has {}", table.stress.size(), table.strain.size())});
   else if (table.strain.size() < TableCurve::fewest_points || table.strain.size() > TableCurve::max_points)
     broken.push_back({strains, double(table.strain.size()),
-                      fmt::format("must have between {} and {} points beside the origin, which is implied",
+                      fmt::format("must have between {} and {} points besides the origin, which is implied",
                                   TableCurve::fewest_points, TableCurve::max_points)});
   double last = 0;
   for (std::size_t i = 0; i < table.strain.size(); ++i) {
@@ -91,7 +91,7 @@ bool check_base(const Form& form, Violations& broken) {
     if (!(next > stress && std::isfinite(next))) {
       broken.push_back(
           {"curve.highest_strain", form.highest_strain,
-           fmt::format("the curve must rise up to here, and does not at a strain of {:.3g}", e)});
+           fmt::format("the curve must rise up to here, but does not at a strain of {:.3g}", e)});
       return false;
     }
     stress = next;
@@ -116,8 +116,8 @@ void check_crossing(const MonotoneCurve& fast, double fast_rate, const auto& slo
     if (stress >= (1 - max_crossing) * slow(e)) continue;
     broken.push_back(
         {key, stress,
-         fmt::format("the curve at {:.4g} 1/s crosses that at {:.4g} 1/s: at a strain of {:.3g} it is "
-                     "{:.3g} of it",
+         fmt::format("the curve at {:.4g} 1/s crosses that at {:.4g} 1/s: at a strain of {:.3g} its "
+                     "stress is {:.3g} times that of the slower one",
                      fast_rate, slow_rate, e, stress / slow(e))});
     return;
   }
