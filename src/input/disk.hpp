@@ -1,7 +1,6 @@
 #pragma once
 /// Access to the disk for cases, cards and standards; streams named on the command line; small text files. A
-/// wrong name must not hang or flood the program. Without a disk, as in a browser, the functions of disk.cpp
-/// are replaced.
+/// wrong name must not hang or flood the program. Without a disk, as in a browser, others replace disk.cpp.
 
 #include <cstddef>
 #include <filesystem>

@@ -5,8 +5,7 @@
 /// The functions of IEEE numbers are computed in the next wider format and rounded, because the mathematical
 /// library differs in the last bit between processors.
 ///
-/// Like the original run-time system, SQRT and ** take the magnitude of a negative argument or base, so that
-/// no NaN arises there.
+/// Like the original system, SQRT and ** take the magnitude of a negative argument or base: no NaN arises.
 
 #include <cmath>
 #include <concepts>

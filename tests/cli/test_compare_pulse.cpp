@@ -74,7 +74,7 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
   EXPECT_THAT(
       outcome.out,
       AllOf(StartsWith("The computed peak is "), HasSubstr("; HIC15 is "),
-            ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g computed.*, 40[.]00 g measured\n"),
+            ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g computed.*, 40[.]00 g\\s+measured\n"),
             HasSubstr("\n  Time to peak "),
             ContainsRegex("\n  Width at half the peak .* computed.*, 5[.]000 ms measured\n"),
             HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
