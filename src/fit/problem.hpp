@@ -4,8 +4,7 @@
 ///   residual = (predicted - measured) / deviation,  misfit = sum of squared residuals
 ///
 /// Each unknown, and each shift of a force zero, is a coordinate: 0 at its lowest and 1 at its highest
-/// value, by the logarithm where it is sought so. A source of data is a block of residuals that predicts
-/// itself.
+/// value, by the logarithm where it is sought so. A source of data is a block of residuals.
 
 #include <cmath>
 #include <cstddef>

@@ -44,8 +44,7 @@ Pdp10 square_root(Pdp10 x) {
   }
   const auto f = Pdp10::of_exact(fraction);  // in [1/4, 1)
   // Published runs admit 0.42050 to 0.42113 for the second intercept; 431/1024 is the only number there that,
-  // like both slopes, fits an instruction's nine bits. With 0.42041016, 74 of 132 numbers of Appendix C come
-  // out.
+  // like both slopes, fits an instruction's nine bits. With 0.42041016, 74 of 132 of Appendix C come out.
   const Pdp10 slope = fraction < 0.5 ? 0.828125 : 0.5859375;
   const Pdp10 intercept = fraction < 0.5 ? 0.29730225 : 0.4208984375;
   Pdp10 root = slope * f + intercept;
