@@ -410,7 +410,7 @@ TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel:air-bag", "--units", "engineering-metric"});
   EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of 6.8 kg and radius 82.5 mm strikes at 19.3 km/h"),
-                                 HasSubstr("speed 19.3 km/h, of the standard; the case has 10.8"),
+                                 HasSubstr("speed 19.3 km/h, from the standard; the case has 10.8"),
                                  HasSubstr("Kept from the case: pad, support, solver.")));
 }
 

@@ -192,7 +192,7 @@ TEST_F(MaterialTestTest, SaysWhatIsExtrapolated) {
   const Outcome outcome =
       material_test({"ensolite-aac-9", "--strain", "0.97", "--rate", "10,1000", "--units", "us"});
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("EXTRAPOLATED STRAIN (at 10, 1000 per second): strain reaches 0.970"),
+              AllOf(HasSubstr("EXTRAPOLATED STRAIN (at 10 and 1000 per second): strain reaches 0.970"),
                     HasSubstr("EXTRAPOLATED RATE (at 1000 per second): strain rate reaches 1000 per second"),
                     HasSubstr("(psi)"), HasSubstr("(in·lbf/in³)")));
   const json flags = answered({"ensolite-aac-9", "--rate", "100", "--test", "parabolic"})["runs"][0]["flags"];

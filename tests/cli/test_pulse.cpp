@@ -78,7 +78,7 @@ TEST_F(PulseTest, ShowsFiguresAndHowTheyCameAbout) {
             ContainsRegex("; the same for cumulative\\s+3 ms clip\n"),
             Not(HasSubstr("Dwell time above 150 g"))));
   const std::string all = pulse({file("drop.csv"), "--all"}).out;
-  EXPECT_THAT(all, ContainsRegex("Peak acceleration +100.00 g +at 5 ms\n"));
+  EXPECT_THAT(all, ContainsRegex("Peak acceleration +100.00 g +± 0[.]014 % +at 5 ms\n"));
   for (const std::string label :
        {"HIC15 ", "HIC36 ", "Unlimited HIC ", "HIC(d) ", "3 ms clip ", "Cumulative 3 ms clip ",
         "Severity index ", "Velocity change ", "Dwell time above 80 g ", "Dwell time above 150 g ",

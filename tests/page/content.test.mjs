@@ -84,7 +84,7 @@ test("every law, every example", async () => {
     'asymptotic_modulus = "140 kPa", initial_modulus = "420 kPa", relaxation_time = "5 ms"'))));
   const page = await check(report(write("rigid.toml", caseOf("rigid-foam",
     'crush_stress = "200 kPa", crush_strain = 0.6, second_stress = "400 kPa", second_strain = 0.8'))));
-  assert.match(await figure(page, "Stress over the contact").locator(".note").innerText(), /rigid foam at rest/);
+  assert.match(await figure(page, "Stress over the contact").locator(".note").innerText(), /rigid foam is at rest/);
 });
 
 test("a pad that bottoms out has no peak force and no injury figures", async () => {

@@ -538,7 +538,7 @@ TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
   const std::string text = write(standard, half_sine()).text;
   EXPECT_THAT(text, StartsWith("Fails: Peak acceleration is 20 g above its limit\nMade up (made-up)\n"));
   EXPECT_THAT(test::in_one_line(text),
-              AllOf(HasSubstr("5 kg, of the standard; the case has 4.5 kg"),
+              AllOf(HasSubstr("5 kg, from the standard; the case has 4.5 kg"),
                     HasSubstr("8 m/s, given by you; the case has 8.9408 m/s, the standard 6 m/s"),
                     HasSubstr("Kept from the case: radius (76.2 mm), pad, support, solver.")));
   EXPECT_THAT(text, AllOf(HasSubstr("fail by 20 g (25.0 %)"), HasSubstr("\nREPLACED: "),
@@ -550,11 +550,12 @@ TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
 TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
   const std::string text =
       write(standard_with({criterion(Metric::peak_acceleration, 125 * g)}), half_sine()).text;
-  EXPECT_THAT(text, AllOf(HasSubstr("pass with 25 g (20.0 %) to spare"),
-                          StartsWith("Passes: Peak acceleration has 25 g to spare\nMade up (made-up)\n"),
-                          HasSubstr("of the\n  standard; the case has 76.2 mm; speed 6 m/s, of the standard; "
-                                    "the case has 8.9408 m/s.\n\n  Peak"),
-                          HasSubstr("nor a certification")));
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("pass with 25 g (20.0 %) to spare"),
+                    StartsWith("Passes: Peak acceleration has 25 g to spare\nMade up (made-up)\n"),
+                    HasSubstr("from the\n  standard; the case has 76.2 mm; speed 6 m/s, from the standard; "
+                              "the case has 8.9408 m/s.\n\n  Peak"),
+                    HasSubstr("nor a certification")));
 }
 
 TEST(assessment_text, names_the_blow_that_its_figures_are_of) {
@@ -611,7 +612,7 @@ TEST(assessment_text, only_what_differs_was_replaced) {
   standard.mass = verified(4.5);
   const Written written = write(standard, half_sine());
   EXPECT_THAT(written.text, AllOf(Not(HasSubstr("the case has 4.5 kg")),
-                                  HasSubstr("Replaced in the case: radius 80 mm, of the standard"),
+                                  HasSubstr("Replaced in the case: radius 80 mm, from the standard"),
                                   HasSubstr("Kept from the case: mass (4.5 kg), pad, support, solver.")));
   const auto impactor = nlohmann::json::parse(written.json)["impactor"];
   EXPECT_EQ(impactor["mass_kg"]["replaced"], false);

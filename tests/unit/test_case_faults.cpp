@@ -128,7 +128,7 @@ const std::vector<Edit> edits{
       {4, "impactor.radii[2]", "a length is needed"}}},
     {radius,
      profile_of + "\nareas = [\n[\"0 mm\", \"0 mm2\"],\n[\"9 mm\", \"2 cm2\"],\n[\"9 mm\", \"3 cm2\"]]",
-     {{7, "impactor.areas[3]", "the depth must be more than that before"}}},
+     {{7, "impactor.areas[3]", "the depth must exceed the previous depth"}}},
     {radius,
      profile_of + "\nradii = [[\"0 mm\", \"0 mm\"],\n[\"9 mm\", \"2 km\"]]",
      {{4, "impactor.radii", "the widest radius must be"}}},

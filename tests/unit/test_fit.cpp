@@ -449,7 +449,7 @@ TEST_F(FitFileTest, NamesTheLinesOfBadData) {
   const std::string said = faults_of(timed);
   EXPECT_THAT(said, HasSubstr("test.csv:3: stress_kPa"));
   EXPECT_THAT(said, HasSubstr("test.csv:4: time_s"));
-  EXPECT_THAT(said, HasSubstr("must be later than the previous time"));
+  EXPECT_THAT(said, HasSubstr("must be later than the time before"));
   write("test.csv", "strain,stress_kPa\n10,10\n20,20\n");
   EXPECT_THAT(faults_of(good_fit), HasSubstr("test.csv:2: strain"));
   EXPECT_THAT(faults_of(good_fit), HasSubstr("is it in per cent?"));

@@ -86,8 +86,8 @@ TEST_F(ProfileCsvTest, SaysWhatIsWrongWithARow) {
   const std::string head = "depth_mm,radius_mm\n0,0\n";
   expect_fault(head, 0, "needs two rows or more");
   expect_fault("depth_mm,radius_mm\n1,0\n5,20\n", 2, "the first depth must be 0");
-  expect_fault(head + "5,20\n4,30\n", 4, "the depth must be more than that before");
-  expect_fault(head + "5,20\n5,30\n", 4, "the depth must be more than that before");
+  expect_fault(head + "5,20\n4,30\n", 4, "the depth must exceed the previous depth");
+  expect_fault(head + "5,20\n5,30\n", 4, "the depth must exceed the previous depth");
   expect_fault(head + "5,20\n6,19\n", 4, "must not fall");
   expect_fault("depth_mm,radius_mm\n0,-1\n5,20\n", 2, "must not be below 0");
   expect_fault(head + "5,nan\n", 3, "finite");

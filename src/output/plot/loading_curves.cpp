@@ -186,11 +186,10 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
     const double shown = std::min(fast->y.back(), steepest * fast->y[fast->y.size() / 2]);
     panel.y.high = std::max(*panel.y.high, 1.05 * shown);
     panel.series.push_back(*std::move(fast));
-    source += ", and at the highest rate of this impact";
   }
   if (!rate_words.empty()) {  // the energy is not the area under the slow curve
     panel.series.front().y.assign(panel.series.front().y.size(), *panel.y.high);
-    source += "; shaded: the strains of this impact";
+    source += "; shaded: the strains reached";
   }
   if (std::optional<Series> line = line_of_range(material)) panel.series.push_back(*std::move(line));
   return Plot{.title = foam_curve_title(foam, range_of(material)),
