@@ -123,7 +123,7 @@ TEST_F(PulsesTest, SeveralStandOnOnePageWithMeanAndDeviation) {
   EXPECT_EQ(both[0]["figures"],
             json::parse(
                 pulses({file("low.csv"), "--standard", file("limits.toml"), "--json", "-"}).out)["figures"]);
-  EXPECT_THAT(read_file(file("both.md")), HasSubstr("| Pulse | Peak acceleration | HIC15 |"));
+  EXPECT_THAT(read_file(file("both.md")), HasSubstr("| Pulse | Peak acceleration | 3 ms clip | HIC15 |"));
   EXPECT_THAT(read_file(file("both.html")),
               HasSubstr("The accelerations, each from the beginning of contact"));
   EXPECT_THAT(read_file(file("both.svg")), HasSubstr("high.csv"));
