@@ -131,9 +131,8 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
   if (is_onset_doubtful(report.comparison))
     lines.push_back(fmt::format(
         "ONSET IN DOUBT: the pulse first reaches {:.0f} % of its peak at {}, and for the last time before it "
-        "at "
-        "{}; noise or an offset may have been mistaken for the impact: --zero auto, --filter and --align "
-        "peak help",
+        "at {}; noise or an offset may have been mistaken for the impact: --zero auto, --filter and "
+        "--align peak help",
         100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
         brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
   for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");

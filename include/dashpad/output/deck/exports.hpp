@@ -64,7 +64,7 @@ struct ThinnedCurve {
   double error = 0;  ///< largest difference in y from the given curve, both being linear between points
 };
 
-/// At most `max_points` (2 or more) points of the curve: its ends, then the one that is furthest off.
+/// At most `max_points` (2 or more) points of the curve: its ends, then repeatedly the one furthest off.
 ThinnedCurve thinned(const Curve& curve, std::size_t max_points);
 
 struct FileCurve {
