@@ -27,8 +27,8 @@ constexpr const char* assess_footer = R"(Examples:
 
 The impactor (mass, radius, speed) is that of the standard unless you give your own; pad, support and solver
 are those of the case. Replaced values are listed. Values that a standard leaves open are taken from the case.
---keep-nose and --keep-speed keep the nose and the speed of the case. If the other choice would turn the
-verdict into a pass or a fail, this is stated by the reservation OTHER NOSE or OTHER SPEED.
+--keep-nose and --keep-speed keep the nose and the speed of the case. If the other choice of nose or speed
+would give a pass or a fail instead, the reservation OTHER NOSE or OTHER SPEED says so.
 Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
 Several cases or several standards make a test plan: one row per case, one column per standard, the worst first.
 --all and the page add each assessment in full; --json writes them as an array. --set applies to every case.

@@ -15,8 +15,8 @@ constexpr const char* check_footer = R"(Examples:
   dashpad check examples/dashboard-20mph.toml
   dashpad check examples/dashboard-20mph.toml --units us
 
-Describes the impact in words and shows every value in SI, as used in the computation. Each fault is a line
-"file:line: key = value: rule".
+Describes the impact in words and shows every value in SI, as used in the computation. Each error is
+reported on one line: "file:line: key = value: rule".
 
 Exit codes: 0 the case can be run, 2 it cannot.)";
 

@@ -41,7 +41,7 @@ Files: - as FILE is standard output; messages about the curves then go to standa
 overwritten unless --force is given. A file is written completely or not at all, and contains the flags of the
 result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE) as comments.
 
-Exit codes: 0 success (also if the pad bottomed out or the time limit was reached), 1 the file could not be
+Exit codes: 0 success (even if the pad bottomed out or the time limit was reached), 1 the file could not be
 written or none of the curves exists, 2 invalid input and nothing was run, 3 not reliable: the file was written but
 the result misses the tolerance.)";
 

@@ -25,7 +25,7 @@ constexpr const char* fit_footer = R"(Examples:
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
   dashpad fit my-fit.toml --report fit.html                    a page: model against data, intervals, open unknowns
   dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
-  dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; the same command continues
+  dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; run it again to resume
 
 A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
 
@@ -63,7 +63,7 @@ docs/fits.md describes every key and the meaning of the numbers.
 The recoil of a foam is fitted too if it is not stated and impacts depend on it; give it in [pad.parameters] to keep
 it fixed. The card states the tested range in [fitted], and what is not known in its reservations and [uncertainty].
 
-An open interval means that the data do not determine the unknown: keep it fixed, give it a prior, or test more.
+An unbounded interval means that the data do not determine the unknown: keep it fixed, give it a prior, or test more.
 
 Files: - as FILE is standard output. An existing file is not overwritten unless --force is given. A file is written
 completely or not at all. A fit that did not converge writes no card.
@@ -230,8 +230,8 @@ void add_fit(CLI::App& app, Action& action) {
   add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",
-           "Write the case with the fitted foam and the fitted values of the case, such as its support (- "
-           "for standard output)");
+           "Write the case with the fitted foam and any other fitted values, such as the support stiffness "
+           "(- for standard output)");
   add_file(sub, request.files, "--json", "Write everything as JSON, in SI units (- for standard output)");
   sub.add_option("--posterior", request.posterior, "Write N draws of the unknowns as CSV")
       ->expected(2)

@@ -30,7 +30,7 @@ constexpr const char* description =
     "force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
-  dashpad check examples/dashboard-20mph.toml    is the case understood as meant?
+  dashpad check examples/dashboard-20mph.toml    is the case read as you intended?
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
   dashpad materials                              list the foams
   dashpad material-test ensolite-aac-9           test one of them in the laboratory

@@ -180,7 +180,8 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   add_option(sub, "--test KIND", request.test,
              "constant-rate (default), parabolic, relaxation, creep, cyclic or history")
       ->check(CLI::IsMember(kinds));
-  add_option(sub, "--rate LIST", request.rates, "Strain rates of loading, 1/s or with unit (default: 1,100)")
+  add_option(sub, "--rate LIST", request.rates,
+             "Loading strain rates, comma-separated, in 1/s unless given with a unit (default: 1 and 100)")
       ->delimiter(',');
   add_option(sub, "--strain X", request.strain, "Largest strain, below 1 (default: 0.95)");
   add_option(sub, "--hold TIME", request.hold,

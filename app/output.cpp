@@ -32,7 +32,7 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path{"."};
 }
 
-/// The path without links, "." and "..", also if the target of a link does not exist.
+/// The path without links, "." and "..", even if the target of a link does not exist.
 fs::path place_of(const fs::path& file) {
   constexpr int max_links = 40;  // as the system follows
   std::error_code error;

@@ -96,7 +96,7 @@ int run(const PostImpactRequest& request) {
 
 void add_post_impact(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<PostImpactRequest>(
-      app, action, "post-impact", "Velocities of two bodies after the impact, and its energy",
+      app, action, "post-impact", "Velocities of two bodies after an impact, and the energy absorbed",
       post_impact_footer, run);
   add_case(sub, request.given);
   add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");

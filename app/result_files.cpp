@@ -10,7 +10,7 @@ namespace dashpad::app {
 void add_result_files(CLI::App& app, OutputFiles& files) {
   add_file(app, files, "--json", "Write the summary as JSON (- for standard output)");
   add_file(app, files, "--csv",
-           "Write the history as CSV, of the last blow if there are several (- for standard output)");
+           "Write the history (of the last blow, if there are several) as CSV (- for standard output)");
   add_documents(app, files);
   add_file(app, files, "--png", "Draw acceleration and hysteresis (.png)");
   add_file(app, files, "--drawing",

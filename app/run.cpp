@@ -36,7 +36,7 @@ every figure with its estimated error; files have all digits.
 Files: - as FILE is standard output; the text then goes to standard error. An existing file is not overwritten
 unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 success (also if the pad bottomed out or the time limit was reached), 1 a result could not be
+Exit codes: 0 success (even if the pad bottomed out or the time limit was reached), 1 a result could not be
 written, 2 invalid input or command line and nothing was run, 3 not reliable: the results of a pad that did not
 bottom out miss the tolerance.)";
 

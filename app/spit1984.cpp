@@ -28,20 +28,20 @@ constexpr const char* spit1984_footer = R"(Examples:
   dashpad spit1984 examples/dashboard-20mph.toml --repair all --arithmetic binary64
   dashpad spit1984 --interactive --listing for21.txt
 
-Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal's report,
-or with --listing the line printer's, in 132 columns. Lengths are in inches, forces in lbf, the impact speed
+Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal output or,
+with --listing, the line-printer output, 132 columns wide. Lengths are in inches, forces in lbf, the impact speed
 in mph; forces are negative in compression. See docs/spit1984.md before relying on them: for the published example
 the scheme is 1 to 6 % off in peak force, and the numbers depend on the arithmetic.
 
-Arithmetic: pdp10 (default) is the 36-bit machine that printed the report; binary32 and binary64 are the
-single and double precision of today's machines.
+Arithmetic: pdp10 (default) is that of the 36-bit computer that produced the results in the report; binary32 and
+binary64 are today's single and double precision.
 
 --interactive runs the 1984 main program ENSOL, which asks for all input at the terminal.
 
 Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the run ended in an
 ABEND; the output may have become meaningless some time before it.
 
-Defects of the listing that --repair corrects (may be repeated; "all" for all of them):
+Defects in the listing that --repair corrects (may be repeated; "all" for all of them):
 )";
 
 std::string footer_with_defects() {
@@ -176,9 +176,9 @@ void add_spit1984(CLI::App& app, Action& action) {
       add_flag(sub, "--interactive", request.interactive, "Ask for the input at the terminal, as ENSOL did");
   add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(sub, "--repair DEFECT", request.repair, "Correct a defect of the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Correct a defect in the listing, or all of them")
       ->check(CLI::IsMember(repairs));
-  add_file(sub, request.files, "--listing", "Write the line printer's report (- for standard output)");
+  add_file(sub, request.files, "--listing", "Write the line-printer output (- for standard output)");
   add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
   add_file(sub, request.files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
   add_option(sub, "--time-step MS", request.time_step_ms, "DELT, ms (default 0.1)")

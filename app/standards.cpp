@@ -22,7 +22,7 @@ constexpr const char* standards_footer = R"(Examples:
   dashpad standards en-1078:kerbstone            with a variant
   dashpad standards ./my-standard.toml           a preset anywhere: a name that ends in .toml is a file
 
-A value marked UNVERIFIED was not read in the standard or in a source that quotes it. dashpad assess applies a
+A value marked UNVERIFIED was found neither in the standard nor in a source that quotes it. dashpad assess applies a
 preset to a case. docs/standards.md explains how to write one.
 
 Exit codes: 0 success, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are

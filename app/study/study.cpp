@@ -123,10 +123,10 @@ void add_study(CLI::App& app, Action& action) {
   const auto request = std::make_shared<StudyRequest>();
   add_option(*sub, "STUDY", request->study_file, "Study file (TOML)");
   add_option(*sub, "--out FILE", request->store_file,
-             "The store: a new file, or the existing one of this study, to continue it");
+             "Store file: a new file, or this study's existing store, to resume the study");
   add_option(*sub, "--threads N", request->threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
-  add_flag(*sub, "--quiet", request->quiet, "Show no progress");
+  add_flag(*sub, "--quiet", request->quiet, "Do not show progress");
   add_material_folder(*sub, request->materials);
   sub->require_subcommand(0, 1);
   add_study_replay(*sub, action);

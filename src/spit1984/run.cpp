@@ -261,8 +261,7 @@ AbendText text_of(Abend abend) {
       return {"rate-sensitive instability",
               "the end of contact cannot be found. The results are usable if the speed error is a small "
               "fraction; the error of the coefficient of restitution is about twice that fraction, times the "
-              "ratio of impact to rebound speed. Otherwise "
-              "halve --time-step"};
+              "ratio of impact to rebound speed. Otherwise halve --time-step"};
     case Abend::too_many_contact_divisions:
       return {"too many contact divisions",
               "the contact field is full before the largest penetration: raise --most-stations"};

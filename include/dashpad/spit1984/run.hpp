@@ -48,7 +48,7 @@ struct Defect {
 
 inline constexpr std::array<Defect, 4> defects{{
     {"stale-contact", &Defects::stale_contact,
-     "a rejected trial restores the contact of an earlier one, not that of the step's start"},
+     "a rejected trial restores the contact of an earlier trial instead of that at the start of the step"},
     {"idle-segments", &Defects::idle_segments,
      "only the first slope of a piecewise-linear support ever acts"},
     {"edge-residue", &Defects::edge_residue,
