@@ -25,7 +25,7 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines that they cover
   fuzz [TARGET] [SECONDS]  fuzz the readers of files, each for SECONDS (default: 300), or one of
                            them (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
-  wasm                     compile the solver, the injury figures and the text readers for WebAssembly, and solve a case there
+  wasm                     compile the solver, the injury metrics and the text readers for WebAssembly, and solve a case there
   compile COMPILER         build everything with clang-14 or clang-19, with warnings as errors; runs nothing
   nightly                  tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random cases compared
                            with more accurate solutions and 200 with a second solver, both clangs, WebAssembly, the
