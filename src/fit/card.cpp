@@ -40,8 +40,8 @@ std::string impact_words(const ImpactMeasurement& impact, const FitReport& repor
 std::string origin_of(const Fit& fit, const FitReport& report) {
   std::vector<std::string> parts;
   for (const MetTest& test : fitted(report.tests))
-    parts.push_back(
-        fmt::format("{} ({} points; rms {} of the largest stress)", test.file, test.points, rms_words(test)));
+    parts.push_back(fmt::format("{} ({} points; rms relative to the largest stress: {})", test.file,
+                                test.points, rms_words(test)));
   for (const ImpactMeasurement& impact : fitted(fit.impacts))
     parts.push_back(fmt::format("{} ({})", impact.file, impact_words(impact, report)));
   std::string origin =

@@ -100,9 +100,8 @@ void check_amount(const Fit& fit, Broken& broken) {
   for (const ImpactMeasurement& impact : fit.impacts)
     if (!impact.is_held_out) data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
   if (data == 0) {
-    broken.push_back({"tests", no_value,
-                      "there is nothing to fit: give [[tests]] or [[impacts]] "
-                      "that are not held out"});
+    broken.push_back(
+        {"tests", no_value, "there is nothing to fit: give [[tests]] or [[impacts]] that are not held out"});
     return;
   }
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;

@@ -60,8 +60,8 @@ void add_open_unknowns(const FitReport& report, Sentences& all) {
                                 unknown.key, unknown.is_at_lowest ? "lower" : "upper",
                                 value_words(unknown, unknown.value)));
     else if (!unknown.is_identified())
-      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is open {}.", unknown.key,
-                                unknown.open() == "both" ? "on both sides" : unknown.open()));
+      all.push_back(fmt::format("The data do not determine {}: its 95 % interval is unbounded {}.",
+                                unknown.key, unknown.open() == "both" ? "on both sides" : unknown.open()));
   }
 }
 

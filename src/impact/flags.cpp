@@ -156,14 +156,14 @@ std::string words_of(const std::string& key) {
   return key == "severity_index" ? "the severity index" : "the peak";
 }
 
-/// "HIC may be 1 % lower to 1.9 % higher"
+/// "HIC may be anywhere from 1 % lower to 1.9 % higher"
 std::string words_of(const Effect& effect) {
   const auto percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
   const std::string what = words_of(effect.key) + " may be ";
   if (!std::isfinite(effect.up)) return what + "without limit";
   if (effect.down < worth_saying / 10) return what + percent(effect.up) + " higher";
   if (effect.up < worth_saying / 10) return what + percent(effect.down) + " lower";
-  return what + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
+  return what + "anywhere from " + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
 }
 
 /// The flag of an extrapolation; nothing if it moves no decisive figure.
@@ -177,10 +177,10 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
     return flag_of(name, extrapolation.text);
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
-  const char* const by = extrapolation.beyond == Beyond::strain
-                             ? " depending on how the curve continues there, which is a guess"
-                             : " if the stress depends on the rate differently there";
-  return flag_of(name, extrapolation.text + "; " + words_of(effect) + by,
+  const std::string text = extrapolation.beyond == Beyond::strain
+                               ? "depending on the extrapolation, which is a guess, " + words_of(effect)
+                               : words_of(effect) + " if the stress depends on the rate differently there";
+  return flag_of(name, extrapolation.text + "; " + text,
                  {{effect.key + lower, effect.down}, {effect.key + higher, effect.up}});
 }
 
@@ -254,8 +254,7 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (summary.status != Status::not_run && is_cut(summary))
     add("PULSE CUT",
         "the pulse ends before the force has returned to zero; HIC, clips and the duration of the whole "
-        "pulse "
-        "are not known");
+        "pulse are not known");
   if (summary.speed_to_sheet > 0)
     add("SHEET STRUCK FLAT",
         fmt::format("the flat nose loses {:.2g} m/s to the sheet at first contact, in a collision that does "
@@ -264,7 +263,7 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
         {{"speed_lost_m_per_s", summary.speed_to_sheet}});
   if (summary.still_sinking)
     add("STILL SINKING",
-        fmt::format("the pad is still creeping; the impactor counts as at rest at {:.2g} mm/s, and its "
+        fmt::format("the pad is still creeping; at {:.2g} mm/s the impactor is considered at rest, and its "
                     "penetration and displacement are those reached so far",
                     1e3 * summary.rest->velocity),
         {{"velocity_m_per_s", summary.rest->velocity}});

@@ -181,7 +181,7 @@ void check_layers(std::vector<Violation>& broken, const Pad& pad) {
       if (parameter.member != &PadLayer::thickness) check_bounds(layer, parameter, prefix, broken);
     if (!(layer.thickness > 0) || layer.thickness < min_share * sum)
       broken.push_back({prefix + "thickness", layer.thickness,
-                        fmt::format("must be more than 0 and at least {} of the pad", min_share)});
+                        fmt::format("must be more than 0 and at least {} of the pad thickness", min_share)});
     add(broken, violations(layer.material), prefix);
     add(broken, violations(layer.condition, layer.material), prefix);
     if (broken.size() == before) add(broken, violations_as_layer(layer.material.law), prefix);

@@ -25,7 +25,7 @@ void check(const Pulse& pulse) {
       throw std::invalid_argument("pulse: sample " + std::to_string(i + 1) + " is not finite");
     if (i > 0 && !(pulse.time[i] > pulse.time[i - 1]))
       throw std::invalid_argument("pulse: sample " + std::to_string(i + 1) +
-                                  " is not later than the one before");
+                                  " is not later than the previous one");
   }
 }
 

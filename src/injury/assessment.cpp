@@ -127,7 +127,8 @@ struct ReadNames {
           "UNVERIFIED", "found neither in the standard nor in a source that quotes it: " + unverified));
     if (!secondary.empty())
       reservations.push_back(
-          flag_of("SECONDARY SOURCE", "the standard itself was not read for " + secondary));
+          flag_of("SECONDARY SOURCE",
+                  "found in a source that quotes the standard, not in the standard itself: " + secondary));
   }
 };
 

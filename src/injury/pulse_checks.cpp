@@ -204,7 +204,7 @@ std::optional<Flag> height_in_doubt(const PulseReport& report) {
   const double interval = interval_of(report.measured.pulse);
   if (std::abs(height / said - 1) <= unlike + 2 * samples_in_doubt * interval / fall) return std::nullopt;
   return flag_of("DROP HEIGHT IN DOUBT",
-                 fmt::format("the free fall in the record lasts {} ms, as from {} m; {} m was given",
+                 fmt::format("the free fall in the record lasts {} ms, as in a drop of {} m; {} m was given",
                              brief(1e3 * fall, 4), brief(height, 3), brief(said, 4)),
                  {{"fall_s", fall}, {"height_m", height}, {"stated_height_m", said}});
 }

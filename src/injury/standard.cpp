@@ -100,7 +100,7 @@ std::string title_of(const Criterion& criterion) {
 }
 
 std::string limit_of(const Criterion& criterion) {
-  return "limit of " + title_in_sentence(quantity_of(criterion.metric)) + above_level(criterion);
+  return "limit on " + title_in_sentence(quantity_of(criterion.metric)) + above_level(criterion);
 }
 
 Standard with_variants(const Standard& standard, const std::vector<std::string>& names) {

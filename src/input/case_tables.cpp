@@ -77,7 +77,7 @@ bool increases(double from, double to, const TomlNode& node, const std::string& 
                FaultList& faults) {
   if (to <= from)
     faults.add(node, key,
-               fmt::format("the {} must be more than {}", name, from > 0 ? "that of the point before" : "0"));
+               fmt::format("the {} must be more than {}", name, from > 0 ? "the previous one" : "0"));
   return to > from;
 }
 

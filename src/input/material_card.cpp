@@ -82,7 +82,7 @@ std::vector<std::vector<double>> read_rows(TableReader& table, const std::string
     const auto add_fault = [&](const TomlNode& toml_node, const std::string& rule) {
       table.faults().add(toml_node, table.full_key(key) + row.key, rule);
     };
-    if (row.kind != TomlNode::Kind::array) add_fault(row, "must be a list of numbers, one for each of keys");
+    if (row.kind != TomlNode::Kind::array) add_fault(row, "must list a number for each entry of \"keys\"");
     for (const TomlNode& entry : row.children)
       if (entry.kind == TomlNode::Kind::number && std::isfinite(entry.number))
         rows.back().push_back(entry.number);

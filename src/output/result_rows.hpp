@@ -61,7 +61,7 @@ std::string range_words(double low, double high, const std::string& si_unit, con
 /// The interval of a figure from all sources together.
 std::string interval_words(const FigureInterval& interval, const UnitSystem& units);
 
-/// "what columns leave out ...: 861 to 1120 alone": what moves a figure, largest first.
+/// "what columns leave out ..., 861 to 1120": what moves a figure and its interval by that, largest first.
 std::vector<std::string> source_words(const FigureInterval& interval, const Intervals& intervals,
                                       const UnitSystem& units);
 

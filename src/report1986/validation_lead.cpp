@@ -19,7 +19,7 @@ std::string answer_of(const Tally& by_law, const Tally& held_out) {
                                                            held_out.passed, held_out.all);
   const char* const met = by_law.passes_all() ? "The 1986 tests are all reproduced within the rules"
                                               : "The 1986 tests are not all reproduced within the rules";
-  return fmt::format("{}: the report's foam law passes {} of {} rules{}", met, by_law.passed, by_law.all,
+  return fmt::format("{}: the report's foam law meets {} of {} rules{}", met, by_law.passed, by_law.all,
                      foam);
 }
 

@@ -128,8 +128,8 @@ output::Document validation_document(const Study& study, output::Pictures pictur
   output::Document page{
       .title = "Validation against the 1986 tests",
       .lead = validation_lead(study, pictures),
-      .summary = {"The tests beside the accurate solver and the 1984 program. Units are the report's: lb, "
-                  "in, mph, ms."},
+      .summary = {"The tests compared with the accurate solver and the 1984 program. Units are the "
+                  "report's: lb, in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
       brief_section(study, tables),

@@ -34,7 +34,7 @@ std::string rule_for_curves(const std::string& table, const PadLaw& law,
   };
   const FoamCurves* const curves = foam_curves(law);
   if (curves == nullptr)
-    return fmt::format("the law of the pad, {}, is not made of curves", name_of(law)) +
+    return fmt::format("the law of the pad, {}, is not defined by curves", name_of(law)) +
            available("pad.parameters.");
   return (table == "pad.curve."
               ? fmt::format("the curve of the pad has the form {}", form_of(curves->base))

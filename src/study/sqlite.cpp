@@ -39,7 +39,7 @@ std::string advice(int code, int system_error) {
     case SQLITE_FORMAT:
     case SQLITE_CORRUPT: return "it is damaged: delete it and run the study again";
     case SQLITE_READONLY:
-    case SQLITE_PERM: return "it cannot be written to: its file or its folder is read-only";
+    case SQLITE_PERM: return "cannot be written: the file or its folder is read-only";
     case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
     case SQLITE_IOERR:
       return "the disk cannot be read or written" + reason +

@@ -27,7 +27,7 @@ constexpr off_t place_of_lock = off_t{1} << 62;
 [[noreturn]] void refuse(const std::filesystem::path& file, int error) {
   std::string why = std::string{"it cannot be opened ("} + std::strerror(error) + ")";
   if (error == EACCES || error == EPERM || error == EROFS)
-    why = "it cannot be written to: its file or its folder is read-only";
+    why = "cannot be written: the file or its folder is read-only";
   if (error == EAGAIN) why = "another run is writing it: wait until it ends, or stop it, and try again";
   throw std::runtime_error(file.string() + ": " + why);
 }

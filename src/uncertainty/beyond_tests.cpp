@@ -155,8 +155,8 @@ void add_continuation(const ImpactCase& impact, const Summary& summary, Open& op
       by_curves = true;
     } else {
       open.sources.push_back({Source::continuation,
-                              fmt::format("the validity of the law beyond a strain of {:.3g}", *tested),
-                              fmt::format("the law {} has no parameter for strains beyond its fit",
+                              fmt::format("the validity of the law above a strain of {:.3g}", *tested),
+                              fmt::format("the {} law has no parameter for strains above the fitted range",
                                           name_of(part.material->law))});
     }
   }
@@ -186,7 +186,7 @@ void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
     if (!exponent) {
       open.sources.push_back(
           {Source::rate, what,
-           fmt::format("the law {} has no exponent of the rate", name_of(part.material->law))});
+           fmt::format("the {} law has no exponent of the rate", name_of(part.material->law))});
       continue;
     }
     growths.back() = Growth{tested, part.rate, *exponent};

@@ -57,11 +57,11 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
       unmeasured += (unmeasured.empty() ? "" : ", ") + part.material->name;
   }
   if (!unmeasured.empty())
-    open.sources.push_back({Source::scatter, "the scatter from sample to sample",
-                            fmt::format("no measurement is stated ({})", unmeasured)});
+    open.sources.push_back({Source::scatter, "the sample-to-sample scatter",
+                            fmt::format("no measurement is stated for {}", unmeasured)});
   if (std::ranges::all_of(scatter, [](double share) { return share == 0; })) return;
   open.sources.push_back({Source::scatter,
-                          fmt::format("the scatter from sample to sample (standard deviation {:.2g} %)",
+                          fmt::format("the sample-to-sample scatter (standard deviation {:.2g} %)",
                                       100 * std::ranges::max(scatter)),
                           ""});
   Line line{.source = Source::scatter};

@@ -85,14 +85,14 @@ TEST_F(AssessTest, APassOfAFoamWhoseScatterNobodyMeasuredHasAReservation) {
   write_file(case_file(), with(fitted_case(), "[pad.uncertainty]\nscatter = 0\n", ""));
   EXPECT_THAT(assess({standard("mild", peak_standard("1000"))}).out,
               AllOf(StartsWith("Passes: "), Not(HasSubstr("UNKNOWN RANGE")),
-                    HasSubstr("\nNO INTERVAL for the scatter from sample to sample")));
+                    HasSubstr("\nNO INTERVAL for the sample-to-sample scatter")));
 }
 
 TEST_F(AssessTest, WithoutIntervalsTheValuesAreJudgedAndItSaysSo) {
   const Outcome outcome = assess({standard("mild", peak_standard("1000")), "--no-intervals"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVALS: "), Not(HasSubstr("at 95 %"))));
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Passes: "), HasSubstr("\nNO INTERVALS: "),
+                                 Not(HasSubstr(": 95 % interval "))));
 }
 
 TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
@@ -269,7 +269,7 @@ TEST_F(AssessTest, KeepsTheNoseOfTheCase) {
   const Outcome kept = assess({"fmvss-201-instrument-panel", "--keep-nose", "--json", file("kept.json")});
   EXPECT_THAT(kept.out, AllOf(HasSubstr("REPLACED: the nose is not that of the standard"),
                               HasSubstr("radius (a flat disc, the standard 82.5 mm)"),
-                              HasSubstr("A flat disc of 6.8 kg")));
+                              HasSubstr("A flat disc of mass 6.8 kg")));
   EXPECT_EQ(json::parse(read_file(file("kept.json")))["impactor"]["radius_m"]["standard_value"], 0.0825);
   // There is nothing to keep where the standard leaves both to the case.
   EXPECT_EQ(assess({"fmvss-208-hic15", "--keep-nose", "--keep-speed"}).out, assess({"fmvss-208-hic15"}).out);
@@ -360,8 +360,8 @@ TEST_F(AssessTest, OnlyWhatDiffersIsReplaced) {
 
 TEST_F(AssessTest, SaysWhichSourcesAreSecondary) {
   EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
-              ContainsRegex("secondary \\(mass, radius, speed, limit of 3 ms clip\\)"));
-  EXPECT_THAT(assess({"fmvss-208-hic36"}).out, HasSubstr("own text (limit of HIC36)."));
+              ContainsRegex("secondary \\(mass, radius, speed, limit on 3 ms clip\\)"));
+  EXPECT_THAT(assess({"fmvss-208-hic36"}).out, HasSubstr("own text (limit on HIC36)."));
 }
 
 /// Of the edition of 2018: 210 g on a tile whose HIC is 920.
@@ -401,17 +401,20 @@ type = "rigid"
 TEST_F(AssessTest, APassOfFiguresReadElsewhereHasAReservation) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-  EXPECT_THAT(outcome.out, AllOf(StartsWith("Passes: "),
-                                 HasSubstr("\nSECONDARY SOURCE: the standard itself was not read for mass, "
-                                           "radius, speed, limit of 3 ms clip\n")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(StartsWith("Passes: "),
+            ContainsRegex("\nSECONDARY SOURCE: found in a source that quotes the standard, not "
+                          "in the standard itself:\\s+mass,\\s+radius, speed,\\s+limit on 3 ms clip\n")));
 }
 
 TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
   const Outcome outcome = assess({"fmvss-201-instrument-panel:air-bag", "--units", "engineering-metric"});
   EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of 6.8 kg and radius 82.5 mm strikes at 19.3 km/h"),
-                                 HasSubstr("speed 19.3 km/h, from the standard; the case has 10.8"),
-                                 HasSubstr("Kept from the case: pad, support, solver.")));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("A sphere of mass 6.8 kg and radius 82.5 mm strikes, at 19.3 km/h,"),
+                    HasSubstr("speed 19.3 km/h, from the standard; the case has 10.8"),
+                    HasSubstr("Kept from the case: pad, support, solver.")));
 }
 
 TEST_F(AssessTest, TheUserMayReplaceValues) {

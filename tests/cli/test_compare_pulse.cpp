@@ -79,7 +79,7 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
             ContainsRegex("\n  Width at half the peak .* computed.*, 5[.]000 ms measured\n"),
             HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
             HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
-            ContainsRegex("Impactor +a sphere of 5 kg"), HasSubstr("drop.csv (CSV) against "),
+            ContainsRegex("Impactor +a sphere of mass 5 kg"), HasSubstr("drop.csv (CSV) against "),
             HasSubstr("Acceleration  acc_g in g (from the file)")));
   EXPECT_TRUE(other_files() == std::vector<std::string>{"drop.csv"});
 }

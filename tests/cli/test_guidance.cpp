@@ -21,7 +21,7 @@ TEST_F(GuidanceTest, CheckSaysHowACaseIsUnderstood) {
   const Outcome outcome = dashpad({"check", case_file(), "--units", "us"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(StartsWith(case_file() + ": OK\n"), HasSubstr("strikes at 6.7108 mph"),
+              AllOf(StartsWith(case_file() + ": OK\n"), HasSubstr("strikes, at 6.7108 mph"),
                     HasSubstr("impactor.mass = 5 kg\n"), HasSubstr("pad.parameters.modulus = 300000 Pa\n"),
                     HasSubstr("support = linear, 100000 N/m\n")));
   EXPECT_TRUE(other_files().empty());

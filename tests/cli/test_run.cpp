@@ -59,7 +59,7 @@ Csv parse_csv(const std::string& text) {
 TEST_F(RunTest, ShowsTheSummary) {
   const Outcome outcome = dashpad({"run", case_file()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of 5 kg and radius 80 mm strikes at 3 m/s\n"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("A sphere of mass 5 kg and radius 80 mm strikes, at 3 m/s,\n"),
                                  HasSubstr("Peak force"), HasSubstr("restitution")));
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(other_files(), IsEmpty());

@@ -131,7 +131,7 @@ TEST_F(StudyTest, ThePageBeginsWithTheAnswer) {
       heading({"--limit", "peak_acceleration > 30 g"}),
       ContainsRegex("In [0-9.]+ % of draws peak acceleration exceeds 30 g \\([0-9.]+ % to [0-9.]+ %\\)$"));
   EXPECT_THAT(heading({"--response", "rebound_speed"}),
-              ContainsRegex("Rebound speed depends most on impact speed: [0-9.]+ % of its variance$"));
+              ContainsRegex("Rebound speed depends most on the impact speed: [0-9.]+ % of its variance$"));
 }
 
 /// On an elastic pad on an elastic support the rebound is as fast as the impact: the speed alone explains it.

@@ -15,7 +15,7 @@ test("the answer is the heading, what is left open stands below it", async () =>
   const page = await open(file, { viewport: { width: 1300, height: 2700 } });
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
   assert.match(await words(page.locator("h1")), /^The data determine 4 of 5 unknowns, and leave 1 open; the model deviates from the tests by 1\.2 %/);
-  assert.match(await page.locator(".reservation").innerText(), /LEFT OPEN: the data do not determine modulus of the foam/);
+  assert.match(await page.locator(".reservation").innerText(), /LEFT OPEN: the data do not determine the modulus of the foam/);
   assert.equal(await page.locator("main .dp-panel").count(), 2);
   for (const { size } of await drawn(page)) assert.ok(size > 300);
   assert.equal(await page.locator(".ranges > li").count(), 5);

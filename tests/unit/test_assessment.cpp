@@ -290,7 +290,7 @@ TEST(assessment, unverified_values_are_no_unqualified_pass) {
   EXPECT_THAT(assess(standard, half_sine()).reservations,
               ElementsAre(says(
                   AllOf(StartsWith("UNVERIFIED"),
-                        HasSubstr(": radius, limit of peak acceleration, limit of dwell time above 50 g")))));
+                        HasSubstr(": radius, limit on peak acceleration, limit on dwell time above 50 g")))));
 }
 
 TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
@@ -299,8 +299,8 @@ TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
   standard.mass.origin.kind = injury::SourceKind::secondary;
   standard.criteria[1].origin.kind = injury::SourceKind::secondary;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
-              ElementsAre(says("SECONDARY SOURCE: the standard itself was not read for mass, limit of dwell "
-                               "time above 50 g")));
+              ElementsAre(says("SECONDARY SOURCE: found in a source that quotes the standard, not in the "
+                               "standard itself: mass, limit on dwell time above 50 g")));
   // What was not even read there is named once.
   standard.mass.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
@@ -481,8 +481,9 @@ TEST(assessment_answer, a_pass_of_a_pad_that_is_struck_through_is_doubtful) {
   Solution solution = half_sine();
   EXPECT_EQ(answer_to(standard, solution), "Passes: Peak acceleration has 50 g to spare");
   solution.summary.peak_penetration = 0.9999 * test::example_case().pad.thickness;
-  EXPECT_THAT(answer_to(standard, solution), StartsWith("Passes: Peak acceleration has 50 g to spare, but "
-                                                        "less than 0.1 % of the pad is left, at a peak of"));
+  EXPECT_THAT(answer_to(standard, solution),
+              StartsWith("Passes: Peak acceleration has 50 g to spare, but "
+                         "less than 0.1 % of the pad thickness is left, at a peak of"));
 }
 
 /// A half sine whose peak may lie between two values, by how its foam goes on.
@@ -528,7 +529,8 @@ TEST(assessment_answer, gives_the_interval_that_leaves_it_undecided) {
 TEST(assessment_text, names_what_the_interval_comes_from) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
   EXPECT_THAT(test::in_one_line(write(standard, half_sine_between(95, 160)).text),
-              HasSubstr("95 to 160 g at 95 %, due to the stress beyond a strain of 0.75: 95 to 160 g alone"));
+              HasSubstr("95 % interval 95 to 160 g. The largest source of uncertainty by itself would give: "
+                        "the stress beyond a strain of 0.75, 95 to 160 g."));
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
@@ -629,7 +631,7 @@ TEST(assessment_text, says_what_kind_of_sources_the_figures_have) {
   standard.speed = {};
   const Written written = write(standard, half_sine());
   EXPECT_THAT(written.text,
-              HasSubstr("own text (limit of peak acceleration), secondary (mass), no\n  source (radius)."));
+              HasSubstr("own text (limit on peak acceleration), secondary (mass), no\n  source (radius)."));
   const auto json = nlohmann::json::parse(written.json);
   EXPECT_EQ(json["criteria"][0]["source_kind"], "own text");
   EXPECT_EQ(json["impactor"]["mass_kg"]["source_kind"], "secondary");

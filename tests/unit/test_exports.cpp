@@ -179,7 +179,7 @@ TEST(Exports, OfASolutionSayHowItWasThinned) {
   const CurveFile file =
       output::curve_file(test::example_case(), solution, {"force", "unloading", "loading"}, 2);
   EXPECT_EQ(file.title, "Head on a dashboard");
-  EXPECT_THAT(file.origin, Contains(StartsWith("A sphere of 4.5 kg")));
+  EXPECT_THAT(file.origin, Contains(StartsWith("A sphere of mass 4.5 kg")));
   EXPECT_THAT(file.flags, Contains(StartsWith("BOTTOMED")));
   // 0.02 of 3, rounded up.
   EXPECT_EQ(file.curves[0].remark, "2 of 4 points, off by at most 0.67 % of the largest value");

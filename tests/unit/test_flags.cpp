@@ -72,8 +72,8 @@ TEST(Flags, SayByHowMuchWhatIsBeyondTheTestsMovesADecisiveFigure) {
   };
   EXPECT_EQ(text_with(99.5, 100.5), "");
   EXPECT_EQ(text_with(98, 130),
-            "EXTRAPOLATED STRAIN: strain; the peak may be 2 % lower to 30 % higher depending on how the "
-            "curve continues there, which is a guess");
+            "EXTRAPOLATED STRAIN: strain; depending on the extrapolation, which is a guess, the peak may be "
+            "anywhere from 2 % lower to 30 % higher");
   EXPECT_THAT(text_with(100, std::numeric_limits<double>::infinity()),
               HasSubstr("the peak may be without limit"));
   EXPECT_THAT(flags(summary, {"hic15"}), ElementsAre());

@@ -78,9 +78,9 @@ TEST(foam_rules, sound_cards_break_none) {
 TEST(foam_rules, points_go_on_in_strain_and_end_below_full_compression) {
   TableCurve curve = table();
   curve.strain[2] = curve.strain[1];
-  expect_fault(foam_with(curve), "curve.strain[3]", "more than the strain before, 0.3");
+  expect_fault(foam_with(curve), "curve.strain[3]", "more than the previous strain, 0.3");
   curve.strain[2] = 0.2;
-  expect_fault(foam_with(curve), "curve.strain[3]", "more than the strain before, 0.3");
+  expect_fault(foam_with(curve), "curve.strain[3]", "more than the previous strain, 0.3");
   for (const double beyond : {1.0, 1.5, 70.0}) {
     curve = table();
     curve.strain[3] = beyond;
@@ -135,7 +135,7 @@ TEST(foam_rules, the_slowest_curve_rises) {
   for (const double stress : {49e3, 50e3}) {
     TableCurve curve = table();
     curve.stress[2] = stress;
-    expect_fault(foam_with(curve), "curve.stress[3]", "more than the stress before");
+    expect_fault(foam_with(curve), "curve.stress[3]", "more than the previous stress");
   }
   TableCurve curve = table();
   curve.stress[0] = -1;
@@ -175,14 +175,14 @@ TEST(foam_rules, faster_curves_do_not_cross_slower_ones) {
 
 TEST(foam_rules, rates_rise_from_the_slowest_on) {
   expect_fault(foam_with(CurvesRateEffect{{{10, times(1.2)}, {10, times(1.4)}}}), "rate.curves[2].rate",
-               "more than the rate before, 10 1/s");
+               "more than the previous rate, 10 1/s");
   expect_fault(foam_with(CurvesRateEffect{{{0.01, times(1.2)}}}), "rate.curves[1].rate",
-               "more than the rate before");
+               "more than the previous rate");
   expect_fault(foam_with(FactorRateEffect{{10, 1}, {1.1, 1.2}}), "rate.rates[2]",
-               "more than the rate before, 10");
+               "more than the previous rate, 10");
   expect_fault(foam_with(FactorRateEffect{{0.001}, {1.1}}), "rate.rates[1]",
-               "more than the rate before, 0.01");
-  expect_fault(foam_with(PowerRateEffect{0.1, 0, 0.01}), "rate.highest_rate", "more than the rate before");
+               "more than the previous rate, 0.01");
+  expect_fault(foam_with(PowerRateEffect{0.1, 0, 0.01}), "rate.highest_rate", "more than the previous rate");
   for (const double wrong : {0.0, -1.0, 2e9}) {
     Foam law = foam();
     law.curves.slowest_rate = wrong;

@@ -95,7 +95,7 @@ TEST(LayerCases, ThatAreBadAreRefusedWithOneFault) {
   std::string many = "area = \"0.02 m2\"";
   for (int i = 0; i < 7; ++i) many += "\n[[pad.layers]]\nthickness = \"5 mm\"\nmaterial = \"eps-15\"";
   const std::vector<BadCase> cases{
-      {"20 mm", "1e-9 mm", "pad.layers[1].thickness", "at least 1e-06 of the pad"},
+      {"20 mm", "1e-9 mm", "pad.layers[1].thickness", "at least 1e-06 of the pad thickness"},
       {"20 mm", "-1 mm", "pad.layers[1].thickness", "more than 0"},
       {"20 mm", "20 s", "pad.layers[1].thickness", "a length is needed"},
       {"20 mm", "200 m", "pad.thickness", "between"},

@@ -130,7 +130,7 @@ TEST(ValidationLead, FollowsTheVerdicts) {
   report1986::Study study = test::made_up_study();
   Lead lead = report1986::validation_lead(study, output::Pictures::drawn);
   EXPECT_EQ(lead.answer,
-            "The 1986 tests are not all reproduced within the rules: the report's foam law passes 1 of 2 "
+            "The 1986 tests are not all reproduced within the rules: the report's foam law meets 1 of 2 "
             "rules, a foam fitted to the other tests 0 of 1");
   EXPECT_EQ(lead.tone, Tone::bad);
   study.held_out.scores.front().passed = true;
@@ -139,7 +139,7 @@ TEST(ValidationLead, FollowsTheVerdicts) {
   lead = report1986::validation_lead(study, output::Pictures::drawn);
   EXPECT_EQ(lead.tone, Tone::good);
   EXPECT_THAT(lead.answer,
-              HasSubstr("are all reproduced within the rules: the report's foam law passes 2 of 2"));
+              HasSubstr("are all reproduced within the rules: the report's foam law meets 2 of 2"));
 }
 
 TEST(ValidationLead, ABiasStandsBesideItsRule) {
@@ -311,9 +311,9 @@ TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {
                            .draws = 3}};
     return answer_to(answers);
   };
-  EXPECT_EQ(with_low(0.5), "Peak acceleration depends most on impact speed: 76 % of its variance");
+  EXPECT_EQ(with_low(0.5), "Peak acceleration depends most on the impact speed: 76 % of its variance");
   EXPECT_EQ(with_low(0.3),
-            "The draws do not determine which factor affects peak acceleration most; impact speed leads");
+            "The draws do not determine which factor affects peak acceleration most; the impact speed leads");
 }
 
 TEST(StudyAnswer, OfDrawsThatBottomOutSaysHowManyFirst) {

@@ -402,9 +402,10 @@ TEST_F(MaterialDeckTest, EachFaultNamesItsLine) {
               ElementsAre(HasSubstr("7: curve 1: strain = 0.1: appears twice")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.03\n1.0,0.11\n"),
               ElementsAre(HasSubstr("8: curve 1: strain = 1: must be less than 1")));
-  EXPECT_THAT(curve("0.1,0.02\n0.4,0.01\n0.7,0.01\n"),
-              ElementsAre(HasSubstr("7: curve 1: stress = 10000: must be more than the stress before, 20000"),
-                          HasSubstr("8: curve 1: stress = 10000")));
+  EXPECT_THAT(
+      curve("0.1,0.02\n0.4,0.01\n0.7,0.01\n"),
+      ElementsAre(HasSubstr("7: curve 1: stress = 10000: must be more than the previous stress, 20000"),
+                  HasSubstr("8: curve 1: stress = 10000")));
   EXPECT_THAT(curve("0.1       0.02\n"),
               ElementsAre(HasSubstr("6: curve 1: A1 = 0.1       0.02: is not a number (columns 1 to 20)")));
   EXPECT_THAT(curve("0.1\t0.02\n"), Contains(HasSubstr("6: contains a tab")));
@@ -424,7 +425,7 @@ TEST_F(MaterialDeckTest, DecksThatAreCutShortAreRefused) {
   EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n0.01\n10\n" + curve_1),
               ElementsAre(HasSubstr("9: table 3: has 2 rates")));
   EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n10\n0.01\n" + curve_1 + curve_2),
-              ElementsAre(HasSubstr("9: *MAT_083: rate = 0.01: must be more than the rate before")));
+              ElementsAre(HasSubstr("9: *MAT_083: rate = 0.01: must be more than the previous rate")));
   EXPECT_THAT(faults(law_90), testing::SizeIs(2));
   EXPECT_THAT(faults("/MAT/LAW90/7\nFoam\n"), ElementsAre(HasSubstr("1: /MAT/LAW90: ends after 0 lines")));
   EXPECT_THAT(faults("*MAT_ELASTIC\n1\n"),

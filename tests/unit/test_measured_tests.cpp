@@ -137,7 +137,7 @@ TEST(measured_tests, all_faults_of_all_files_at_once) {
                   HasSubstr("table-3-1.csv:9: support = floor: must be one of load-cell, plate"),
                   HasSubstr("table-3-1.csv:9: speed_mph = -13.2: must be more than 0"),
                   HasSubstr("table-3-1.csv:9: energy_in_lb = ten: must be a number"),
-                  HasSubstr("table-3-1.csv:9: test = 4: must be more than that of the row before"),
+                  HasSubstr("table-3-1.csv:9: test = 4: must be more than that of the previous row"),
                   HasSubstr("table-3-1-unplaced.csv:6: column = total_tme_ms: must be one of"),
                   HasSubstr("table-3-2.csv:4: speed_mph = fast: must be a number"),
                   HasSubstr("printed-constants.csv:16: unit: is missing"),

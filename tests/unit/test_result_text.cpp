@@ -88,14 +88,14 @@ TEST(SummaryText, SaysFirstHowItEndedAndLastWhatStruckWhat) {
   const std::string head = "Peak 130 g\nHead on a dashboard\nThe impactor rebounded and left the pad.\n\n";
   EXPECT_THAT(shown(test::example_summary(), "si", Detail::main),
               AllOf(StartsWith(head + "  Peak "),
-                    HasSubstr("\n\nA sphere of 4.5 kg and radius 76.2 mm strikes at 8.9408 m/s\n"
+                    HasSubstr("\n\nA sphere of mass 4.5 kg and radius 76.2 mm strikes, at 8.9408 m/s,\n"
                               "a pad of 25.4 mm soft-foam (linear-viscoelastic law) on a support with a "
                               "stiffness of 105 N/mm.\n"
                               "Estimated numerical error")));
   EXPECT_THAT(shown(test::example_summary()), StartsWith(head + "The impact:\n  Peak "));
   EXPECT_THAT(in_markdown(test::example_summary()),
               AllOf(StartsWith("# Peak 130 g\n\nHead on a dashboard\n\nThe impactor"),
-                    HasSubstr("| Impactor | a sphere of 4.5 kg and radius 76.2 mm, at 8.9408 m/s | "),
+                    HasSubstr("| Impactor | a sphere of mass 4.5 kg and radius 76.2 mm, at 8.9408 m/s | "),
                     HasSubstr("| Pad | 25.4 mm soft-foam (linear-viscoelastic law) | "),
                     HasSubstr("| Support | a support with a stiffness of 105 N/mm | ")));
 }
@@ -177,15 +177,16 @@ TEST(SummaryText, SpeaksTheUnitsOfTheReport) {
   EXPECT_THAT(shown(test::example_summary(), "us"),
               AllOf(ContainsRegex("Peak force +1296.9 lbf"), ContainsRegex("Peak penetration +0.80000 in"),
                     ContainsRegex("Rebound speed +19.245 mph"), HasSubstr("1593.1 in·lbf")));
-  EXPECT_THAT(shown(test::example_summary(), "us", Detail::main),
-              AllOf(HasSubstr("of 9.9208 lb and radius 3 in strikes at 20 mph"), HasSubstr("a pad of 1 in")));
+  EXPECT_THAT(
+      shown(test::example_summary(), "us", Detail::main),
+      AllOf(HasSubstr("of mass 9.9208 lb and radius 3 in strikes, at 20 mph,"), HasSubstr("a pad of 1 in")));
 }
 
 TEST(SummaryText, SpeaksTheUnitsOfCrashLaboratories) {
   EXPECT_THAT(shown(test::example_summary(), "engineering-metric"),
               AllOf(ContainsRegex("Peak force +5.7688 kN"), ContainsRegex("Rebound speed +30.971 km/h")));
   EXPECT_THAT(shown(test::example_summary(), "engineering-metric", Detail::main),
-              AllOf(HasSubstr("strikes at 32.187 km/h"), HasSubstr("0.105 kN/mm")));
+              AllOf(HasSubstr("strikes, at 32.187 km/h"), HasSubstr("0.105 kN/mm")));
 }
 
 TEST(SummaryText, SaysThatThePadBottomedOut) {

@@ -116,7 +116,7 @@ TEST(HeightInDoubt, IsOneThatTheFallInTheRecordDoesNotHave) {
   for (const double share : {0.9889, 1.0, 1.0111}) EXPECT_FALSE(flag(height / share, true)) << share;
   for (const double share : {0.9885, 1.0115}) EXPECT_TRUE(flag(height / share, true)) << share;
   EXPECT_FALSE(flag(2 * height, false));
-  EXPECT_THAT(flag(2, true)->text, HasSubstr("lasts 600 ms, as from 1.77 m; 2 m was given"));
+  EXPECT_THAT(flag(2, true)->text, HasSubstr("lasts 600 ms, as in a drop of 1.77 m; 2 m was given"));
   const std::vector<FlagFigure> figures = flag(2, true)->figures;
   for (const auto& [i, expected] : {std::pair{0U, FlagFigure{"fall_s", fall}},
                                     {1U, {"height_m", height}},

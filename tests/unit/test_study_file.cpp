@@ -341,7 +341,7 @@ TEST_F(StudyFile, refuses_numbers_that_make_no_curve) {
   expect_fault(grid_of("pad.curve.modulus", "values = [\"100 kg\"]"), 3,
                "factors.pad.curve.modulus.values[1]", "");
   expect_fault(grid_of("pad.rate.highest_rate", "values = [\"1e-3 1/s\"]"), 2,
-               "factors.pad.rate.highest_rate", "more than the rate before");
+               "factors.pad.rate.highest_rate", "more than the previous rate");
   expect_fault(R"(case = "case.toml"
 [factors."pad.parameters.friction"]
 values = [0.1]
@@ -451,7 +451,7 @@ TEST_F(StudyFile, says_which_curves_the_pad_has) {
   const std::string curve = grid_of("pad.curve.contact_exponent", "values = [0.5]");
   const std::string rate = grid_of("pad.rate.exponents", "values = [0.1]");
   expect_fault(curve, 2, key,
-               "the law of the pad, nine-parameter, is not made of curves; available: "
+               "the law of the pad, nine-parameter, is not defined by curves; available: "
                "pad.parameters.asymptotic_modulus, pad.parameters.contact_exponent, ");
   case_ = edited(case_, "material = \"ensolite-aac-9\"", foam_in_line);
   expect_fault(curve, 2, key,

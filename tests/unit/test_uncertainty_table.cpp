@@ -98,7 +98,7 @@ TEST(UncertaintyTable, EachFaultIsSaid) {
   EXPECT_THAT(faults_of(foam + "[uncertainty.posterior]\nkeys = [\"curve.plateau\"]\nminus = [[1, 2]]\n"
                                "plus = [[\"x\"]]\n"),
               AllOf(HasSubstr("did you mean \"curve.plateau_stress\""),
-                    HasSubstr("must have 1 numbers a row"), HasSubstr("must be a number")));
+                    HasSubstr("each row must have 1 numbers"), HasSubstr("must be a number")));
   EXPECT_THAT(faults_of(foam + "[uncertainty.misfit]\npeak_acceleration = 0.1\nhic = -1\nrebound_speed = 0\n"
                                "penetration = 0\nimpacts = 1.5\n"),
               AllOf(HasSubstr("uncertainty.misfit.hic"), HasSubstr("must be a whole number, 1 or more")));

@@ -134,7 +134,7 @@ TEST(ValidationVerdict, NeedsEveryRule) {
   EXPECT_TRUE(report1986::passes(study));
   study.verdicts[1].score.passed = false;
   EXPECT_FALSE(report1986::passes(study));
-  EXPECT_THAT(report1986::validation_document(study).lead->answer, HasSubstr("passes 1 of 2 rules"));
+  EXPECT_THAT(report1986::validation_document(study).lead->answer, HasSubstr("meets 1 of 2 rules"));
 }
 
 TEST(ValidationPage, BeginsWithTheVerdict) {

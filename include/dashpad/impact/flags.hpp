@@ -14,7 +14,7 @@ namespace dashpad {
 bool pulse_is_whole(const Summary& summary);
 
 /// Whether the pad was fully compressed on a support that does not yield at once, so that the force has no
-/// finite value; true also if the tolerance was missed before.
+/// finite value; true even if the tolerance was missed before.
 bool bottomed_on_rigid_support(const Summary& summary);
 
 /// Whether the run ends before the pulse, except by bottoming on a rigid support; peaks are then partial.

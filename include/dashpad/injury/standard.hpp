@@ -69,7 +69,7 @@ struct Criterion {
 };
 /// "Peak acceleration", or "Dwell time above 150 g" with the level of a dwell time.
 std::string title_of(const Criterion& criterion);
-/// "limit of peak acceleration".
+/// "limit on peak acceleration".
 std::string limit_of(const Criterion& criterion);
 
 /// Values that replace those of the standard, such as another anvil or size of headform.

@@ -31,7 +31,7 @@ bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& fault
     faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
                e == curve.strain[i - 1]
                    ? "appears twice; a strain has only one stress"
-                   : fmt::format("must be more than the strain before, {:.6g}", curve.strain[i - 1]));
+                   : fmt::format("must be more than the previous strain, {:.6g}", curve.strain[i - 1]));
     return false;
   }
   if (e < 1) return true;
@@ -51,9 +51,9 @@ bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean
   const double before =
       clean.table.stress.empty() ? clean.stress_at_zero.value_or(0) : clean.table.stress.back();
   if (role == CurveRole::base && stress <= before) {
-    faults.add(
-        curve.lines[i], key, written_number(stress),
-        fmt::format("must be more than the stress before, {:.6g} Pa: the slowest curve has to rise", before));
+    faults.add(curve.lines[i], key, written_number(stress),
+               fmt::format("must be more than the previous stress, {:.6g} Pa: the slowest curve has to rise",
+                           before));
     return false;
   }
   return true;

@@ -74,7 +74,7 @@ bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
       sound = false;
     } else if (i > 0 && rate <= foam.loading[i - 1].rate) {
       faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
-                 fmt::format("must be more than the rate before, {:.6g} 1/s", foam.loading[i - 1].rate));
+                 fmt::format("must be more than the previous rate, {:.6g} 1/s", foam.loading[i - 1].rate));
       sound = false;
     }
   }
@@ -94,8 +94,7 @@ std::optional<CleanCurve> prepared(const DeckFoam& foam, std::size_t place, Meas
   if (!clean) return std::nullopt;
   if (!foam.crushable && clean->stress_at_zero && *clean->stress_at_zero > 0)
     differences.push_back(
-        fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out; the curve begins at "
-                    "the origin.",
+        fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out; the curve begins at the origin.",
                     curve.name, *clean->stress_at_zero));
   if (foam.crushable && (!limit_to_elastic_line(*clean, foam.modulus, curve, faults, differences) ||
                          !add_air(*clean, foam.air, curve, faults)))
@@ -199,7 +198,7 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
   differences.emplace_back("Between its points a curve is a monotone cubic here, not piecewise linear.");
-  differences.emplace_back("Beyond its last strain a curve is continued until the foam is fully compressed.");
+  differences.emplace_back("Beyond its last strain a curve is extrapolated to full compression.");
   if (foam.loading.size() > 1) {
     differences.emplace_back(
         "Above the highest rate the curve of that rate is used here; the solver extrapolates.");

@@ -176,8 +176,7 @@ Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::
     foam.source = "Table " + to_utf8(file.filename().string());
     foam.assumptions.emplace_back(
         "The unloading is not in the table; the foam unloads along its slowest curve, without loss on it. "
-        "Set "
-        "unloading_factor and unloading_shape.");
+        "Set unloading_factor and unloading_shape.");
     for (std::size_t i = 0; i < curves.size(); ++i)
       foam.loading.push_back({columns.stresses[i].rate, columns.line, std::move(curves[i])});
     auto material = material_of(foam, faults);

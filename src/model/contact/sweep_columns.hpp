@@ -10,7 +10,7 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
   using R = Register<N>;
   const Formulas<Law> formulas{law, power, rate, time};
   constexpr std::size_t parts = Formulas<Law>::parts;
-  static_assert(parts <= Columns::max_parts, "columns keep no more numbers of a law's strain part");
+  static_assert(parts <= Columns::max_parts, "no room in a column for this many values of a strain part");
   const N per_thickness(1 / step.thickness);
   const N least(min_strain);
   const bool loading = step.after > step.before;

@@ -37,7 +37,7 @@ void check_conditions(const Material& material, std::vector<Violation>& broken) 
   for (std::size_t i = 0; i < temperature.size(); ++i)
     if (!(temperature[i] > (i > 0 ? temperature[i - 1] : 0) && temperature[i] <= 2000))
       broken.push_back({fmt::format("temperature.temperatures[{}]", i + 1), temperature[i],
-                        "must be above the one before, above 0 K and at most 2000 K"});
+                        "must be above the previous one, above 0 K and at most 2000 K"});
   for (std::size_t i = 0; i < factor.size(); ++i)
     if (!(factor[i] >= 1e-3 && factor[i] <= 1e3))
       broken.push_back(
@@ -102,13 +102,14 @@ void check_uncertainty(const Material& material, std::vector<Violation>& broken)
   if (axes.minus.size() != axes.plus.size() || axes.minus.size() > max_posterior_axes ||
       axes.keys.size() > max_posterior_keys)
     broken.push_back({"uncertainty.posterior.plus", double(axes.plus.size()),
-                      fmt::format("must have a row for each of minus, at most {}", max_posterior_axes)});
+                      fmt::format("must have as many rows as \"minus\", at most {}", max_posterior_axes)});
   for (const auto* rows : {&axes.minus, &axes.plus})
     for (const std::vector<double>& row : *rows)
       if (row.size() != axes.keys.size())
-        broken.push_back({rows == &axes.minus ? "uncertainty.posterior.minus" : "uncertainty.posterior.plus",
-                          double(row.size()),
-                          fmt::format("must have {} numbers a row, one for each of keys", axes.keys.size())});
+        broken.push_back(
+            {rows == &axes.minus ? "uncertainty.posterior.minus" : "uncertainty.posterior.plus",
+             double(row.size()),
+             fmt::format("each row must have {} numbers, one for each entry of \"keys\"", axes.keys.size())});
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ std::vector<Extrapolation> extrapolations(const Material& material, double large
       reasons.push_back({Beyond::strain,
                          fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
                                      by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
-                                     by_curves ? ", beyond which its curve is continued" : "")});
+                                     by_curves ? ", and its curve is extrapolated beyond that" : "")});
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
       reasons.push_back(
           {Beyond::rate,

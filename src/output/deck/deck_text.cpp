@@ -187,7 +187,7 @@ std::string caption(const Curve& curve) {
 int checked_first_id(const CurveFile& file) {
   const auto count = static_cast<int>(std::min(file.curves.size(), std::size_t{highest_curve_id}));
   if (file.first_id < 1 || file.first_id > highest_curve_id - std::max(count, 1) + 1)
-    throw std::invalid_argument(fmt::format("curve number {}: must be from 1 to {}, with those that follow",
+    throw std::invalid_argument(fmt::format("first curve number {}: all curve numbers must be from 1 to {}",
                                             file.first_id, highest_curve_id));
   return file.first_id;
 }

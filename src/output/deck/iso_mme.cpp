@@ -47,10 +47,10 @@ void check(const IsoMmeTest& test) {
   require(!test.histories.empty() && test.histories.size() <= max_histories, "1 to 999 histories are needed");
   std::set<std::string> codes;
   for (const IsoMmeHistory& history : test.histories) {
-    require(
-        history.code.size() == 16 &&
-            std::ranges::all_of(history.code, [](char c) { return is_digit(c) || is_capital(c); }),
-        fmt::format("the code \"{}\" must be sixteen digits and capital letters", one_line(history.code)));
+    require(history.code.size() == 16 &&
+                std::ranges::all_of(history.code, [](char c) { return is_digit(c) || is_capital(c); }),
+            fmt::format("the code \"{}\" must consist of 16 characters, each a digit or a capital letter",
+                        one_line(history.code)));
     require(codes.insert(history.code).second, "the code " + history.code + " appears twice");
     require(!history.unit.empty(), history.code + " needs a unit");
     require(history.values.size() >= 2, history.code + " needs at least two samples");

@@ -86,9 +86,7 @@ void add_rates(const FoamCurves& curves, MaterialPoints& points) {
                                         })});
           }
           points.remarks.push_back(fmt::format(
-              "The rate effect is the formula \"{}\"; it is given as {} at higher "
-              "rates.",
-              Effect::name,
+              "The rate effect is the formula \"{}\"; it is given as {} at higher rates.", Effect::name,
               points.loading.size() == 2 ? "1 curve" : fmt::format("{} curves", points.loading.size() - 1)));
         }
       },

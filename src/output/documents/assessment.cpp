@@ -118,7 +118,7 @@ std::string doubt_about_pass(const AssessmentReport& report) {
   if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||
       !is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
     return "";
-  const std::string text = ", but less than 0.1 % of the pad is left";
+  const std::string text = ", but less than 0.1 % of the pad thickness is left";
   if (!summary.peak_acceleration) return text;
   const double peak = rounded_to(*summary.peak_acceleration / standard_gravity, 3);
   return text + ", at a peak of " + brief(peak) + " g";
@@ -199,10 +199,10 @@ std::vector<std::string> interval_lines(const AssessmentReport& report, const Un
   for (const injury::CriterionResult& result : report.assessment.results) {
     if (!result.interval || !intervals || result.interval->sources.empty()) continue;
     const std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
-    lines.push_back(
-        fmt::format("{} is {} at 95 %, due to {}{}.", injury::title_of(result.criterion),
-                    interval_words(*result.interval, units), sources.front(),
-                    sources.size() == 1 ? "" : fmt::format(", and to {} more (--all)", sources.size() - 1)));
+    lines.push_back(fmt::format(
+        "{}: 95 % interval {}. The largest source of uncertainty by itself would give: {}{}.",
+        injury::title_of(result.criterion), interval_words(*result.interval, units), sources.front(),
+        sources.size() == 1 ? "" : fmt::format("; --all lists {} more", sources.size() - 1)));
   }
   return lines;
 }

@@ -56,15 +56,15 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   for (const std::string& line : open_matters(report)) all.push_back("NOT DISTINGUISHED: " + line);
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (!unknown.is_identified() && !unknown.is_nuisance)
-      all.push_back(fmt::format("LEFT OPEN: the data do not determine {}: its 95 % interval is {}.",
+      all.push_back(fmt::format("LEFT OPEN: the data do not determine the {}: its 95 % interval is {}.",
                                 factor_words(unknown.key), interval_words(unknown, units)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
-      all.push_back(fmt::format("FROM ITS PRIOR: {} is determined by its prior; the data add little.",
+      all.push_back(fmt::format("FROM ITS PRIOR: the {} comes mainly from its prior; the data add little.",
                                 factor_words(unknown.key)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("AT A BOUND: {} is at its {} bound: the data favour a value beyond it.",
+      all.push_back(fmt::format("AT A BOUND: the {} is at its {} bound: the data favour a value beyond it.",
                                 factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(
@@ -126,7 +126,7 @@ Section unknowns_section(const fit::FitReport& report, const UnitSystem& units) 
   Section unknowns{.heading = "Fitted values", .seen = Seen::on_pages};
   unknowns.paragraphs = {
       "Value and 95 % interval of each unknown, between its lowest and highest permitted values. Where a bar "
-      "fades, the interval is open: the data do not bound it."};
+      "fades, the interval is unbounded: the data do not bound it."};
   for (const fit::FittedUnknown& unknown : report.unknowns) unknowns.ranges.push_back(bar_of(unknown, units));
   return unknowns;
 }

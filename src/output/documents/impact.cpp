@@ -44,7 +44,7 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
   std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
   if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
   peak = "peak " + peak + (report.injury ? ", HIC15 " + shown(report.injury->hic15.value, "1") : "");
-  return is_struck ? "Less than 0.1 % of the pad is left: " + peak : capitalised(peak);
+  return is_struck ? "Less than 0.1 % of the pad thickness is left: " + peak : capitalised(peak);
 }
 
 /// Whether the peak depends on how the foam goes on beyond its tests, by more than a foam is known to.
@@ -73,7 +73,7 @@ std::string take_errors(std::vector<ValueRow>& rows, const Summary& summary) {
     some_left = some_left || row.error;
   }
   return fmt::format(
-      "Estimated numerical error at most {}{}, energy residual {}; --all has every figure with its error.",
+      "Estimated numerical error at most {}{}, energy residual {}; --all shows every figure with its error.",
       shown_error(largest), some_left ? " except where ± is shown" : "",
       percentage(std::abs(summary.energy.residual / summary.energy.impact)));
 }

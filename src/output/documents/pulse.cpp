@@ -115,9 +115,9 @@ Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty, Detai
 std::string uncertainty_words(const injury::MeasurementUncertainty& uncertainty) {
   const std::string& compared = uncertainty.compared_with;
   return fmt::format(
-      "Uncertainty of the measurement{}: k = 2{}. The effect of {} filter applied before the file was "
-      "written is not included{}.",
-      compared.empty() && !uncertainty.calibration ? " from sampling alone" : "",
+      "Measurement uncertainty{} with coverage factor k = 2{}. The effect of {} filter applied before the "
+      "file was written is not included{}.",
+      compared.empty() && !uncertainty.calibration ? ", from sampling alone," : "",
       compared.empty() ? "" : ", including the filter compared with " + compared,
       compared.empty() ? "a" : "another",
       uncertainty.calibration ? "" : ", nor is that of the calibration (give it with --calibration)");

@@ -74,15 +74,15 @@ std::string alignment_note(const PulseComparisonReport& report, const UnitSystem
     case Alignment::onset:
       return fmt::format(
           "Aligned at the onset, where each pulse first reaches {:.0f} % of its own peak: {}. The time to "
-          "the peak counts from there.",
+          "peak is measured from there.",
           100 * injury::onset_share, shift);
     case Alignment::peak:
       return fmt::format(
-          "Aligned at the peak: {}. The time to the peak counts from where each pulse first reaches {:.0f} % "
-          "of its own.",
+          "Aligned at the peak: {}. The time to peak is measured from the point at which each pulse first "
+          "reaches {:.0f} % of its own peak.",
           shift, 100 * injury::onset_share);
     case Alignment::none:
-      return "Not aligned: the time to the peak counts from first contact, and from the zero of the "
+      return "Not aligned: the time to peak is measured from first contact, and from the zero of the "
              "measured times.";
   }
   return "";

@@ -124,7 +124,8 @@ std::vector<std::string> reservations(const std::vector<Combination>& all) {
   for (auto& [name, kind] : kinds) {
     kind.worst.text += fmt::format(" ({}", kind.of);
     if (kind.with_it.size() > 1)
-      kind.worst.text += fmt::format("; {} of {} have such a reservation", kind.with_it.size(), all.size());
+      kind.worst.text +=
+          fmt::format("; {} of {} assessments have this reservation", kind.with_it.size(), all.size());
     kind.worst.text += ")";
     worst.push_back(std::move(kind.worst));
   }
@@ -180,7 +181,7 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
     document.sections.push_back(section_of(combination, units, pictures));
   document.sections.push_back(
       {.seen = Seen::in_brief,
-       .paragraphs = {"--all shows every assessment in full, --report all of them on a page."}});
+       .paragraphs = {"--all shows every assessment in full; --report FILE writes them all to one page."}});
   document.sections.push_back({.seen = Seen::always, .paragraphs = {assessment_caveat()}});
   return document;
 }

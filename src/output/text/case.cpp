@@ -15,13 +15,13 @@ namespace dashpad::output {
 
 namespace {
 
-/// `4.5 kg, radius 76.2 mm and half angle 30 deg`
+/// `mass 4.5 kg, radius 76.2 mm and half angle 30 deg`
 std::string impactor_text(const Impactor& impactor, const UnitSystem& units) {
-  std::string text = brief_quantity(impactor.mass, "kg", units);
+  std::string text = "mass " + brief_quantity(impactor.mass, "kg", units);
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) {
     const Profile::Point& last = profile->points.back();
     const bool by_radius = profile->of == Profile::Of::radius;
-    return text + fmt::format(" through {} points, the last of {} {} at a depth of {},",
+    return text + fmt::format(" through {} points (the last of {} {} at a depth of {})",
                               profile->points.size(), by_radius ? "radius" : "area",
                               brief_quantity(profile->scaled_size(last), by_radius ? "m" : "m2", units),
                               brief_quantity(profile->scale * last.depth, "m", units));
@@ -98,19 +98,20 @@ std::string rests_text(const PadLaw& law, const Blows& blows) {
   return fmt::format("between blows the pad recovers by {}", percentage(blows.recovery));
 }
 
-/// `, with a panel of 2 kg and damping 30 N s/m`
-std::string backing_text(const Backing& backing, const UnitSystem& units) {
-  std::string text;
+/// What follows `a rigid support` or `a support with ...`: `, a damping of 30 N s/m and a gap of 2 mm`.
+std::string backing_text(const ImpactCase& impact, const UnitSystem& units) {
+  std::string text, last;
   for (const Parameter<Backing>& parameter : Backing::parameters) {
-    const double value = parameter.of(backing);
+    const double value = parameter.of(impact.backing);
     if (value == 0) continue;
     std::string key = parameter.key;
     if (key.ends_with("mass")) key.insert(0, key == "mass" ? "panel " : "free ");
     std::ranges::replace(key, '_', ' ');
-    text += fmt::format("{} {} {}", text.empty() ? " with" : ",", key,
-                        brief_quantity(value, parameter.unit, units));
+    if (!last.empty()) text += (text.empty() && impact.support.is_rigid() ? " with " : ", ") + last;
+    last = with_article(key) + " of " + brief_quantity(value, parameter.unit, units);
   }
-  return text;
+  if (last.empty()) return text;
+  return text + (text.empty() && impact.support.is_rigid() ? " with " : " and ") + last;
 }
 
 std::string support_in_si(const Support& support) {
@@ -135,7 +136,7 @@ CaseWords case_words(const ImpactCase& impact, const UnitSystem& units) {
               fmt::format("{} of {}", with_article(words_of(impactor.nose)), impactor_text(impactor, units)),
           .speed = brief_quantity(impactor.speed, "m/s", units),
           .pad = std::move(pad),
-          .support = support_text(impact.support, units) + backing_text(impact.backing, units),
+          .support = support_text(impact.support, units) + backing_text(impact, units),
           .blows = impact.blows ? fmt::format("{} times; {}", impact.blows->count,
                                               rests_text(impact.pad.material.law, *impact.blows))
                                 : ""};
@@ -145,7 +146,7 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const CaseWords words = case_words(impact, units);
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
   const bool has_condition = !condition_text(impact.pad, units).empty();
-  text += fmt::format("{} strikes at {}\na pad of {}{} on {}.\n", capitalised(words.impactor), words.speed,
+  text += fmt::format("{} strikes, at {},\na pad of {}{} on {}.\n", capitalised(words.impactor), words.speed,
                       words.pad, has_condition ? "," : "", words.support);
   if (impact.blows) text += fmt::format("It strikes {}.\n", words.blows);
   return text;

@@ -133,7 +133,7 @@ std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& 
            shown(unknown.high.value_or(unknown.highest));
   if (unknown.low) return "from " + shown(*unknown.low) + ", with no upper limit";
   if (unknown.high) return "up to " + shown(*unknown.high) + ", without a lower end";
-  return "open on both sides";
+  return "unbounded on both sides";
 }
 
 std::string duration_words(double seconds) {

@@ -36,7 +36,8 @@ std::string figure_words(const FigureInterval& interval, const Intervals& interv
   const std::string value = brief_quantity(interval.nominal, quantity.si_unit, units, 4);
   if (interval.sources.empty())
     return fmt::format("{} {}: none of the uncertainties affects it.", quantity.title, value);
-  return fmt::format("{} {}, {} at 95 %, due to {}.", quantity.title, value, interval_words(interval, units),
+  return fmt::format("{} {}, 95 % interval {}. Each source of uncertainty by itself would give: {}.",
+                     quantity.title, value, interval_words(interval, units),
                      joined(source_words(interval, intervals, units)));
 }
 
@@ -62,7 +63,7 @@ std::vector<std::string> source_words(const FigureInterval& interval, const Inte
   for (const Contribution& each : interval.sources) {
     const OpenSource* const source = intervals.find(each.source);
     all.push_back(
-        fmt::format("{}: {} alone", source ? one_line(source->words) : to_string(each.source),
+        fmt::format("{}, {}", source ? one_line(source->words) : to_string(each.source),
                     range_words(each.low, each.high, result_quantity(interval.key).si_unit, units)));
   }
   return all;
@@ -107,8 +108,9 @@ std::vector<std::string> interval_paragraphs(const Summary& summary, const UnitS
   if (const FigureInterval* interval = first_asked(intervals))
     all.push_back(figure_words(*interval, intervals, units));
   for (const OpenSource& source : intervals.sources)
-    if (!source.why_not.empty()) unknown.push_back(one_line(source.words) + ": " + one_line(source.why_not));
-  if (!unknown.empty()) all.push_back(fmt::format("Not in the intervals: {}.", joined(unknown)));
+    if (!source.why_not.empty())
+      unknown.push_back(fmt::format("{} ({})", one_line(source.words), one_line(source.why_not)));
+  if (!unknown.empty()) all.push_back(fmt::format("Not included in the intervals: {}.", joined(unknown)));
   return all;
 }
 

@@ -92,9 +92,9 @@ std::string index_answer(const study::StudyAnswers& answers) {
       return &other == &*most || !(other.total.high >= most->total.low);
     });
     if (!is_decided || !(most->total.low > 0))
-      return fmt::format("The draws do not determine which factor affects {} most; {} leads",
+      return fmt::format("The draws do not determine which factor affects {} most; the {} leads",
                          uncapitalised(name), factor_words(most->factor));
-    return fmt::format("{} depends most on {}: {} of its variance", name, factor_words(most->factor),
+    return fmt::format("{} depends most on the {}: {} of its variance", name, factor_words(most->factor),
                        per_cent(std::min(most->total.value, 1.0)));
   }
   return "";

@@ -235,14 +235,12 @@ std::string interval_note(const study::StudyAnswers& answers) {
   if (answers.study.sampling != study::Sampling::monte_carlo)
     note +=
         " The intervals assume independent draws; this study's are more even, so they are too wide rather "
-        "than "
-        "too narrow.";
+        "than too narrow.";
   const std::string names = unstratified_factors(answers.study);
   if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
     note += fmt::format(
         " Not stratified: {}. Of two correlated factors only the first keeps one draw per stratum of the "
-        "Latin "
-        "hypercube.",
+        "Latin hypercube.",
         names);
   return note;
 }

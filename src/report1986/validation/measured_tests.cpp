@@ -65,7 +65,7 @@ void check_rows(CsvTable& table, const std::vector<MeasuredTest>& tests) {
   for (std::size_t i = 0; i < tests.size(); ++i) {
     const CsvRecord& record = table.records[i];
     if (i > 0 && tests[i].number > 0 && tests[i].number <= tests[i - 1].number)
-      record.fault("test", "must be more than that of the row before");
+      record.fault("test", "must be more than that of the previous row");
     if (!std::isfinite(tests[i].weight_lb)) continue;
     const double weight = weights.emplace(tests[i].projectile, tests[i].weight_lb).first->second;
     if (weight != tests[i].weight_lb)
@@ -99,7 +99,7 @@ std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& meas
   for (const MeasuredTest& test : measured.tests)
     if (test.number >= group.first_test && test.number <= group.last_test &&
         test.*measured_column(group.column).reading)
-      return fmt::format("test {} has a reading of its own; the group must not reach over it", test.number);
+      return fmt::format("test {} has a reading of its own; the group must not include it", test.number);
   const std::size_t rows = free_tests(measured, group).size();
   if (group.readings.size() > rows)
     return fmt::format("{} readings cannot belong to {} tests", group.readings.size(), rows);
@@ -179,9 +179,9 @@ void read_supports(const fs::path& file, ValidationData& data, std::vector<input
     }
     const StaticPoint last = data.load_cell.empty() ? StaticPoint{} : data.load_cell.back();
     if (point.deflection_in <= last.deflection_in)
-      record.fault("deflection_in", "must be more than that of the point before");
+      record.fault("deflection_in", "must be more than that of the previous point");
     if (point.force_lb <= last.force_lb)
-      record.fault("force_lb", "must be more than that of the point before");
+      record.fault("force_lb", "must be more than that of the previous point");
     data.load_cell.push_back(point);
   }
   if (!table.records.empty() && data.load_cell.empty()) table.fault("has no point of the load cell");

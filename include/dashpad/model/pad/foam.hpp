@@ -78,7 +78,7 @@ inline constexpr std::array<Parameter<Foam>, 8> Foam::parameters{{
     {"lag_strain", "l", "1", &Foam::lag_strain, lag_strains,
      "strain over which the stress follows a change of the rate", LeftOut::as_default},
     {"continuation_exponent", "n", "1", &Foam::continuation_exponent, continuation_exponents,
-     "exponent of one minus the strain beyond the last tested strain", LeftOut::as_default},
+     "exponent of (1 - strain) in the curve beyond the last tested strain", LeftOut::as_default},
     {"gentlest_continuation", "n_low", "1", &Foam::gentlest_continuation, continuation_exponents,
      "lower bound of this exponent", LeftOut::as_default},
     {"steepest_continuation", "n_high", "1", &Foam::steepest_continuation, continuation_exponents,

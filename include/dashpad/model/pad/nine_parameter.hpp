@@ -66,7 +66,7 @@ inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::paramete
     {"contact_exponent", "m", "1", &NineParameter::contact_exponent, above_to(0, 1),
      "exponent of the strain"},
     {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent, from_to(0, 4),
-     "exponent of one minus the strain"},
+     "exponent of (1 - strain)"},
     {"relaxation_time", "tau", "s", &NineParameter::relaxation_time, positive,
      "time constant of the relaxation"},
     {"rate_modulus", "E_r", "Pa", &NineParameter::rate_modulus, not_negative,

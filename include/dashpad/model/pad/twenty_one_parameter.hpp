@@ -87,7 +87,7 @@ inline constexpr std::array<Parameter<TwentyOneParameter>, 16> TwentyOneParamete
     {"contact_exponent", "m", "1", &TwentyOneParameter::contact_exponent, above_to(0, 1),
      "exponent of the strain"},
     {"compaction_exponent", "n", "1", &TwentyOneParameter::compaction_exponent, from_to(0, 4),
-     "exponent of one minus the strain"},
+     "exponent of (1 - strain)"},
     {"relaxation_exponent", "a", "1", &TwentyOneParameter::relaxation_exponent, above_to(0, 1),
      "exponent of time in the relaxation"},
     {"relaxation_scale", "b", "1", &TwentyOneParameter::relaxation_scale, positive,

@@ -14,7 +14,7 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units);
 
 /// The parts of a case in words.
 struct CaseWords {
-  std::string impactor;  ///< "a sphere of 4.5 kg and radius 82.5 mm"
+  std::string impactor;  ///< "a sphere of mass 4.5 kg and radius 82.5 mm"
   std::string speed;
   std::string pad;      ///< "30 mm vn600 (foam law), bonded"
   std::string support;  ///< "a rigid support"

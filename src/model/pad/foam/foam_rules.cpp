@@ -54,7 +54,7 @@ bool check_points(const TableCurve& table, const std::string& key, Violations& b
       broken.push_back({entry(strains, i), e, "must be more than 0 and less than 1"});
     else if (e <= last)
       broken.push_back(
-          {entry(strains, i), e, fmt::format("must be more than the strain before, {:.6g}", last)});
+          {entry(strains, i), e, fmt::format("must be more than the previous strain, {:.6g}", last)});
     last = std::max(last, e);
   }
   for (std::size_t i = 0; i < table.stress.size(); ++i)
@@ -69,7 +69,7 @@ bool check_base(const TableCurve& table, Violations& broken) {
   for (std::size_t i = 1; i < table.stress.size(); ++i)
     if (table.stress[i] <= table.stress[i - 1])
       broken.push_back({entry("curve.stress", i), table.stress[i],
-                        "must be more than the stress before: the curve of the slowest test has to rise"});
+                        "must be more than the previous stress: the curve of the slowest test has to rise"});
   return broken.size() == before;
 }
 
@@ -103,7 +103,7 @@ bool check_rate(double rate, double before, const std::string& key, Violations& 
   if (!(rate > 0 && rate <= highest_rate))
     broken.push_back({key, rate, "must be more than 0 and at most 1e9 1/s"});
   else if (rate <= before)
-    broken.push_back({key, rate, fmt::format("must be more than the rate before, {:.6g} 1/s", before)});
+    broken.push_back({key, rate, fmt::format("must be more than the previous rate, {:.6g} 1/s", before)});
   return rate > before && rate <= highest_rate;
 }
 

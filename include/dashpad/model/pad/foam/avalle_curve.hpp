@@ -36,7 +36,7 @@ inline constexpr std::array<Parameter<AvalleCurve>, 6> AvalleCurve::parameters{{
     {"plateau_stress", "A", "Pa", &AvalleCurve::plateau_stress, positive, "stress of the plateau"},
     {"modulus", "E", "Pa", &AvalleCurve::modulus, positive, "initial modulus"},
     {"plateau_exponent", "m", "1", &AvalleCurve::plateau_exponent, from_to(0, 20),
-     "exponent of one minus the strain in the plateau term"},
+     "exponent of (1 - strain) in the plateau term"},
     {"densification_stress", "B", "Pa", &AvalleCurve::densification_stress, not_negative,
      "densification stress at half compression"},
     {"densification_exponent", "n", "1", &AvalleCurve::densification_exponent, from_to(0.5, 20),

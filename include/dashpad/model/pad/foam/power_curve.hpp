@@ -31,7 +31,7 @@ inline constexpr std::array<Parameter<PowerCurve>, 4> PowerCurve::parameters{{
     {"modulus", "E", "Pa", &PowerCurve::modulus, positive, "stress scale"},
     {"contact_exponent", "m", "1", &PowerCurve::contact_exponent, above_to(0, 1.5), "exponent of the strain"},
     {"compaction_exponent", "n", "1", &PowerCurve::compaction_exponent, from_to(0, 4),
-     "exponent of one minus the strain"},
+     "exponent of (1 - strain)"},
     {"highest_strain", "e_h", "1", &PowerCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
      "strain up to which the curve was fitted"},
 }};
