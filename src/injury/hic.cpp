@@ -121,6 +121,49 @@ void offer_band(const Curve& curve, const Band& band, double longest, Best& best
   hic_search::offer_candidates(curve, begin, end, longest, best);
 }
 
+constexpr std::size_t long_record = 100'000;  // samples
+
+/// The largest value of a window about the peak in which the pulse is above half of it, without the factor of
+/// g.
+double value_about_peak(const Pulse& pulse, std::size_t peak, double longest) {
+  const double sign = pulse.acceleration[peak] < 0 ? -1 : 1, half = std::abs(pulse.acceleration[peak]) / 2;
+  const auto level = [&](std::size_t i) { return sign * pulse.acceleration[i]; };
+  std::size_t first = peak, last = peak;
+  const auto fits = [&](std::size_t i, std::size_t j) { return pulse.time[j] - pulse.time[i] <= longest; };
+  while (first > 0 && level(first - 1) >= half && fits(first - 1, last)) --first;
+  while (last + 1 < pulse.time.size() && level(last + 1) >= half && fits(first, last + 1)) ++last;
+  double gain = 0;
+  for (std::size_t i = first; i < last; ++i)
+    gain += (pulse.time[i + 1] - pulse.time[i]) * (level(i) + level(i + 1)) / 2;
+  return hic_search::criterion(pulse.time[last] - pulse.time[first], gain);
+}
+
+/// The part of a long record that holds the best window; absent if that is most of it. A window no longer
+/// than L of value v has a mean of at least m = (v / L)^(2/5), so it holds a sample of at least m, and lies
+/// within L of it. The best window of any length ends where the pulse is at least 0.6 m.
+std::optional<Pulse> part_of_best_window(const Pulse& pulse, std::size_t peak, double longest_window) {
+  const std::vector<double>& time = pulse.time;
+  if (time.size() < long_record) return std::nullopt;
+  const double length = time.back() - time.front(), longest = std::min(longest_window, length);
+  const double value = value_about_peak(pulse, peak, longest);
+  if (!(value > 0 && std::isfinite(value))) return std::nullopt;
+  constexpr double less = 0.999;  // far more than rounding
+  const bool is_limited = longest < length;
+  const double level = (is_limited ? 1 : 0.6) * less * std::pow(value / longest, 0.4);
+  const auto counts = [&](double acceleration) { return std::abs(acceleration) >= level; };
+  const std::vector<double>& all = pulse.acceleration;
+  const auto first = std::ranges::find_if(all, counts) - all.begin();
+  const auto behind = std::find_if(all.rbegin(), all.rend(), counts).base() - all.begin();
+  const double around = is_limited ? longest : 0;
+  const auto begin = std::max<std::ptrdiff_t>(
+      std::ranges::lower_bound(time, time[static_cast<std::size_t>(first)] - around) - time.begin() - 2, 0);
+  const auto end = std::min<std::ptrdiff_t>(
+      std::ranges::upper_bound(time, time[static_cast<std::size_t>(behind - 1)] + around) - time.begin() + 2,
+      std::ssize(time));
+  if (end - begin > std::ssize(time) / 2) return std::nullopt;
+  return Pulse{{time.begin() + begin, time.begin() + end}, {all.begin() + begin, all.begin() + end}};
+}
+
 }  // namespace
 
 Hic hic(const Pulse& pulse, double longest_window) {
@@ -130,6 +173,9 @@ Hic hic(const Pulse& pulse, double longest_window) {
   const double largest = std::max(*highest, -*lowest);
   // For denormal numbers the power 2.5 is zero.
   if (largest < std::numeric_limits<double>::min()) return {0, pulse.time.front(), pulse.time.front()};
+  const auto peak = (*highest >= -*lowest ? highest : lowest) - pulse.acceleration.begin();
+  if (const auto part = part_of_best_window(pulse, static_cast<std::size_t>(peak), longest_window))
+    return hic(*part, longest_window);
   const double scale = scale_for(largest);
   if (const std::optional<Hump> hump = hump_of(pulse))
     return hic_of(*hump, Curve(pulse, hump->sign * scale), scale, longest_window);

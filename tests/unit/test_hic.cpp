@@ -149,6 +149,32 @@ TEST(HeadInjuryCriterion, DoesNotLoseDigitsLateOrInLongPulses) {
   expect_hic(hic(after, 1), std::pow(1.5, 2.5), 2e6 + 0.5, 2e6 + 1.5);
 }
 
+/// Bumps of either sign in a long quiet record, whose rest cannot hold the best window.
+TEST(HeadInjuryCriterion, OfALongRecordIsThatOfItsPart) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> level(-1, 1);
+  constexpr std::size_t size = 150'000, begin = 70'000, count = 6'000;
+  for (int trial = 0; trial < 6; ++trial) {
+    double walk = 0;
+    const Pulse record = sampled(
+        [&](double i) {
+          const bool is_part = i >= begin && i < begin + count;
+          walk = is_part ? 0.99 * walk + 5 * level(random) : 0;
+          return is_part ? walk : 0.01 * level(random);
+        },
+        -0.3, 1e-5, size);
+    const auto cut = [](const std::vector<double>& all) {
+      return std::vector<double>(all.begin() + begin - 5'000, all.begin() + begin + count + 5'000);
+    };
+    for (const double window : {0.003, 0.015, 0.036, forever}) {
+      const Hic found = hic(record, window), part = hic({cut(record.time), cut(record.acceleration)}, window);
+      EXPECT_NEAR(found.value, part.value, 1e-12 * part.value) << trial << ' ' << window;
+      EXPECT_NEAR(found.begin, part.begin, 1e-9) << trial << ' ' << window;
+      EXPECT_NEAR(found.end, part.end, 1e-9) << trial << ' ' << window;
+    }
+  }
+}
+
 /// Long pulses of every kind end soon: a bound that fails here takes hours.
 TEST(HeadInjuryCriterion, IsQuickForLongPulses) {
   constexpr std::size_t size = 100'000;
