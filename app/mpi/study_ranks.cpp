@@ -244,7 +244,7 @@ int run_on_ranks(const StudyRequest& request) {
   const std::vector<std::string> differing = differences(ranks, *study, request.study_file);
   const auto open = [&] {
     if (!differing.empty()) throw Refused(differing);
-    if (ranks.is_first()) store.emplace(open_store(*study, request.store_file));
+    if (ranks.is_first()) store.emplace(open_store(*study, request));
   };
   if (!is_agreed(ranks, complaints_of(open))) return exit_done;
 

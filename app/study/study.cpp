@@ -61,7 +61,7 @@ int run_here(const StudyRequest& request) {
   // Created before the store: whoever sees its file may stop the study, and is told how to continue.
   const StopSignal stop;
   const study::Study study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
-  study::Store store = open_store(study, request.store_file);
+  study::Store store = open_store(study, request);
   const std::uint64_t before = store.rows_done();
   const auto begin = std::chrono::steady_clock::now();
   bool complete = false;
@@ -78,8 +78,9 @@ int run_here(const StudyRequest& request) {
 
 }  // namespace
 
-study::Store open_store(const study::Study& study, const std::string& file) {
-  return opened(file, [&] { return study::Store::open_for(study, file); });
+study::Store open_store(const study::Study& study, const StudyRequest& request) {
+  const std::string& file = request.store_file;
+  return opened(file, [&] { return study::Store::open_for(study, file, request.extend); });
 }
 
 study::Store open_stored(const std::string& file) {
@@ -126,6 +127,8 @@ void add_study(CLI::App& app, Action& action) {
              "Store file: a new file, or this study's existing store, to resume the study");
   add_option(*sub, "--threads N", request->threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
+  add_flag(*sub, "--extend", request->extend,
+           "Take up the store of this study with fewer draws, and compute only those that it lacks");
   add_flag(*sub, "--quiet", request->quiet, "Do not show progress");
   add_material_folder(*sub, request->materials);
   sub->require_subcommand(0, 1);

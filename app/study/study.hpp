@@ -21,10 +21,11 @@ struct StudyRequest {
   std::string materials;
   int threads = 0;  ///< 0: all cores
   bool quiet = false;
+  bool extend = false;
 };
 
 /// Opens the store of a study, new or existing. Throws Refused if that is impossible.
-study::Store open_store(const study::Study& study, const std::string& file);
+study::Store open_store(const study::Study& study, const StudyRequest& request);
 
 /// Opens a store for reading. Throws Refused if there is none.
 study::Store open_stored(const std::string& file);

@@ -90,10 +90,59 @@ std::string of_another_program(const Database& database, const StoreHeading& sto
       stored.program, count_rows(database, stored), stored.rows, wanted.program);
 }
 
-void check_same(const Database& database, const StoreHeading& stored, const StoreHeading& wanted) {
+/// Whether a store is that of the study but for the number of its draws.
+bool is_of_other_draws(const Study& study, const StoreHeading& stored, const StoreHeading& wanted) {
+  if (stored.rows == 0 || wanted.rows % study.samples != 0) return false;
+  const std::uint64_t rows_of_draw = wanted.rows / study.samples;
+  Study other = study;
+  other.samples = stored.rows / rows_of_draw;
+  return stored.rows % rows_of_draw == 0 && other.samples != study.samples &&
+         resolved_text(other) == stored.resolved;
+}
+
+/// The rule for a store with another number of draws that cannot be taken up; "" if it can.
+std::string rule_for_draws(const Study& study, const StoreHeading& stored, const StoreHeading& wanted,
+                           bool extend) {
+  const std::string has = fmt::format("it is the store of this study with {} rows, and the study has {}",
+                                      stored.rows, wanted.rows);
+  if (stored.rows > wanted.rows) return has + ": give another name";
+  if (study.sampling == Sampling::latin_hypercube)
+    return has +
+           ": the draws of a Latin hypercube change with their number, so none can be kept; give another "
+           "name";
+  if (sampled_factors(study).size() < study.factors.size())
+    return has + ": with levels the rows of more draws have other places; give another name";
+  return extend ? "" : has + ": --extend keeps its rows and computes the others";
+}
+
+/// Makes room for more draws: the last batch is taken back if it was not a whole one.
+void extend_store(Database& database, StoreHeading& stored, const StoreHeading& wanted) {
+  const std::uint64_t whole = stored.rows / stored.batch_size;
+  if (stored.rows % stored.batch_size > 0) {
+    Statement{database, "DELETE FROM samples WHERE row >= ?"}.run_with(
+        static_cast<std::int64_t>(whole * stored.batch_size));
+    Statement{database, "DELETE FROM batches WHERE batch = ?"}.run_with(static_cast<std::int64_t>(whole));
+  }
+  Statement change{database, "UPDATE study SET value = ? WHERE key = ?"};
+  change.run_with(wanted.text, "text");
+  change.run_with(wanted.resolved, "resolved");
+  change.run_with(static_cast<std::int64_t>(wanted.rows), "rows");
+  stored.text = wanted.text;
+  stored.resolved = wanted.resolved;
+  stored.rows = wanted.rows;
+}
+
+void check_same(const Database& database, const Study& study, const StoreHeading& stored,
+                const StoreHeading& wanted, bool extend) {
   const auto refuse_for = [&](const std::string& why) {
     throw std::runtime_error(database.name() + ": " + why);
   };
+  if (is_of_other_draws(study, stored, wanted)) {
+    if (const std::string rule = rule_for_draws(study, stored, wanted, extend); !rule.empty())
+      refuse_for(rule);
+    if (stored.program != wanted.program) refuse_for(of_another_program(database, stored, wanted));
+    return;
+  }
   if (stored.text != wanted.text)
     refuse_for("it is the store of a different study (its text differs): give another name");
   if (stored.program != wanted.program) refuse_for(of_another_program(database, stored, wanted));
@@ -139,14 +188,15 @@ void require_whole(const Database& database) {
   database.damaged("its end is missing");
 }
 
-void make_or_check(Database& database, const Study& study, StoreHeading& heading) {
+void make_or_check(Database& database, const Study& study, StoreHeading& heading, bool extend) {
   require_whole(database);
   Transaction transaction{database, "BEGIN IMMEDIATE"};
   if (is_empty(database)) {
     create_tables(database, study, heading);
   } else {
     StoreHeading stored = read_heading(database);
-    check_same(database, stored, heading);
+    check_same(database, study, stored, heading, extend);
+    if (stored.resolved != heading.resolved) extend_store(database, stored, heading);
     heading = std::move(stored);
   }
   transaction.commit();
@@ -154,13 +204,13 @@ void make_or_check(Database& database, const Study& study, StoreHeading& heading
 
 /// With the write-ahead log others can read while this run writes, through a shared index in memory
 /// (FILE-shm). Where the disk does not support that, the index is private and readers have to wait.
-Database open_to_write(const fs::path& file, const Study& study, StoreHeading& heading) {
+Database open_to_write(const fs::path& file, const Study& study, StoreHeading& heading, bool extend) {
   const auto open = [&](bool shared) {
     Database database{file, Access::write};
     if (database.is_read_only()) database.fail(SQLITE_READONLY);
     if (!shared) database.execute("PRAGMA locking_mode = EXCLUSIVE");
     database.execute(fmt::format("PRAGMA page_size = {}; PRAGMA cache_size = -16000;", page_bytes));
-    make_or_check(database, study, heading);
+    make_or_check(database, study, heading, extend);
     start_log(database);
     return database;
   };
@@ -200,13 +250,13 @@ WriterLock::~WriterLock() {
 
 WriterLock::WriterLock(WriterLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-Store Store::open_for(const Study& study, const fs::path& file) {
+Store Store::open_for(const Study& study, const fs::path& file, bool extend) {
   StoreHeading heading = heading_of(study);
   check_place(file, heading);
   const bool is_new = !fs::exists(file);
   WriterLock lock{file};
   try {
-    Database database = open_to_write(file, study, heading);
+    Database database = open_to_write(file, study, heading, extend);
     auto opened = std::make_unique<File>(std::move(database), std::move(heading));
     opened->writer_lock.emplace(std::move(lock));
     opened->rows_done = count_rows(opened->database, opened->heading);

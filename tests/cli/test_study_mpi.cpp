@@ -112,7 +112,7 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
   write_study("200");
   const std::string missing = with(command("new.db"), "study.toml", "missing.toml");
   for (const auto& [arguments, words] :
-       {std::pair{command("one.db"), "a different study"}, std::pair{missing, "missing.toml"},
+       {std::pair{command("one.db"), "--extend keeps its rows"}, std::pair{missing, "missing.toml"},
         std::pair{command("new.db") + " --threads 2", "--threads"},
         std::pair{command("no/such/folder.db"), "no folder"},
         std::pair{command("study.toml"), "not the store"}})

@@ -34,6 +34,8 @@ class RunStudy : public ::testing::Test {
     return folder_.path() / name;
   }
 
+  int refusals_ = 0;
+
  private:
   test::TemporaryFolder folder_;
 };
@@ -90,6 +92,63 @@ TEST_F(RunStudy, goes_on_where_it_was_stopped) {
     done = store.rows_done();
   }
   expect_same_rows(Store::open_to_read(file()), whole);
+}
+
+study::Study drawn_study(study::Sampling sampling, std::uint64_t samples, bool indices = false) {
+  study::Study study = small_study();
+  study.text = "samples = " + std::to_string(samples) + "\n";
+  study.factors = {
+      {.key = "impactor.speed", .unit = "m/s", .spread = study::Uniform{1, 2}, .lowest = {}, .highest = {}},
+      {.key = "impactor.mass", .unit = "kg", .spread = study::Uniform{4, 5}, .lowest = {}, .highest = {}}};
+  study.sampling = sampling;
+  study.samples = samples;
+  study.indices = indices;
+  return study;
+}
+
+/// 300 rows are batches of four, so that the last batch of 298 is half full.
+TEST_F(RunStudy, with_more_draws_has_the_rows_that_it_would_have_had) {
+  for (const study::Sampling sampling : {study::Sampling::sobol, study::Sampling::monte_carlo})
+    for (const bool indices : {false, true}) {
+      const auto of = [&](std::uint64_t samples) { return drawn_study(sampling, samples, indices); };
+      const std::string name = std::to_string(static_cast<int>(sampling)) + std::to_string(int{indices});
+      {
+        Store store = Store::open_for(of(298), file(name));
+        ASSERT_TRUE(study::run(of(298), store, {}));
+      }
+      EXPECT_THROW(Store::open_for(of(333), file(name)), std::runtime_error);
+      Store more = Store::open_for(of(333), file(name), true);
+      EXPECT_GE(more.rows_done(), 296U);
+      EXPECT_LE(more.rows_done(), 298U * (indices ? 4 : 1));
+      ASSERT_TRUE(study::run(of(333), more, {}));
+      EXPECT_TRUE(more.is_of(of(333)));
+      Store whole = Store::open_for(of(333), file(name + "whole"));
+      ASSERT_TRUE(study::run(of(333), whole, {}));
+      expect_same_rows(more, whole);
+    }
+}
+
+TEST_F(RunStudy, says_why_more_draws_cannot_be_taken_up) {
+  const auto refusal = [&](const study::Study& finished, const study::Study& wanted, bool extend) {
+    const std::string name = "refused" + std::to_string(refusals_++);
+    { Store::open_for(finished, file(name)); }
+    try {
+      Store::open_for(wanted, file(name), extend);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using enum study::Sampling;
+  EXPECT_THAT(refusal(drawn_study(sobol, 16), drawn_study(sobol, 32), false),
+              testing::HasSubstr("with 16 rows, and the study has 32: --extend keeps its rows"));
+  EXPECT_THAT(refusal(drawn_study(sobol, 32), drawn_study(sobol, 16), true),
+              testing::HasSubstr("give another name"));
+  EXPECT_THAT(refusal(drawn_study(latin_hypercube, 16), drawn_study(latin_hypercube, 32), true),
+              testing::HasSubstr("the draws of a Latin hypercube change with their number"));
+  study::Study other = drawn_study(sobol, 32);
+  other.seed = 2;
+  EXPECT_THAT(refusal(drawn_study(sobol, 16), other, true), testing::HasSubstr("a different study"));
 }
 
 TEST_F(RunStudy, has_nothing_to_do_for_a_finished_one) {

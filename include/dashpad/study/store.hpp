@@ -49,9 +49,11 @@ class DamagedStore : public std::runtime_error {
 class Store {
  public:
   /// Creates the file, or opens that of the very same study (text, named files, program version and commit)
-  /// to continue. While it is open only this store can write, but all can read. Throws std::runtime_error in
+  /// to continue; with `extend` also that of the study with fewer draws, whose rows stay. Rows of a Latin
+  /// hypercube change with the number of draws, and those of a study with levels change their places: both
+  /// are refused. While it is open only this store can write, but all can read. Throws std::runtime_error in
   /// the user's words for another study, a file that is no store or read-only, another writer, a full disk.
-  static Store open_for(const Study& study, const std::filesystem::path& file);
+  static Store open_for(const Study& study, const std::filesystem::path& file, bool extend = false);
   /// The rows that are there now: what a running study adds later is not seen.
   static Store open_to_read(const std::filesystem::path& file);
 
