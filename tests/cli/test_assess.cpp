@@ -214,7 +214,7 @@ TEST_F(AssessTest, SeveralCasesAndStandardsStandOnOnePage) {
   write_file(file("soft.toml"), with(elastic_case(), "\"300 kPa\"", "\"250 kPa\""));
   const std::string doubted =
       dashpad({"assess", file("soft.toml"), file("thick.toml"), "--standard", mild, "--standard", harsh}).out;
-  EXPECT_THAT(doubted, AllOf(ContainsRegex("UNKNOWN RANGE[^)]*; 2 of\\s+4\\s+have"),
+  EXPECT_THAT(doubted, AllOf(ContainsRegex("UNKNOWN RANGE[^)]*; 2\\s+of\\s+4\\s+assessments\\s+have"),
                              Not(ContainsRegex("; [5-9] of"))));
   // Titles name the cases where they tell them apart.
   write_file(file("thick.toml"), with(read_file(file("thick.toml")), "\"Elastic\"", "\"A thick pad\""));

@@ -53,7 +53,7 @@ test("the example of the README", async () => {
     "Dashboard at 20 mph (report, section 2.3)",
     "The impactor rebounded and left the pad.",
   ]);
-  assert.match(await page.locator("main").innerText(), /a sphere of 4\.5359 kg/);
+  assert.match(await page.locator("main").innerText(), /a sphere of mass 4\.5359 kg/);
   const warnings = await page.locator(".warnings li").allInnerTexts();
   assert.equal(warnings.length, 1, "the other stands with the answer");
   assert.match(await page.locator(".reservation").innerText(), /^EXTRAPOLATED STRAIN: strain reaches 0\.987/);
