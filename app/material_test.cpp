@@ -47,7 +47,7 @@ struct MaterialTestRequest {
   std::string material;
   std::string test = "constant-rate";
   std::vector<std::string> rates, stress_limits;
-  std::optional<std::string> strain, hold, stress, low, history;
+  std::optional<std::string> strain, hold, stress, low, history, thickness;
   std::optional<int> cycles, steps;
   bool explicit_1984 = false;
   OutputFiles files;
@@ -108,6 +108,7 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
   };
   using enum laboratory::TestKind;
   only_for(!request.rates.empty(), "--rate", {constant_rate, parabolic, relaxation, creep, cyclic});
+  only_for(request.thickness.has_value(), "--thickness", {history});
   only_for(request.strain.has_value(), "--strain", {constant_rate, parabolic, relaxation, cyclic});
   only_for(request.hold.has_value(), "--hold", {relaxation, creep});
   only_for(request.stress.has_value(), "--stress", {creep});
@@ -138,9 +139,10 @@ void judge_rates(const laboratory::MaterialTest& test, Wrong& errors) {
   }
 }
 
-void read_history(const std::string& file, laboratory::MaterialTest& test, Wrong& errors) {
+void read_history(const std::string& file, const std::optional<double>& thickness,
+                  laboratory::MaterialTest& test, Wrong& errors) {
   test.history_name = file;
-  if (auto table = taken(input::read_strain_csv(file), errors)) {
+  if (auto table = taken(input::read_strain_csv(file, {.thickness = thickness}), errors)) {
     test.times = std::move(table->time);
     test.strains = std::move(table->strain);
     test.history_remarks = std::move(table->remarks);
@@ -170,7 +172,8 @@ laboratory::MaterialTest test_of(const MaterialTestRequest& request, Wrong& erro
                                           "must be more than 0 and less than 1 TPa", 1, errors));
   if (request.explicit_1984) test.steps_of_1984 = request.steps.value_or(20);
   if (request.history && test.kind == laboratory::TestKind::history)
-    read_history(*request.history, test, errors);
+    read_history(*request.history, positive_quantity_of("--thickness", request.thickness, "m", errors), test,
+                 errors);
   return test;
 }
 
@@ -190,7 +193,9 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   add_option(sub, "--low X", request.low, "Strain to unload to (cyclic; default: 0)");
   add_option(sub, "--cycles N", request.cycles, "Number of cycles (cyclic; default: 3)")
       ->check(CLI::Range(1, 1000));
-  add_option(sub, "--history FILE", request.history, "Table of times and strains, CSV (history)");
+  add_option(sub, "--history FILE", request.history, "Table of times and strains or displacements (history)");
+  add_option(sub, "--thickness LENGTH", request.thickness,
+             "Thickness of the specimen, for displacements (history)");
   add_option(sub, "--stress-limit LIST", request.stress_limits,
              "Stresses at which to give energy and efficiency, such as \"100 kPa\", separated by commas")
       ->delimiter(',');

@@ -31,13 +31,19 @@ constexpr const char* import_footer = R"(Examples:
   dashpad material import car.k --units t-mm-s -o cards/          each foam of a deck into a folder
   dashpad material import car.k --units t-mm-s --material 12      one foam of several, by number or name
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
+  dashpad material import slow.csv fast.csv --rate "0.01 1/s" --rate "40 1/s" -o my-foam.toml
+  dashpad material import machine.txt --thickness "25 mm" --area "25 cm2" --rate "0.02 1/s"
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
 (MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
 and LAW90 with their /FUNCT. A deck does not state its units; give them with --units.
 
-Tables (a name that ends in .csv): a column strain, or strain_percent, and a column of stress with its unit, such as
-stress_kPa, with the strain rate given by --rate; or several columns that state their rates: "stress_kPa @ 10 1/s".
+Tables of compression tests (CSV, text): a column of strain, a fraction or in %, and one of stress, with units in the
+header, such as strain_percent,stress_kPa; or of displacement and force, with --thickness and --area of the specimen.
+Names in German, French, Spanish and Italian are known; --strain and --stress name others. The strain rate is given by
+--rate; or several columns state theirs: "stress_kPa @ 10 1/s". Several files make one foam, each with its --rate.
+The loading follows the largest strain so far and is made to rise within its noise; how far it moved is stated. The
+way back of the slowest test becomes the unloading curve. dashpad fit uses whole cycles, relaxation and noise.
 
 Values that the file does not give are assumed, and properties that a card cannot express are left out. Both are
 listed and kept in the card as reservations. See docs/material-decks.md.
@@ -48,9 +54,11 @@ overwritten unless --force is given. A file is written completely or not at all.
 Exit codes: 0 success, 1 the card could not be written, 2 the file has faults, and nothing was written.)";
 
 struct ImportRequest {
-  std::string file;
+  std::vector<std::string> files;
   std::string units;
-  std::optional<std::string> rate, material;
+  std::vector<std::string> rates;
+  std::optional<std::string> thickness, area, material;
+  input::StressStrainColumns columns;  ///< as given
   std::string out = "-";
   bool force = false;
 };
@@ -58,19 +66,39 @@ struct ImportRequest {
 using Wrong = std::vector<std::string>;
 using Found = std::vector<input::DeckMaterial>;
 
-bool is_table(const std::string& file) {
-  return input::lower_case(fs::path(file).extension().string()) == ".csv";
+/// The values of the options for tables.
+struct TableSettings {
+  std::vector<double> rates;
+  input::StressStrainColumns columns;
+};
+
+TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
+  TableSettings settings{.rates = {}, .columns = request.columns};
+  for (const std::string& text : request.rates)
+    settings.rates.push_back(positive_quantity_of("--rate", text, "1/s", errors).value_or(1));
+  if (settings.rates.size() > request.files.size())
+    errors.push_back(
+        fmt::format("--rate: {} rates for {} files", settings.rates.size(), request.files.size()));
+  settings.columns.thickness = positive_quantity_of("--thickness", request.thickness, "m", errors);
+  settings.columns.area = positive_quantity_of("--area", request.area, "m2", errors);
+  return settings;
 }
 
 /// Checks the options that depend on the kind of file.
-std::optional<UnitSystem> judge_import(const ImportRequest& request, std::optional<double>& rate,
-                                       Wrong& errors) {
-  rate = positive_quantity_of("--rate", request.rate, "1/s", errors);
-  if (is_table(request.file)) {
+std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_tables, Wrong& errors) {
+  if (are_tables) {
     if (!request.units.empty()) errors.emplace_back("--units: a table states its units in its header");
     return std::nullopt;
   }
-  if (request.rate) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
+  const input::StressStrainColumns& columns = request.columns;
+  const bool has_columns =
+      !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit).empty();
+  if (!request.rates.empty()) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
+  if (has_columns || request.thickness || request.area)
+    errors.emplace_back(
+        "--strain, --stress, --strain-unit, --stress-unit, --thickness, --area: apply only to tables");
+  if (request.files.size() > 1)
+    errors.emplace_back("FILE: several files must be tables of tests; give one deck");
   if (request.units.empty()) {
     errors.emplace_back("--units: is required, such as --units t-mm-s: a deck does not state its units");
     return std::nullopt;
@@ -100,7 +128,7 @@ std::vector<Target> targets_of(const ImportRequest& request, const Found& found,
                                          : request.out});
   if (!into_folder && found.size() > 1) {
     errors.push_back(fmt::format("{}: has {} foams; give a folder with -o, or choose one with --material",
-                                 request.file, found.size()));
+                                 request.files.front(), found.size()));
     targets.resize(1);
   }
   return targets;
@@ -112,11 +140,13 @@ std::string understood(const input::DeckMaterial& found) {
   std::visit(
       [&]<class Law>(const Law& law) {
         if constexpr (SharesSlip<Law>) {
-          const auto& base = std::get<TableCurve>(law.curves.base);
+          const auto* const base = std::get_if<TableCurve>(&law.curves.base);
           const auto* const rates = std::get_if<CurvesRateEffect>(&law.curves.rate_effect);
-          text += fmt::format("  law {}, {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
-                              Law::name, base.strain.size(), base.strain.back(), base.stress.back() / 1000,
-                              law.curves.slowest_rate);
+          text += base ? fmt::format("  law {}, {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
+                                     Law::name, base->strain.size(), base->strain.back(),
+                                     base->stress.back() / 1000, law.curves.slowest_rate)
+                       : fmt::format("  law {}, a curve by coefficients at {:g} 1/s\n", Law::name,
+                                     law.curves.slowest_rate);
           if (rates)
             for (const auto& [rate, curve] : rates->curves)
               text += fmt::format("  {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
@@ -148,18 +178,22 @@ std::string understood(const input::DeckMaterial& found) {
 
 int import_material(const ImportRequest& request) {
   Wrong errors;
-  std::optional<double> rate;
-  const std::optional<UnitSystem> units = judge_import(request, rate, errors);
+  const bool are_tables = std::ranges::all_of(request.files, input::is_stress_table);
+  const TableSettings settings = table_settings(request, errors);
+  const std::optional<UnitSystem> units = judge_import(request, are_tables, errors);
   Found found;
-  if (is_table(request.file)) {
-    if (auto table = taken(input::read_stress_table(request.file, rate), errors))
+  if (are_tables) {
+    const std::vector<fs::path> files(request.files.begin(), request.files.end());
+    if (auto table = taken(input::read_stress_tables(files, settings.rates, settings.columns), errors))
       found.push_back(*std::move(table));
   } else if (units) {
-    found = taken(input::read_material_deck(request.file, *units), errors).value_or(Found());
+    found = taken(input::read_material_deck(request.files.front(), *units), errors).value_or(Found());
   }
   if (request.material && !found.empty()) keep_only(*request.material, found, errors);
   const std::vector<Target> targets = targets_of(request, found, errors);
-  judge_targets(targets, {{"the imported file", request.file}}, request.force, errors);
+  std::vector<input::InputFile> sources;
+  for (const std::string& file : request.files) sources.push_back({"the imported file", file});
+  judge_targets(targets, sources, request.force, errors);
   if (!errors.empty()) throw Refused(std::move(errors));
   std::string account;
   for (const input::DeckMaterial& each : found) account += understood(each);
@@ -204,9 +238,17 @@ void add_material_import(CLI::App& material, Action& action) {
   const auto [sub, request] = add_subcommand<ImportRequest>(
       material, action, "import", "Make a card from a solver's deck or a table of tests", import_footer,
       import_material);
-  add_option(sub, "FILE", request.file, "LS-DYNA or Radioss deck, or a table (.csv)")->required();
+  add_option(sub, "FILE", request.files, "LS-DYNA or Radioss deck, or tables of compression tests")
+      ->required();
   add_deck_units(sub, request.units);
-  add_option(sub, "--rate RATE", request.rate, "Strain rate of a table with one test, such as \"0.01 1/s\"");
+  add_option(sub, "--rate RATE", request.rates,
+             "Strain rate of a table with one test, such as \"0.01 1/s\"; for several tables, one for each");
+  add_option(sub, "--strain COLUMN", request.columns.strain, "Column of a table's strain or displacement");
+  add_option(sub, "--stress COLUMN", request.columns.stress, "Column of a table's stress or force");
+  add_option(sub, "--strain-unit UNIT", request.columns.strain_unit, "fraction, percent, or mm, ...");
+  add_option(sub, "--stress-unit UNIT", request.columns.stress_unit, "kPa, MPa, ..., or N, kN, ...");
+  add_option(sub, "--thickness LENGTH", request.thickness, "Thickness of the specimen, for a displacement");
+  add_option(sub, "--area AREA", request.area, "Area of the specimen, such as \"25 cm2\", for a force");
   add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
   add_option(sub, "-o,--out FILE", request.out, "Output file or folder (default: standard output)");
   add_force(sub, request.force);

@@ -1,4 +1,4 @@
-// dashpad pulse: injury figures from a measured acceleration.
+// dashpad pulse: injury metrics from a measured acceleration pulse.
 
 #include <algorithm>
 #include <optional>
@@ -40,7 +40,8 @@ constexpr const char* pulse_footer = R"(Examples:
 FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or a zip
 or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity. Repairs
 are reported as REMARK; gaps, text and times that run backwards are rejected; --bridge-gaps interpolates linearly
-where times are missing. docs/pulses.md gives the rules.
+where times are missing; --from and --to select a part. LabVIEW files (.lvm), reports of Abaqus (.rpt) and times of
+day are tables as well. docs/pulses.md gives the rules.
 
 Offset: the reading of the sensor in the quiet part before the impact is reported, with its effect on HIC15.
 --zero subtracts it, for each direction separately and before any filter: "--zero auto" subtracts the mean of the
@@ -57,8 +58,8 @@ the filter compared with the next higher class, and that of the sensor's calibra
 Figures: the peak; HIC15, HIC36, unlimited HIC, and those of --window; HIC(d); the 3 ms clip,
 uninterrupted and cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
 velocity change over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of
-a resultant are filtered separately, then combined. A filter needs evenly spaced samples; --resample "0.1 ms"
-provides them by linear interpolation.
+a resultant are filtered separately, then combined. A filter needs evenly spaced samples; others are resampled by
+linear interpolation, at their shorter intervals or at that of --resample.
 
 Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
 not overwritten unless --force is given. A file is written completely or not at all.
@@ -135,11 +136,11 @@ int show_figures(const PulsesRequest& request) {
   return code;
 }
 
-std::string list_of(const std::string& file) {
+std::string list_of(const std::string& file, const std::string& test) {
   const ProgressLine waiting("Reading " + file);
   std::string text;
   if (input::is_iso_mme(file)) {
-    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(file).value())
+    for (const input::IsoMmeChannel& channel : input::iso_mme_channels(file, test).value())
       text += fmt::format("{:>4}  {:<16}  {:<8}  {:>8}  {}{}\n", channel.number, channel.code, channel.unit,
                           channel.samples, channel.name,
                           channel.problem.empty() ? "" : " (" + channel.problem + ")");
@@ -158,7 +159,7 @@ std::string list_of(const std::string& file) {
 int show_pulses(const PulsesRequest& request) {
   if (!request.each.list) return show_figures(request);
   if (request.files.size() > 1) throw Refused({"--list: accepts only one file; give one FILE"});
-  write_output(list_of(request.files.front()));
+  write_output(list_of(request.files.front(), request.each.source.test));
   return exit_done;
 }
 
@@ -166,7 +167,7 @@ int show_pulses(const PulsesRequest& request) {
 
 void add_pulse(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<PulsesRequest>(
-      app, action, "pulse", "Compute injury figures from a measured acceleration (CSV, ISO-MME)",
+      app, action, "pulse", "Compute injury metrics from a measured acceleration pulse (CSV, ISO-MME)",
       pulse_footer, show_pulses);
   PulseRequest& each = request.each;
   add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();

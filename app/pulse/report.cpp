@@ -20,27 +20,13 @@ namespace {
 
 constexpr double usual_speed = 15e6;  // bytes of a table per second, on one core of 2020
 
-input::Reading<input::PulseFile> read(const PulseRequest& request, const PulseSettings& settings,
-                                      bool is_test) {
-  if (is_test)
-    return input::read_iso_mme(request.file, {request.channel, request.table.acceleration_unit,
-                                              request.resultant, settings.sensitivities});
-  input::PulseCsvOptions options = request.table;
-  options.resultant = request.resultant;
-  options.interval = settings.interval_of_samples;
-  options.sensitivity = settings.sensitivities;
-  return input::read_pulse_csv(request.file, options);
-}
-
 injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const PulseSettings& settings,
                                  const std::optional<injury::PulseFilter>& filter,
                                  std::vector<std::string>& errors) {
   try {
     return injury::processed_pulse(measured, settings.interval, filter);
   } catch (const std::invalid_argument& error) {
-    const char* advice =
-        filter && !settings.interval ? "; --resample INTERVAL resamples at a different interval" : "";
-    errors.push_back(fmt::format("{}: {}{}", filter ? "--filter" : "--resample", error.what(), advice));
+    errors.push_back(fmt::format("{}: {}", filter ? "--filter" : "--resample", error.what()));
     return {};
   }
 }
@@ -49,25 +35,12 @@ injury::ProcessedPulse processed(const injury::MeasuredPulse& measured, const Pu
 std::optional<injury::SensorOffset> offset_of(const PulseRequest& request, const PulseSettings& settings,
                                               injury::MeasuredPulse& measured,
                                               std::vector<std::string>& errors) {
-  std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-  std::optional<double> begin;
-  if (offset && offset->rest) begin = offset->begin;
-  if (!settings.zero_interval) {
-    if (request.zero && !offset)
-      errors.emplace_back(
-          "--zero auto: there is no quiet part before the impact; give an interval with --zero BEGIN,END");
-  } else {
-    try {
-      offset =
-          injury::offset_between(measured, settings.zero_interval->first, settings.zero_interval->second);
-    } catch (const std::invalid_argument& error) {
-      const std::vector<double>& time = measured.pulse.time;
-      errors.push_back(fmt::format("--zero {}: {}; the samples are from {:.6g} to {:.6g} ms", *request.zero,
-                                   error.what(), 1e3 * time.front(), 1e3 * time.back()));
-    }
+  try {
+    return injury::find_offset(measured, settings.zero_interval, request.zero.has_value());
+  } catch (const std::invalid_argument& error) {
+    errors.push_back(fmt::format("--zero {}: {}", *request.zero, error.what()));
+    return std::nullopt;
   }
-  if (begin) injury::leave_out_before(measured, *begin);
-  return offset;
 }
 
 /// The expected time to read and evaluate a file, s.
@@ -80,8 +53,8 @@ double expected_time(const std::string& file) {
 void remark_on(injury::PulseReport& report) {
   std::vector<std::string>& remarks = report.measured.remarks;
   if (report.filter)
-    if (auto remark = injury::sampled_too_slowly(report.measured, report.resampled_to, *report.filter))
-      remarks.push_back(std::move(*remark));
+    for (std::string& remark : injury::filter_remarks(report.measured, report.resampled_to, *report.filter))
+      remarks.push_back(std::move(remark));
   if (report.offset)
     for (std::string& remark : injury::offset_remarks(*report.offset, report.figures.peak.magnitude))
       remarks.push_back(std::move(remark));
@@ -94,7 +67,7 @@ injury::PulseReport pulse_report(
     const std::function<void(const std::vector<input::InputFile>&, std::vector<std::string>&)>& judge) {
   const bool is_test = input::is_iso_mme(request.file);
   for (std::string& line : out_of_place(request, is_test)) errors.push_back(std::move(line));
-  const PulseSettings settings = settings_of(request, errors);
+  PulseSettings settings = settings_of(request, errors);
   injury::PulseReport report;
   report.file = request.file;
   report.resampled_to = settings.interval;
@@ -106,7 +79,7 @@ injury::PulseReport pulse_report(
   ProgressLine waiting("Reading " + request.file);
   if (errors.empty()) waiting.expect(expected_time(request.file));
   std::vector<input::InputFile> files{{"the measurement", request.file}};
-  if (auto pulse = taken(read(request, settings, is_test), errors)) {
+  if (auto pulse = taken(input::read_pulse(request.file, settings.source), errors)) {
     report.measured = std::move(pulse->measured);
     files = std::move(pulse->files);
   }
@@ -114,6 +87,8 @@ injury::PulseReport pulse_report(
   if (!errors.empty()) throw Refused(std::move(errors));
   waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
   const std::optional<injury::SensorOffset> offset = offset_of(request, settings, report.measured, errors);
+  if (report.filter && !settings.interval)
+    report.resampled_to = settings.interval = injury::resampling_for_filter(report.measured);
   injury::ProcessedPulse pulse = processed(report.measured, settings, report.filter, errors);
   if (!errors.empty()) throw Refused(std::move(errors));
   injury::ProcessedPulse zero =

@@ -23,25 +23,6 @@ double level_of(std::string text) {
   return stated_si(text, "1") * standard_gravity;
 }
 
-/// "0 ms,5 ms".
-std::optional<std::pair<double, double>> interval_of(const std::string& text,
-                                                     std::vector<std::string>& errors) {
-  const auto say = [&](const std::string& rule) {
-    errors.push_back(fmt::format("--zero {}: {}", text, rule));
-    return std::nullopt;
-  };
-  const auto comma = text.find(',');
-  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-    return say("must be auto, or two times with a comma between them, such as \"0 ms,5 ms\"");
-  try {
-    const double begin = stated_si(text.substr(0, comma), "s"), end = stated_si(text.substr(comma + 1), "s");
-    if (!(begin < end)) return say("the first time must be earlier than the second");
-    return std::pair{begin, end};
-  } catch (const UnitError& error) {
-    return say(error.what());
-  }
-}
-
 /// The impact by --speed, --drop-height or a case.
 std::optional<injury::MeasuredImpact> impact_of(const PulseRequest& request,
                                                 std::vector<std::string>& errors) {
@@ -78,13 +59,22 @@ std::optional<injury::PulseFilter> filter_of(const PulseRequest& request) {
 PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>& errors) {
   PulseSettings settings;
   settings.interval = positive_quantity_of("--resample", request.resample, "s", errors);
-  settings.interval_of_samples = quantity_of("--interval", request.interval, "s", errors);
-  if (settings.interval_of_samples && !(*settings.interval_of_samples > 0))
+  settings.source = request.source;
+  settings.source.interval = quantity_of("--interval", request.interval, "s", errors);
+  if (settings.source.interval && !(*settings.source.interval > 0))
     errors.push_back(fmt::format("--interval {}: must be more than 0", *request.interval));
-  if (request.zero && *request.zero != "auto") settings.zero_interval = interval_of(*request.zero, errors);
+  input::CutTimes& cut = settings.source.cut;
+  cut = {quantity_of("--from", request.from, "s", errors), quantity_of("--to", request.to, "s", errors)};
+  if (cut.from && cut.to && !(*cut.from < *cut.to))
+    errors.push_back(fmt::format("--to {}: must be later than --from, {}", *request.to, *request.from));
+  if (request.zero) try {
+      settings.zero_interval = input::interval_of_zero(*request.zero);
+    } catch (const UnitError& error) {
+      errors.push_back(fmt::format("--zero {}: {}", *request.zero, error.what()));
+    }
   for (const std::string& text : request.sensitivities) {
     try {
-      settings.sensitivities.push_back(input::sensitivity_of(text));
+      settings.source.sensitivity.push_back(input::sensitivity_of(text));
     } catch (const UnitError& error) {
       errors.push_back(fmt::format("--sensitivity {}: {}", text, error.what()));
     }
@@ -121,20 +111,20 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
   if (is_test) {
     const std::string rule =
         "applies only to tables; a test in ISO-MME has channels, see --list and --channel";
-    say(!request.table.time.empty(), "--time", rule);
-    say(!request.table.acceleration.empty(), "--acceleration", rule);
-    say(request.table.bridge_gaps, "--bridge-gaps",
-        "applies only to tables; a test in ISO-MME has evenly spaced samples");
-    say(!request.table.time_unit.empty(), "--time-unit", "applies only to tables; in ISO-MME times are in s");
+    say(!request.source.time.empty(), "--time", rule);
+    say(!request.source.acceleration.empty(), "--acceleration", rule);
+    say(!request.source.time_unit.empty(), "--time-unit",
+        "applies only to tables; in ISO-MME times are in s");
     say(request.interval.has_value(), "--interval",
-        "applies only to tables; a test in ISO-MME has evenly spaced samples");
+        "applies only to tables; a test in ISO-MME states its times");
   } else {
-    say(!request.channel.empty(), "--channel",
-        "applies only to ISO-MME; a table has columns, see --acceleration");
+    const std::string only_tests = "applies only to ISO-MME; a table has columns, see --acceleration";
+    say(!request.source.channel.empty(), "--channel", only_tests);
+    say(!request.source.test.empty(), "--test", only_tests);
     const std::string rule = "applies only to a table with times; with --interval no times are read";
-    say(request.interval && !request.table.time.empty(), "--time", rule);
-    say(request.interval && !request.table.time_unit.empty(), "--time-unit", rule);
-    say(request.interval && request.table.bridge_gaps, "--bridge-gaps", rule);
+    say(request.interval && !request.source.time.empty(), "--time", rule);
+    say(request.interval && !request.source.time_unit.empty(), "--time-unit", rule);
+    say(request.interval && request.source.bridge_gaps, "--bridge-gaps", rule);
   }
   say(request.corner && !request.filter, "--corner", "applies only with --filter");
   say(request.ends && !request.filter, "--ends", "applies only with --filter");
@@ -142,22 +132,27 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
 }
 
 void add_source_options(CLI::App& sub, PulseRequest& request) {
-  add_option(sub, "--time COLUMN", request.table.time, "Column of the times: its name, or its number from 1");
-  add_option(sub, "--acceleration COLUMN", request.table.acceleration,
+  add_option(sub, "--time COLUMN", request.source.time,
+             "Time column: its name, or its number, counting from 1");
+  add_option(sub, "--acceleration COLUMN", request.source.acceleration,
              "Column of the acceleration; up to three with --resultant");
-  add_option(sub, "--time-unit UNIT", request.table.time_unit, "Unit of the times, such as ms");
-  add_option(sub, "--acceleration-unit UNIT", request.table.acceleration_unit,
+  add_option(sub, "--time-unit UNIT", request.source.time_unit, "Unit of the times, such as ms");
+  add_option(sub, "--acceleration-unit UNIT", request.source.acceleration_unit,
              "Unit of the acceleration, such as g or m/s2");
-  add_flag(sub, "--resultant", request.resultant,
+  add_flag(sub, "--resultant", request.source.resultant,
            "Combine two or three directions, each filtered first: sqrt(x^2 + y^2 + z^2)");
-  add_flag(sub, "--bridge-gaps", request.table.bridge_gaps,
+  add_flag(sub, "--bridge-gaps", request.source.bridge_gaps,
            "Interpolate linearly where the times show that samples are missing");
   add_option(sub, "--interval TIME", request.interval,
              "Time between two samples of a table without times, such as \"0.1 ms\"");
   add_option(sub, "--sensitivity VALUE", request.sensitivities,
              "Sensor sensitivity, for columns in V or mV, such as \"10 mV/g\"; one for all directions, or "
              "one for each");
-  add_option(sub, "--channel CODE", request.channel,
+  add_option(sub, "--from TIME", request.from, "Use only the samples from this time on, such as \"300 ms\"");
+  add_option(sub, "--to TIME", request.to, "Use only the samples up to this time");
+  add_option(sub, "--test NAME", request.source.test,
+             "Test in a folder or archive with several ISO-MME tests");
+  add_option(sub, "--channel CODE", request.source.channel,
              "Channel of an ISO-MME test: its number, or its code with ? for any character");
 }
 

@@ -18,16 +18,15 @@ namespace dashpad::app {
 
 struct PulseRequest {
   std::string file;
-  input::PulseCsvOptions table;
-  std::string channel;
-  bool resultant = false;
+  /// As given; values with units are those of PulseSettings.
+  input::PulseOptions source;
   bool list = false;
   std::optional<std::string> filter;
   std::optional<std::string> corner;
   std::optional<std::string> ends;
   std::optional<std::string> resample;
   std::optional<std::string> zero;
-  std::optional<std::string> interval;
+  std::optional<std::string> interval, from, to;
   std::vector<std::string> sensitivities;
   std::optional<std::string> speed;
   std::optional<std::string> drop_height;
@@ -47,8 +46,7 @@ struct PulseSettings {
   std::optional<double> interval;                          ///< s
   std::vector<double> windows, levels;                     ///< s, m/s2
   std::optional<std::pair<double, double>> zero_interval;  ///< s; absent for the quiet part
-  std::optional<double> interval_of_samples;               ///< s, of a table without times
-  std::vector<input::Sensitivity> sensitivities;
+  input::PulseOptions source;
   std::optional<injury::MeasuredImpact> impact;  ///< with a known speed
 };
 

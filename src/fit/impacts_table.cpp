@@ -1,10 +1,12 @@
 // [[impacts]] of a fit file with their pulses.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,8 +15,10 @@
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/injury/pulse_comparison.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "dashpad/input/iso_mme/iso_mme.hpp"
 #include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "fit/fit_tables.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
@@ -48,15 +52,76 @@ namespace {
 
 constexpr std::size_t fewest_samples = 5;  ///< between onset and end
 
-input::PulseCsvOptions read_pulse_columns(TableReader& table) {
-  input::PulseCsvOptions options;
+/// The texts of an entry that is one text or an array of them.
+std::vector<std::string> read_texts(TableReader& table, const std::string& key) {
+  const TomlNode* const node = table.find(key, Presence::optional);
+  if (!node) return {};
+  if (node->kind == TomlNode::Kind::text) return {table.text(key)};
+  std::vector<std::string> texts;
+  if (node->kind == TomlNode::Kind::array)
+    for (const TomlNode& each : node->children)
+      if (each.kind == TomlNode::Kind::text) texts.push_back(each.text);
+  if (texts.empty() || texts.size() != node->children.size())
+    table.fault(key, "must be a text, or an array of texts");
+  return texts;
+}
+
+/// The keys of a fit in place of the options in a rule: "bridge_gaps" for "--bridge-gaps".
+std::string with_keys(std::string rule) {
+  for (auto at = rule.find("--"); at != std::string::npos; at = rule.find("--", at)) {
+    rule.erase(at, 2);
+    for (; at < rule.size() && (std::islower(static_cast<unsigned char>(rule[at])) || rule[at] == '-'); ++at)
+      if (rule[at] == '-') rule[at] = '_';
+  }
+  return rule;
+}
+
+/// What was read; faults are added in words of a fit file.
+template <class T>
+std::optional<T> taken_with_keys(input::Reading<T> reading, input::FaultList& faults) {
+  if (reading) return *std::move(reading);
+  for (input::Fault fault : reading.faults()) {
+    fault.rule = with_keys(std::move(fault.rule));
+    faults.add({std::move(fault)});
+  }
+  return std::nullopt;
+}
+
+/// Calls `parse` with the text of an optional entry; what it throws is a fault.
+template <class Parse>
+void read_parsed(TableReader& table, const std::string& key, Parse&& parse) {
+  for (const std::string& text : read_texts(table, key)) try {
+      parse(text);
+    } catch (const UnitError& error) {
+      table.fault(key, error.what());
+    }
+}
+
+/// The options of `dashpad pulse` that say how a file is read, under the same names.
+input::PulseOptions read_source(TableReader& table) {
+  input::PulseOptions options;
   if (auto names = table.table("columns", Presence::optional)) {
     if (names->has("time")) options.time = names->text("time");
-    if (names->has("acceleration")) options.acceleration = {names->text("acceleration")};
+    options.acceleration = read_texts(*names, "acceleration");
     names->refuse_others();
   }
-  options.time_unit = table.text("time_unit", Presence::optional);
-  options.acceleration_unit = table.text("acceleration_unit", Presence::optional);
+  for (const auto& [key, text] : {std::pair{"time_unit", &options.time_unit},
+                                  {"acceleration_unit", &options.acceleration_unit},
+                                  {"channel", &options.channel},
+                                  {"test", &options.test}})
+    *text = table.text(key, Presence::optional);
+  options.resultant = table.flag("resultant");
+  options.bridge_gaps = table.flag("bridge_gaps");
+  read_parsed(table, "sensitivity",
+              [&](const std::string& text) { options.sensitivity.push_back(input::sensitivity_of(text)); });
+  const auto time = [&](const char* key) {
+    return table.has(key) ? std::optional{table.quantity(key, "s")} : std::nullopt;
+  };
+  options.interval = time("interval");
+  if (options.interval && *options.interval <= 0) table.fault("interval", "must be more than 0");
+  options.cut = {time("from"), time("to")};
+  if (options.cut.from && options.cut.to && *options.cut.from >= *options.cut.to)
+    table.fault("to", "must be later than from");
   return options;
 }
 
@@ -104,8 +169,14 @@ input::StressStrainColumns read_columns(TableReader& table) {
       if (names->has(key)) *name = names->text(key);
     names->refuse_others();
   }
-  if (table.has("strain_unit")) columns.strain_unit = table.choice("strain_unit", {"fraction", "percent"});
+  columns.strain_unit = table.text("strain_unit", Presence::optional);
   columns.stress_unit = table.text("stress_unit", Presence::optional);
+  for (const auto& [key, unit, value] :
+       {std::tuple{"thickness", "m", &columns.thickness}, {"area", "m2", &columns.area}})
+    if (table.has(key)) {
+      *value = table.quantity(key, unit);
+      if (**value <= 0) table.fault(key, "must be more than 0");
+    }
   columns.time_unit = table.text("time_unit", Presence::optional);
   return columns;
 }
@@ -136,23 +207,37 @@ std::vector<double> times_at(double rate, const std::vector<double>& strain) {
   return times;
 }
 
+/// The pulse with its offset taken off if that is asked for, resampled if need be, filtered.
+MeasuredDeceleration processed_of(injury::MeasuredPulse measured, bool is_zeroed,
+                                  const std::optional<std::pair<double, double>>& zero,
+                                  const std::optional<injury::PulseFilter>& filter) {
+  const std::optional<injury::SensorOffset> offset = injury::find_offset(measured, zero, is_zeroed);
+  if (is_zeroed) measured = injury::zeroed(std::move(measured), *offset);
+  const std::optional<double> interval = filter ? injury::resampling_for_filter(measured) : std::nullopt;
+  if (filter)
+    std::ranges::move(injury::filter_remarks(measured, interval, *filter),
+                      std::back_inserter(measured.remarks));
+  const injury::ProcessedPulse pulse = injury::processed_pulse(measured, interval, filter);
+  MeasuredDeceleration deceleration =
+      offset ? deceleration_of(pulse, injury::Stretch{offset->begin, offset->end}) : deceleration_of(pulse);
+  deceleration.remarks = std::move(measured.remarks);
+  return deceleration;
+}
+
 /// Reads the pulse of an impact, {file = ..., deviation = ...}; none after a fault.
 std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::Folders& folders,
                                                std::vector<input::InputFile>& files) {
   const std::string name = table.text("file");
-  const input::PulseCsvOptions options = read_pulse_columns(table);
+  const input::PulseOptions options = read_source(table);
+  std::optional<std::pair<double, double>> zero;
+  read_parsed(table, "zero", [&](const std::string& text) { zero = input::interval_of_zero(text); });
   const std::optional<injury::PulseFilter> filter = read_filter(table);
   std::optional<MeasuredDeceleration> pulse;
   if (!name.empty()) {
     const std::filesystem::path file = folders.of_file / name;
-    files.push_back({"the measurements", file});
-    if (auto read = table.faults().take(input::read_pulse_csv(file, options))) try {
-        injury::MeasuredPulse& measured = read->measured;
-        const std::optional<injury::SensorOffset> offset = injury::offset_before_impact(measured);
-        if (offset && offset->rest) injury::leave_out_before(measured, offset->begin);
-        const Pulse processed = injury::processed_pulse(measured, std::nullopt, filter).pulse;
-        pulse = offset ? deceleration_of(processed, injury::Stretch{offset->begin, offset->end})
-                       : deceleration_of(processed);
+    if (auto read = taken_with_keys(input::read_pulse(file, options), table.faults())) try {
+        std::ranges::move(read->files, std::back_inserter(files));
+        pulse = processed_of(std::move(read->measured), table.has("zero"), zero, filter);
         pulse->file = name;
         pulse->filter = filter;
       } catch (const std::invalid_argument& error) {
@@ -169,9 +254,11 @@ std::optional<MeasuredDeceleration> read_pulse(TableReader& table, const input::
 
 }  // namespace
 
-MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet) {
+MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
+                                     const std::optional<injury::Stretch>& quiet) {
+  const Pulse& measured = processed.pulse;
   const injury::PulseShape shape =
-      injury::pulse_shape(measured, std::nullopt, injury::contact_of(measured, quiet));
+      injury::pulse_shape(measured, std::nullopt, injury::contact_of(processed.along(), quiet));
   if (!shape.onset)
     throw std::invalid_argument(fmt::format(
         "its first sample is already above {:.0f} % of its peak, so the onset is not in the record",
@@ -250,10 +337,11 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
   if (!test.file.empty()) {
     const std::filesystem::path file = folders.of_file / test.file;
     files.push_back({"the measurements", file});
-    if (auto read = table.faults().take(input::read_stress_strain_csv(file, columns))) {
+    if (auto read = taken_with_keys(input::read_stress_strain_csv(file, columns), table.faults())) {
       test.strain = std::move(read->strain);
       test.stress = std::move(read->stress);
       test.time = std::move(read->time);
+      test.remarks = std::move(read->remarks);
       if (rate && *rate > 0) test.time = times_at(*rate, test.strain);
     }
   }

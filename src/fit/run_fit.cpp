@@ -173,6 +173,12 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
   std::atomic<std::size_t> evaluations = 0;
   FitReport report;
   report.title = fit.title;
+  const auto remark = [&](const std::string& file, const std::vector<std::string>& remarks) {
+    for (const std::string& each : remarks) report.remarks.push_back(file + ": " + each);
+  };
+  for (const MaterialMeasurement& test : fit.tests) remark(test.file, test.remarks);
+  for (const ImpactMeasurement& impact : fit.impacts)
+    if (impact.pulse) remark(impact.pulse->file, impact.pulse->remarks);
   Minimum minimum;
   for (int runs = has_fitted(fit.impacts) ? first_runs : 0;; ++runs) {
     report.solver_runs = runs;

@@ -22,13 +22,22 @@ constexpr std::size_t outermost_extension = 9;  // samples, of negated_before: t
 constexpr double max_samples = 10e6;            // of resampled()
 constexpr double evenness = 1e-3;               // of the interval
 
-double even_interval(const Pulse& pulse) {
+/// The first sample that is not in its place on an even grid; their number without any.
+std::size_t first_out_of_place(const Pulse& pulse) {
   const double interval = interval_of(pulse);
-  for (std::size_t i = 0; i < pulse.time.size(); ++i)
-    if (std::abs(pulse.time[i] - (pulse.time[0] + static_cast<double>(i) * interval)) > evenness * interval)
-      throw std::invalid_argument("filter: the samples are not evenly spaced: sample " +
-                                  std::to_string(i + 1));
-  return interval;
+  std::size_t i = 0;
+  while (i < pulse.time.size() &&
+         std::abs(pulse.time[i] - (pulse.time[0] + static_cast<double>(i) * interval)) <= evenness * interval)
+    ++i;
+  return i;
+}
+
+double even_interval(const Pulse& pulse) {
+  const std::size_t uneven = first_out_of_place(pulse);
+  if (uneven < pulse.time.size())
+    throw std::invalid_argument("filter: the samples are not evenly spaced: sample " +
+                                std::to_string(uneven + 1));
+  return interval_of(pulse);
 }
 
 /// Prepends twice - x, in reverse and without the first sample.
@@ -128,6 +137,18 @@ const char* to_string(Ends ends) {
 bool samples_suffice(double channel_frequency_class, double interval) {
   const double margin = 1 + 1e-9;  // an interval from a time column is rounded
   return 10 * channel_frequency_class * interval <= margin;
+}
+
+bool is_evenly_spaced(const Pulse& pulse) { return first_out_of_place(pulse) == pulse.time.size(); }
+
+double interval_for_filter(const Pulse& pulse) {
+  std::vector<double> steps(pulse.time.size());
+  std::adjacent_difference(pulse.time.begin(), pulse.time.end(), steps.begin());
+  steps.erase(steps.begin());
+  constexpr std::size_t shorter = 20, more_samples = 20;
+  const auto place = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / shorter);
+  std::nth_element(steps.begin(), place, steps.end());
+  return std::max(*place, interval_of(pulse) / more_samples);
 }
 
 Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner corner, Ends ends) {

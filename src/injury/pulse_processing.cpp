@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -49,13 +50,34 @@ ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<doub
   return {std::move(result), std::move(axis)};
 }
 
-std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
-                                              const PulseFilter& filter) {
+std::vector<std::string> filter_remarks(const MeasuredPulse& measured, std::optional<double> interval,
+                                        const PulseFilter& filter) {
+  std::vector<std::string> remarks;
   const double slower = std::max(interval_of(measured.pulse), interval.value_or(0));
   const int of_class = filter.channel_frequency_class;
-  if (samples_suffice(of_class, slower)) return std::nullopt;
-  return fmt::format("sampled at {} kHz; CFC{} requires at least {} kHz", brief(1e-3 / slower), of_class,
-                     brief(1e-2 * of_class));
+  if (!samples_suffice(of_class, slower))
+    remarks.push_back(fmt::format("sampled at {} kHz; CFC{} requires at least {} kHz", brief(1e-3 / slower),
+                                  of_class, brief(1e-2 * of_class)));
+  // ISO/TS 13499: the last of sixteen characters is the filter class.
+  constexpr std::array<std::pair<char, int>, 4> classes{{{'A', 1000}, {'B', 600}, {'C', 180}, {'D', 60}}};
+  for (const MeasuredColumn& channel : measured.acceleration)
+    for (const auto& [letter, filtered] : classes)
+      if (measured.format == "ISO-MME" && channel.name.size() == 16 && channel.name.back() == letter)
+        remarks.push_back(
+            fmt::format("the code {} says that CFC{} was applied already ({}); CFC{} filters it again, "
+                        "which lowers the peak and HIC further",
+                        channel.name, filtered, letter, of_class));
+  return remarks;
+}
+
+std::optional<double> resampling_for_filter(MeasuredPulse& measured) {
+  if (measured.pulse.time.size() < 2 || is_evenly_spaced(measured.pulse)) return std::nullopt;
+  const double interval = interval_for_filter(measured.pulse);
+  measured.remarks.push_back(
+      fmt::format("the samples are not evenly spaced, as a filter needs them; they were "
+                  "resampled at {} ms by linear interpolation",
+                  brief(1e3 * interval)));
+  return interval;
 }
 
 }  // namespace dashpad::injury

@@ -151,6 +151,9 @@ std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured) 
   }
 }
 
+namespace {
+
+/// Removes the samples before `begin`, s, and adds a remark.
 void leave_out_before(MeasuredPulse& measured, double begin) {
   std::vector<double>& time = measured.pulse.time;
   const auto count = std::ranges::lower_bound(time, begin) - time.begin();
@@ -164,6 +167,27 @@ void leave_out_before(MeasuredPulse& measured, double begin) {
   leave_out(time);
   leave_out(measured.pulse.acceleration);
   for (std::vector<double>& component : measured.components) leave_out(component);
+}
+
+}  // namespace
+
+std::optional<SensorOffset> find_offset(MeasuredPulse& measured,
+                                        const std::optional<std::pair<double, double>>& interval,
+                                        bool is_required) {
+  std::optional<SensorOffset> offset = offset_before_impact(measured);
+  if (is_required && !interval && !offset)
+    throw std::invalid_argument(
+        "there is no quiet part before the impact; give an interval, such as \"0 ms,5 ms\"");
+  const std::optional<double> begin = offset && offset->rest ? std::optional{offset->begin} : std::nullopt;
+  if (interval) try {
+      offset = offset_between(measured, interval->first, interval->second);
+    } catch (const std::invalid_argument& error) {
+      const std::vector<double>& time = measured.pulse.time;
+      throw std::invalid_argument(fmt::format("{}; the samples are from {:.6g} to {:.6g} ms", error.what(),
+                                              1e3 * time.front(), 1e3 * time.back()));
+    }
+  if (begin) leave_out_before(measured, *begin);
+  return offset;
 }
 
 MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset) {

@@ -68,8 +68,8 @@ ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
 
 /// NaN after a fault.
 double read_field(const CsvRow& row, const injury::MeasuredColumn& column, const std::string& si_unit,
-                  char separator, MeasurementFaults& faults) {
-  const auto value = number_in(row, column, separator, faults);
+                  MeasurementFaults& faults) {
+  const auto value = number_in(row, column, faults);
   const std::string rule = value ? rule_of(stated_magnitudes, *value, si_unit) : "";
   if (value && rule.empty()) return *value;
   if (value) add_fault(row, column, rule, faults);
@@ -88,7 +88,7 @@ Profile profile_in(const std::filesystem::path& file) {
     if (profile.points.size() == Profile::max_points)
       faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::max_points));
     const auto read = [&](const injury::MeasuredColumn& column, const char* unit) {
-      return read_field(row, column, unit, table.separator, faults);
+      return read_field(row, column, unit, faults);
     };
     profile.points.push_back(
         {read(columns.depth, "m"), read(columns.size, columns.of == Profile::Of::radius ? "m" : "m2")});

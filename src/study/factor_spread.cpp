@@ -170,7 +170,7 @@ input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& 
       const bool there = chosen.place < row.fields.size();
       const std::string_view field =
           there ? input::without_blanks(row.fields[chosen.place]) : std::string_view();
-      const input::ReadNumber read = input::read_csv_number(field, separator);
+      const input::ReadNumber read = input::read_csv_number(field);
       if (!row.fault.empty())
         faults.add(row.line, "", "", std::string(row.fault));
       else if (row.filled() > chosen.width)

@@ -73,7 +73,7 @@ fit::Fit fit_of(const DrawnMat& drawn, std::uint64_t seed) {
     impact.impact = fit.base;
     impact.impact.impactor.speed = std::sqrt(2 * standard_gravity * share * drawn.highest);
     impact.pulse =
-        fit::deceleration_of(measured_pulse(dropped(drawn.mat, share * drawn.highest), seed, which++));
+        fit::deceleration_of({measured_pulse(dropped(drawn.mat, share * drawn.highest), seed, which++)});
     impact.pulse->file = "made up";
     impact.pulse->deviation = 0.02 * impact.pulse->peak;
     fit.impacts.push_back(impact);

@@ -175,10 +175,11 @@ TEST_F(MaterialCommandTest, BadTablesAreRefusedWithTheirLine) {
     write_file(file("bad.csv"), table);
     expect_refused({file("bad.csv"), "-o", file("card.toml")}, complaint);
   };
-  expect("strain,stress_kPa\n0.1,20\n0.4,30\n70,110\n", "bad.csv:4: stress_kPa: strain = 70");
-  expect("strain,stress\n0.1,20\n0.4,30\n0.7,110\n", "bad.csv:1: stress: a stress needs its unit");
-  expect("strain,force_N\n0.1,20\n0.4,30\n0.7,110\n", "a column called stress is needed");
-  expect("x,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n", "one column called strain is needed");
+  expect("strain,stress_kPa\n0.1,20\n0.4,30\n70,110\n",
+         "bad.csv:4: strain = 70: a strain is below 1: is it in per cent?");
+  expect("strain,stress\n0.1,20\n0.4,30\n0.7,110\n", "bad.csv:1: stress: its unit is not stated");
+  expect("strain,force_N\n0.1,20\n0.4,30\n0.7,110\n", "bad.csv:1: force_N: is a force; over the area");
+  expect("x,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n", "no column for the strain");
   expect("strain,stress_kPa,stress_kPa\n0.1,20,30\n0.4,30,40\n0.7,110,120\n", "after an @");
   expect("strain,stress_kPa\n0.1,20\n0.4,none\n0.7,110\n", "bad.csv:3: stress_kPa = none");
   expect("0.1,20\n0.4,30\n0.7,110\n", "needs a line above the numbers");

@@ -167,7 +167,7 @@ TEST_F(PulseOffsetTest, ZeroAutoWantsAQuietPart) {
   EXPECT_THAT(
       refused({drop, "--zero", "auto"}),
       HasSubstr(
-          "--zero auto: there is no quiet part before the impact; give an interval with --zero BEGIN,END"));
+          "--zero auto: there is no quiet part before the impact; give an interval, such as \"0 ms,5 ms\""));
   EXPECT_THAT(pulse({drop}).out, Not(HasSubstr("Quiet part")));
   EXPECT_TRUE(result({drop}).at("offset").is_null());
   EXPECT_THAT(pulse({drop, "--zero", "2 ms,8 ms"}).out,

@@ -18,13 +18,14 @@ using namespace dashpad::fuzz;
 
 namespace {
 
-const std::vector<input::PulseCsvOptions>& ways_to_read() {
-  static const std::vector<input::PulseCsvOptions> ways{
+const std::vector<input::PulseOptions>& ways_to_read() {
+  static const std::vector<input::PulseOptions> ways{
       {},
       {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g", .bridge_gaps = true},
       {.resultant = true, .bridge_gaps = true},
       {.sensitivity = {input::sensitivity_of("10 mV/g")}, .interval = 1e-4},
-      {.acceleration_unit = "m/s2", .interval = 1e-4}};
+      {.acceleration_unit = "m/s2", .interval = 1e-4},
+      {.bridge_gaps = true, .cut = {.from = 1e-3, .to = 5e-3}}};
   return ways;
 }
 
@@ -61,7 +62,7 @@ void write_and_read(const Pulse& pulse) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const fs::path file = write("pulse.csv", text_of(bytes, size));
   read_or_refuse([&] { return input::pulse_csv_columns(file).value(); });
-  for (const input::PulseCsvOptions& way : ways_to_read()) {
+  for (const input::PulseOptions& way : ways_to_read()) {
     const auto read = read_or_refuse([&] { return input::read_pulse_csv(file, way).value().measured; });
     if (!read) continue;
     check(read->pulse);

@@ -32,14 +32,14 @@ void write_and_read(const injury::MeasuredPulse& read) {
 void read_iso_mme_test(const std::filesystem::path& test) {
   const auto channels = read_or_refuse([&] { return input::iso_mme_channels(test).value(); });
   if (!channels) return;
-  std::vector<input::IsoMmeOptions> ways{
+  std::vector<input::PulseOptions> ways{
       {},
       {.resultant = true},
       {.channel = "11HEAD0000??AC?A", .acceleration_unit = "g", .resultant = true},
       {.sensitivity = {input::sensitivity_of("10 mV/g")}}};
   for (std::size_t i = 0; i < std::min(channels->size(), max_channels); ++i)
     ways.push_back({.channel = std::to_string((*channels)[i].number)});
-  for (const input::IsoMmeOptions& way : ways) {
+  for (const input::PulseOptions& way : ways) {
     const auto read = read_or_refuse([&] { return input::read_iso_mme(test, way).value().measured; });
     if (!read) continue;
     check(read->pulse);

@@ -268,7 +268,7 @@ inline SyntheticFit nine_parameter_pulses(std::uint64_t seed) {
       pulse.time.push_back(5 + time);
       pulse.acceleration.push_back(exact + 0.005 * peak * normal.next());
     }
-    impact.pulse = fit::deceleration_of(pulse);
+    impact.pulse = fit::deceleration_of({pulse});
     impact.pulse->file = "made-up.csv";
     impact.pulse->deviation = 0.005 * peak;
     made.fit.impacts.push_back(impact);

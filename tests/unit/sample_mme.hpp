@@ -44,7 +44,7 @@ inline Files sample_test() {
           {"Channel/v1.004", channel("11CHST0000H3FOXB", "0\n1\n2\n", "kN")}};
 }
 
-inline std::string said(const std::filesystem::path& file, const input::IsoMmeOptions& options) {
+inline std::string said(const std::filesystem::path& file, const input::PulseOptions& options) {
   try {
     input::read_iso_mme(file, options).value();
   } catch (const input::InputError& error) {
@@ -54,7 +54,7 @@ inline std::string said(const std::filesystem::path& file, const input::IsoMmeOp
 }
 
 /// What is said about `files` in a folder.
-inline std::string said(const Files& files, const input::IsoMmeOptions& options = {.channel = "1"}) {
+inline std::string said(const Files& files, const input::PulseOptions& options = {.channel = "1"}) {
   const test::TemporaryFolder folder;
   write(folder.path(), files);
   return said(folder.path(), options);

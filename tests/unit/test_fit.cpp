@@ -405,11 +405,11 @@ TEST_F(FitFileTest, NamesEachFault) {
     std::string old, fresh, said;
   };
   const std::vector<Row> rows{
-      {"strain_unit = \"fraction\"\n", "", "strain_unit = \"percent\""},
+      {"strain_unit = \"fraction\"\n", "strain_unit = \"kPa\"\n", "strain_unit fraction or percent says"},
       {"file = \"test.csv\"", "file = \"nowhere.csv\"", "nowhere.csv"},
       {"rate = \"0.01 1/s\"\nnoise", "noise", "tests[1].rate"},
       {"noise = \"2 kPa\"", "noise = \"2 mm\"", "tests[1].noise"},
-      {"noise = \"2 kPa\"", "columns = {strain = \"e\"}", "no such column for the strain"},
+      {"noise = \"2 kPa\"", "columns = {strain = \"e\"}", "no column for the strain"},
       {"\"pad.curve.modulus\"", "\"pad.curve.plateau_stress\"", "has the form power"},
       {"bounds = [0, 4]", "bounds = [4, 0]", "the lower one first"},
       {"bounds = [0, 4]", "bounds = [0, 9]", "the upper bound 9"},
@@ -449,12 +449,13 @@ TEST_F(FitFileTest, NamesTheLinesOfBadData) {
   const std::string said = faults_of(timed);
   EXPECT_THAT(said, HasSubstr("test.csv:3: stress_kPa"));
   EXPECT_THAT(said, HasSubstr("test.csv:4: time_s"));
-  EXPECT_THAT(said, HasSubstr("must be later than the time before"));
+  EXPECT_THAT(said, HasSubstr("must be later than the previous time"));
   write("test.csv", "strain,stress_kPa\n10,10\n20,20\n");
   EXPECT_THAT(faults_of(good_fit), HasSubstr("test.csv:2: strain"));
   EXPECT_THAT(faults_of(good_fit), HasSubstr("is it in per cent?"));
-  write("test.csv", "strain,stress_kPa\n-0.1,-10\n-0.2,-20\n");
-  EXPECT_THAT(faults_of(good_fit), HasSubstr("compression is positive"));
+  write("test.csv", "strain,load_N\n0.1,10\n0.2,20\n");
+  EXPECT_THAT(faults_of(good_fit),
+              HasSubstr("over the area of the specimen it is a stress: area \"25 cm2\""));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Pulse half_sine(double begin = 0) {
 }
 
 TEST(DecelerationOf, GoesFromTheOnsetToTheEndWithThePeakUp) {
-  const MeasuredDeceleration measured_deceleration = deceleration_of(half_sine());
+  const MeasuredDeceleration measured_deceleration = deceleration_of({half_sine()});
   // 5 % of the peak are reached after asin(0.05) / pi of the 10 ms.
   const double after = 0.01 * std::asin(0.05) / pi;
   EXPECT_NEAR(measured_deceleration.onset, 0.02 + after, 1e-8);
@@ -60,21 +60,21 @@ TEST(DecelerationOf, EndsAtTheLevelOfTheQuietPart) {
   Pulse pulse = half_sine();
   for (std::size_t i = 0; i < pulse.time.size(); ++i)
     pulse.acceleration[i] = std::hypot(pulse.acceleration[i], 1 + static_cast<double>(i % 7) / 4);
-  const MeasuredDeceleration measured_deceleration = deceleration_of(pulse, injury::Stretch{0, 0.018});
+  const MeasuredDeceleration measured_deceleration = deceleration_of({pulse}, injury::Stretch{0, 0.018});
   EXPECT_NEAR(static_cast<double>(measured_deceleration.samples), 984, 12);
   EXPECT_NEAR(measured_deceleration.velocity_change, 2 / pi * 500 * 0.01, 0.01);
-  EXPECT_GT(deceleration_of(pulse).samples, 2900U);  // nothing tells the noise from the pulse
+  EXPECT_GT(deceleration_of({pulse}).samples, 2900U);  // nothing tells the noise from the pulse
 }
 
 TEST(DecelerationOf, TakesTheHicOfTheImpactAlone) {
-  const double alone = deceleration_of(half_sine()).hic;
+  const double alone = deceleration_of({half_sine()}).hic;
   EXPECT_NEAR(alone, injury::hic(half_sine(), injury::unlimited_window).value, 1e-4 * alone);
   Pulse twice = half_sine();  // and again, a little weaker, as the head falls back
   for (std::size_t i = 0; i < twice.time.size(); ++i)
     if (const double t = twice.time[i]; t >= 0.034 && t <= 0.044)
       twice.acceleration[i] = -480 * std::sin(pi * (t - 0.034) / 0.01);
   ASSERT_GT(injury::hic(twice, injury::unlimited_window).value, 1.1 * alone);
-  EXPECT_DOUBLE_EQ(deceleration_of(twice).hic, alone);
+  EXPECT_DOUBLE_EQ(deceleration_of({twice}).hic, alone);
 }
 
 TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
@@ -83,14 +83,14 @@ TEST(DecelerationOf, KeepsAllSamplesOfAShortPulse) {
     pulse.time.push_back(0.001 * i);
     pulse.acceleration.push_back(i > 2 && i < 15 ? 100 * std::sin(pi * (i - 2) / 13) : 0);
   }
-  const MeasuredDeceleration measured_deceleration = deceleration_of(pulse);
+  const MeasuredDeceleration measured_deceleration = deceleration_of({pulse});
   EXPECT_EQ(measured_deceleration.samples, measured_deceleration.time.size());
   EXPECT_GE(measured_deceleration.time.size(), 12U);
 }
 
 std::string fault_in(const Pulse& pulse) {
   try {
-    deceleration_of(pulse);
+    deceleration_of({pulse});
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -243,7 +243,7 @@ TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {
     std::string old, fresh, said;
     int line;
   };
-  for (const Row& row : {Row{"\n0.100000,", "\n0.010000,", "is earlier than the time before", 4},
+  for (const Row& row : {Row{"\n0.100000,", "\n0.010000,", "is earlier than the previous time", 4},
                          Row{"\n0.100000,-0.000000", "\n0.100000,nan", "", 4},
                          Row{"\n0.100000,0.000000", "\n0.100000,nan", "", 4}}) {
     if (sound.find(row.old) == std::string::npos) continue;  // of the two signs of nothing one is there

@@ -202,8 +202,75 @@ TEST(iso_mme, remarks) {
               ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and is used"));
 }
 
+injury::MeasuredPulse read(const Files& files, const input::PulseOptions& options) {
+  const test::TemporaryFolder folder;
+  write(folder.path(), files);
+  return input::read_iso_mme(folder.path(), options).value().measured;
+}
+
+TEST(iso_mme, samples_without_a_value_at_the_ends_are_left_out) {
+  Files files = sample_test();
+  files["Channel/v1.001"] = channel("11HEAD0000H3ACXA", "NOVALUE\n3\n6\n9\nNOVALUE\nNOVALUE\n", "m/s2");
+  files["Channel/v1.002"] = channel("11HEAD0000H3ACYA", "1\n4\n8\n12\n1\nNOVALUE\n", "m/s2");
+  const injury::MeasuredPulse one = read(files, {.channel = "1"});
+  EXPECT_EQ(one.pulse.time, (std::vector<double>{0, 0.001, 0.002}));
+  EXPECT_THAT(one.pulse.acceleration, ElementsAre(3, 6, 9));
+  EXPECT_THAT(one.remarks, ElementsAre("the first sample has no value (NOVALUE) and was left out",
+                                       "the last 2 samples have no value (NOVALUE) and were left out"));
+  files.erase("Channel/v1.003");
+  files.erase("Channel/v1.chn");
+  const injury::MeasuredPulse both = read(files, {.channel = "11HEAD0000H3AC?A", .resultant = true});
+  EXPECT_THAT(both.pulse.acceleration, ElementsAre(5, 10, 15));
+  EXPECT_EQ(read(files, {.channel = "1", .cut = {.from = 0.5e-3}}).pulse.time,
+            (std::vector<double>{0.001, 0.002}));
+}
+
+TEST(iso_mme, without_a_first_time_it_is_0) {
+  for (const std::string first : {":NOVALUE", ":", ""}) {
+    std::string text = channel("11HEAD0000H3ACXA");
+    const std::string stated = first.empty() ? "Time of first sample        :-0.001\n" : ":-0.001";
+    text.replace(text.find(stated), stated.size(), first);
+    const injury::MeasuredPulse measured = read(with_first(text), {.channel = "1"});
+    EXPECT_EQ(measured.pulse.time.front(), 0);
+    EXPECT_THAT(measured.remarks,
+                ElementsAre("the time of the first sample is not stated; it is taken as 0"));
+  }
+}
+
+TEST(iso_mme, explicit_times_are_those_of_another_channel) {
+  const auto with_times = [](const std::string& times, const std::string& name,
+                             const std::string& unit = "ms") {
+    Files files = sample_test();
+    files.erase("Channel/v1.chn");
+    files["Channel/v1.005"] = channel("10TIRS000000TI00", times, unit);
+    std::string text = channel("11HEAD0000H3ACXA", "1\n2\n3\n4\n");
+    const std::string implicit = ":implicit";
+    files["Channel/v1.001"] = text.replace(text.find(implicit), implicit.size(), ":explicit" + name);
+    return files;
+  };
+  const std::string named = "\nReference channel name :10tirs000000ti00";
+  for (const std::string& name : {named, std::string()}) {
+    const injury::MeasuredPulse measured = read(with_times("-1\n-0.5\n0\n0.6\n", name), {.channel = "1"});
+    EXPECT_EQ(measured.pulse.time, (std::vector<double>{-1e-3, -0.5e-3, 0, 0.6e-3}));
+    EXPECT_EQ(measured.time.name, "10TIRS000000TI00");
+    EXPECT_THAT(measured.remarks, SizeIs(0));
+  }
+  EXPECT_EQ(read(with_times("0\n1\n2\nNOVALUE\n", named), {.channel = "1"}).pulse.time,
+            (std::vector<double>{0, 1e-3, 2e-3}));
+  const injury::MeasuredPulse clock = read(
+      with_times("1764068400000\n1764068400001\n1764068400002\n1764068400003\n", named), {.channel = "1"});
+  EXPECT_EQ(clock.pulse.time, (std::vector<double>{0, 1e-3, 2e-3, 3e-3}));
+  EXPECT_EQ(clock.counts_from, "1764068400000 ms");
+  const auto told = [&](const std::string& times, const std::string& unit = "ms") {
+    return said(with_times(times, named, unit), {.channel = "1"});
+  };
+  EXPECT_THAT(told("0\n1\n1\n2\n"), HasSubstr("v1.005: has times that do not increase"));
+  EXPECT_THAT(told("0\n1\n2\n"), HasSubstr("has 3 times for 4 samples"));
+  EXPECT_THAT(told("0\n1\n2\n3\n", "m"), HasSubstr("Unit = m: a time is needed"));
+}
+
 TEST(iso_mme, choices_that_are_not_clear_are_told) {
-  const auto rule = [](const input::IsoMmeOptions& options) { return said(sample_test(), options); };
+  const auto rule = [](const input::PulseOptions& options) { return said(sample_test(), options); };
   EXPECT_THAT(rule({}), HasSubstr("several channels match: 11HEAD0000H3ACXA (1), "));
   EXPECT_THAT(rule({.channel = "9"}),
               HasSubstr("--channel 9: no such channel; available: 11HEAD0000H3ACXA (1)"));
@@ -216,7 +283,12 @@ TEST(iso_mme, choices_that_are_not_clear_are_told) {
   EXPECT_THAT(rule({.channel = "1", .acceleration_unit = "kg"}), HasSubstr("--acceleration-unit kg"));
   Files two = sample_test();
   two["other.mme"] = "Title :x\n";
-  EXPECT_THAT(said(two), HasSubstr("holds several tests: "));
+  EXPECT_THAT(said(two), HasSubstr("holds 2 tests: other, v1; choose one with --test"));
+  EXPECT_EQ(said(two, {.test = "V1", .channel = "1"}), "");
+  EXPECT_EQ(said(two, {.test = "v1.mme", .channel = "1"}), "");
+  EXPECT_THAT(said(two, {.test = "v2", .channel = "1"}),
+              HasSubstr("--test v2: no such test; available: other, v1"));
+  EXPECT_THAT(said(sample_test(), {.test = "v2"}), HasSubstr("no such test"));
   Files uneven = sample_test();
   uneven["Channel/v1.002"] = channel("11HEAD0000H3ACYA", "0\n1\n");
   EXPECT_THAT(said(uneven, {.resultant = true}), HasSubstr("has different times from 11HEAD0000H3ACXA"));
@@ -232,7 +304,10 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
   };
   EXPECT_EQ(of("0\n1\n"), "");
   EXPECT_THAT(of("0\nNOVALUE\n1\n"),
-              HasSubstr("v1.001:10: sample = NOVALUE: is missing; there must be no gap"));
+              HasSubstr("v1.001:10: sample = NOVALUE: is missing between two others; a pulse cannot"));
+  EXPECT_THAT(of("0\nNOVALUE\nNOVALUE\n1\nNOVALUE\n2\n"),
+              HasSubstr("v1.001:10: sample = NOVALUE: is missing between two others, as are 2 more;"));
+  EXPECT_THAT(of("NOVALUE\n1\nNOVALUE\n"), HasSubstr("a pulse needs at least two samples"));
   EXPECT_THAT(of("0\n\n1\n"), HasSubstr("v1.001:10: sample: is missing; there must be no gap"));
   EXPECT_THAT(of("0\nx\n1\n"), HasSubstr("v1.001:10: sample = x: must be a number"));
   EXPECT_THAT(of("0\n1,5\n1\n"), HasSubstr("must be a number"));
@@ -259,7 +334,10 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
   EXPECT_THAT(changed("interval           :0.001", "interval           :NOVALUE"), HasSubstr("is missing"));
   EXPECT_THAT(changed("interval ", "intervall"), HasSubstr("Sampling interval: is missing"));
   EXPECT_THAT(changed("sample        :-0.001", "sample        :x"), HasSubstr("must be a number"));
-  EXPECT_THAT(changed(":implicit", ":explicit"), HasSubstr("only \"implicit\" times are read"));
+  EXPECT_THAT(changed(":implicit", ":explicit"), HasSubstr("needs a channel of times"));
+  EXPECT_THAT(changed(":implicit", ":explicit\nReference channel name :10TIRS000000TI00"),
+              HasSubstr("the channel of times, 10TIRS000000TI00, is missing"));
+  EXPECT_THAT(changed(":implicit", ":other"), HasSubstr("must be implicit or explicit"));
   EXPECT_THAT(changed(":g", ":NOVALUE"), HasSubstr("the acceleration needs a unit"));
   EXPECT_THAT(changed(":g", ":furlong"), HasSubstr("Unit = furlong"));
 }

@@ -48,6 +48,7 @@ class MaterialDeckTest : public testing::Test {
   CrushableFoam crushable(const std::string& text, const char* units = "t-mm-s") {
     return std::get<CrushableFoam>(read(text, units).at(0).material.law);
   }
+  Material only(const std::string& text) { return read(text).at(0).material; }
   /// "LINE: key = value: rule" of each fault.
   std::vector<std::string> faults(const std::string& text, const char* units = "t-mm-s") {
     std::vector<std::string> lines;
@@ -404,15 +405,114 @@ TEST_F(MaterialDeckTest, EachFaultNamesItsLine) {
               ElementsAre(HasSubstr("8: curve 1: strain = 1: must be less than 1")));
   EXPECT_THAT(
       curve("0.1,0.02\n0.4,0.01\n0.7,0.01\n"),
-      ElementsAre(HasSubstr("7: curve 1: stress = 10000: must be more than the previous stress, 20000"),
+      ElementsAre(HasSubstr("7: curve 1: stress = 10000: must not be less than the previous stress, 20000"),
                   HasSubstr("8: curve 1: stress = 10000")));
   EXPECT_THAT(curve("0.1       0.02\n"),
               ElementsAre(HasSubstr("6: curve 1: A1 = 0.1       0.02: is not a number (columns 1 to 20)")));
   EXPECT_THAT(curve("0.1\t0.02\n"), Contains(HasSubstr("6: contains a tab")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.03\n"), ElementsAre(HasSubstr("4: curve 1: has 2 points")));
-  EXPECT_THAT(curve("0.1,&peak\n"), ElementsAre(HasSubstr("is a parameter")));
+  EXPECT_THAT(curve("0.1,&peak\n"),
+              ElementsAre(HasSubstr("is a parameter that no *PARAMETER of this deck defines")));
   EXPECT_THAT(curve("0.1,1e999\n"), ElementsAre(HasSubstr("is too large or too small")));
   EXPECT_THAT(curve("\xff\xfe,1\n"), Contains(HasSubstr("6: curve 1: A1 = ")));
+}
+
+TEST_F(MaterialDeckTest, ParametersStandForNumbers) {
+  const std::string deck =
+      "*PARAMETER\n  R    rho   5.0e-11  I     lc         7\nr hu,0.5,Rpeak,1\n"
+      "*PARAMETER_EXPRESSION\nR      top2*(peak+sqrt(4)-2)^2/2-(-1+1)\n"
+      "*MAT_057\n1,&rho,50.0,&LC,,&hu\n5\n*DEFINE_CURVE\n&lc,,,&peak\n0,0\n0.1,0.03\n0.5,0.07\n0.8,&top\n";
+  const Material material = only(deck);
+  const auto& law = std::get<Foam>(material.law);
+  EXPECT_DOUBLE_EQ(*material.density, 50);
+  EXPECT_EQ(law.unloading_factor, 0.5);
+  EXPECT_DOUBLE_EQ(std::get<TableCurve>(law.curves.base).stress.back(), 1e6);
+  EXPECT_THAT(faults(low_density_foam() + "*PARAMETER\nR a,-3\n*DEFINE_CURVE\n1\n0.1,0.02\n0.4,-&a\n0.7,4\n"),
+              ElementsAre());
+  for (const auto& [expression, rule] : std::vector<std::pair<std::string, std::string>>{
+           {"1/(2-2)", "divides by zero"},
+           {"2*b", "uses b, which is not defined before it"},
+           {"a", "uses a, which is not defined before it"},
+           {"(1+2", "a bracket that is not closed"},
+           {"1 2", "does not end before"},
+           {"ln(2)", "uses the function ln, which is not read"},
+           {"exp(1000)", "is no finite number"},
+           {std::string(30, '(') + "1" + std::string(30, ')'), "more than 20 brackets"},
+           {"", "needs a number before"}})
+    EXPECT_THAT(
+        faults("*PARAMETER_EXPRESSION\nR a       " + expression + "\n" + low_density_foam() + curve_1),
+        Contains(AllOf(HasSubstr("2: parameter a"), HasSubstr(rule))))
+        << expression;
+  EXPECT_THAT(faults("*PARAMETER\nR a,1,R a,2\n" + low_density_foam() + curve_1),
+              ElementsAre(HasSubstr("parameter a: is defined twice")));
+}
+
+TEST_F(MaterialDeckTest, CurvesOutOfReachAreNamedForWhatTheyAre) {
+  EXPECT_THAT(faults(low_density_foam() + "*DEFINE_CURVE_SMOOTH\n1,0,1,0,0.01,0.1\n"),
+              ElementsAre(HasSubstr("curve 1 is a *DEFINE_CURVE_SMOOTH, which is not read")));
+  EXPECT_THAT(
+      faults(low_density_foam() + "-----BEGIN PGP MESSAGE-----\nhQEM\n-----END PGP MESSAGE-----\n*END\n"),
+      ElementsAre(HasSubstr("a part of the deck is encrypted, from line 4 on, so *DEFINE_CURVE 1 cannot")));
+  EXPECT_THAT(faults("*MAT_063\n3,4e-11,50,0,1,0.1,0.1,1\n0.3,1.2,0.1\n" + curve_1),
+              ElementsAre(HasSubstr("MODEL = 1: is not read; must be 0")));
+}
+
+TEST_F(MaterialDeckTest, PlateausOfEqualStressAreRead) {
+  const Material material =
+      only("*MAT_063\n3,4e-11,50,0,1\n*DEFINE_CURVE\n1\n0,0.2\n0.1,0.2\n0.5,0.2\n0.7,0.5\n0.8,3\n");
+  const auto& base = std::get<TableCurve>(std::get<CrushableFoam>(material.law).curves.base);
+  EXPECT_DOUBLE_EQ(base.strain[2], 0.2e6 / 50e6);
+  EXPECT_DOUBLE_EQ(base.stress[2], 0.2e6);
+  EXPECT_EQ(base.stress[3], base.stress[2]);
+}
+
+/// As straight lines, which a deck means, the faster curve is not below the slower one.
+TEST_F(MaterialDeckTest, CurvesThatShareTheirBeginningOrHaveOtherStrainsAreRead) {
+  const std::string cards = "*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n0.01\n10\n";
+  const std::string slow = "*DEFINE_CURVE\n1\n0,0\n0.02,0.02\n0.1,0.03\n0.5,0.07\n0.8,1\n";
+  EXPECT_THAT(faults(cards + slow + "*DEFINE_CURVE\n2\n0,0\n0.02,0.02\n0.1,0.045\n0.5,0.105\n0.8,1.5\n"),
+              ElementsAre());
+  EXPECT_THAT(faults(cards + slow +
+                     "*DEFINE_CURVE\n2\n0,0\n0.01,0.0102\n0.02,0.0204\n0.06,0.0255\n0.1,0.0306\n0.5,0.0714\n"
+                     "0.8,1.02\n"),
+              ElementsAre());
+  EXPECT_THAT(faults(cards + slow + "*DEFINE_CURVE\n2\n0,0\n0.02,0.02\n0.1,0.02\n0.5,0.07\n0.8,1\n"),
+              ElementsAre(HasSubstr("curve 2: stress = ")));
+}
+
+TEST_F(MaterialDeckTest, FoamsOfAbaqusAreRead) {
+  const std::string begin = "*MATERIAL, NAME=Pad foam\n*DENSITY\n5e-11,\n";
+  const std::string rows =
+      "0,0,0\n0.02,0.02,0\n0.03,0.1,0\n1,0.8,0\n0,0,10\n0.03,0.02,10\n0.045,0.1,10\n1.5,0.8,10\n";
+  const Material slow = only(begin + "*LOW DENSITY FOAM\n*UNIAXIAL TEST DATA, DIRECTION=TENSION\n0,0\n1,1\n" +
+                             "** compression\n*Uniaxial Test Data, direction=compression\n" + rows);
+  EXPECT_EQ(slow.title, "Pad foam");
+  EXPECT_DOUBLE_EQ(*slow.density, 50);
+  const auto& law = std::get<Foam>(slow.law);
+  EXPECT_EQ(std::get<TableCurve>(law.curves.base).strain, (std::vector<double>{0.02, 0.1, 0.8}));
+  EXPECT_EQ(std::get<CurvesRateEffect>(law.curves.rate_effect).curves.front().rate, 10);
+  const Material loop =
+      only(begin +
+           "*LOW DENSITY FOAM, LATERAL STRAIN DATA=YES\n*UNIAXIAL TEST DATA, DIRECTION=COMPRESSION\n"
+           "0,0,0,0.01\n0.02,0.02,0,0.01\n0.03,0.1,0,0.01\n1,0.8,0,0.01\n"
+           "0.01,0.1,0,-0.01\n0.02,0.3,0,-0.01\n1,0.8,0,-0.01\n");
+  EXPECT_EQ(std::get<Foam>(loop.law).curves.slowest_rate, 0.01);
+  EXPECT_EQ(std::get<Foam>(loop.law).unloading_curve->strain, (std::vector<double>{0.1, 0.3, 0.8}));
+  const Material tested = only(
+      "*MATERIAL, NAME=F\n*HYPERFOAM, TEST DATA INPUT, N=2, POISSON=0\n*UNIAXIAL TEST DATA\n"
+      "-1,-0.8\n-0.03,-0.1\n-0.02,-0.02\n0.1,0.1\n");
+  EXPECT_EQ(std::get<TableCurve>(std::get<Foam>(tested.law).curves.base).stress,
+            (std::vector<double>{2e4, 3e4, 1e6}));
+  const Material fitted = only("*MATERIAL, NAME=F\n*HYPERFOAM, N=2\n0.03,6,0.01,-2,0,0\n");
+  const auto& curve = std::get<HyperfoamCurve>(std::get<Foam>(fitted.law).curves.base);
+  EXPECT_DOUBLE_EQ(curve.first_modulus, 3e4);
+  EXPECT_EQ(curve.second_exponent, -2);
+  EXPECT_THAT(faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=3\n1,2,3,4,5,6,0,0\n"),
+              ElementsAre(HasSubstr("must be 1 or 2")));
+  EXPECT_THAT(faults("*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n"),
+              ElementsAre(HasSubstr("has no *UNIAXIAL TEST DATA")));
+  EXPECT_THAT(faults("*MATERIAL, NAME=F\n*ELASTIC\n1,0\n"),
+              ElementsAre(HasSubstr("holds no *LOW DENSITY FOAM")));
 }
 
 TEST_F(MaterialDeckTest, DecksThatAreCutShortAreRefused) {
@@ -451,7 +551,7 @@ TEST_F(MaterialDeckTest, RulesOfTheLawNameTheLineOfTheDeck) {
               ElementsAre(AllOf(HasSubstr("1: *MAT_057: parameters.unloading_factor = 1.5"),
                                 HasSubstr("at most 1"))));
   EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n0.01\n10\n" + curve_2 + curve_1),
-              Contains(AllOf(HasSubstr("*MAT_083: rate.curves[1].stress"), HasSubstr("crosses"))));
+              Contains(AllOf(HasSubstr("*MAT_083: curve 1: stress"), HasSubstr("crosses"))));
 }
 
 // --- And back ---

@@ -25,13 +25,13 @@ using ::testing::Pointwise;
 
 constexpr double g = 9.80665;
 
-injury::MeasuredPulse read(const std::string& text, const input::PulseCsvOptions& options = {}) {
+injury::MeasuredPulse read(const std::string& text, const input::PulseOptions& options = {}) {
   const test::TemporaryFolder folder;
   return input::read_pulse_csv(folder.write("pulse.csv", text), options).value().measured;
 }
 
 /// What is said, a fault a line; "" if nothing.
-std::string said(const std::string& text, const input::PulseCsvOptions& options = {}) {
+std::string said(const std::string& text, const input::PulseOptions& options = {}) {
   try {
     read(text, options);
   } catch (const input::InputError& error) {
@@ -47,13 +47,13 @@ std::string said(const std::string& text, const input::PulseCsvOptions& options 
 }
 
 input::Sensitivity ten_mv_per_g() { return input::sensitivity_of("10 mV/g"); }
-const input::PulseCsvOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
+const input::PulseOptions in_ms_and_g{.time_unit = "ms", .acceleration_unit = "g"};
 
 /// The same two samples in many styles.
 struct Style {
   std::string text;
   std::vector<std::string> remarks;
-  input::PulseCsvOptions options = {};
+  input::PulseOptions options = {};
 };
 
 const std::vector<Style> styles{
@@ -81,7 +81,7 @@ const std::vector<Style> styles{
      {"1 line that begins with # among the numbers was left out, in line 4"}},
     {"t_ms,a_g\n0,1\n#1,2\n2,3\n# 3,4\n#\n",
      {"3 lines that begin with # among the numbers were left out, the first in line 3"}},
-    {"t_ms,a_g\n0,1\n0,1\n2,3\n", {"1 sample that repeats the one before was left out, in line 3"}},
+    {"t_ms,a_g\n0,1\n0,1\n2,3\n", {"1 sample that repeats the previous one was left out, in line 3"}},
     {"  t_ms   a_g\n   0.0   1.0\n +2.0   3.0\n", {}},
     {"0,1\n2,3\n", {}, {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g"}},
     {"a_g,t_ms,note\n1,0,begin\n3,2,end\n", {}},
@@ -94,13 +94,31 @@ const std::vector<Style> styles{
     {"t_ms\ta_g\n0,0\t1,0\n2,0\t3\n", {"decimal commas were read as points"}},
     {"t_ms a_g\n0,0 1,0\n2,0 3,0\n", {"decimal commas were read as points"}},
     {"t_ms,a_g,,\n0,1,,\n2,3,,\n", {"empty columns at the end were left out"}},
-    {"t_ms,a_g\n\n0,1\n,\n2,3\n\n\n", {"2 lines without content left out"}},
+    {"t_ms,a_g\n\n0,1\n,\n2,3\n\n\n", {"1 line without content left out"}},
     {"t_ms,a_g\n0,1\n0,1\n0,1\n2,3\n",
-     {"2 samples that repeat the one before were left out, the first in line 3"}},
+     {"2 samples that repeat the previous one were left out, the first in line 3"}},
     {"# t_ms a_g\n0 1\n2 3\n", {"names of columns were read from the comment in line 1"}},
     {"0,1\n2,3\n",
      {"the first of the two columns is used as the time, the second as the acceleration"},
      in_ms_and_g},
+    {"time [ms],acc [mg]\n0,1000\n2,3000\n", {}},
+    {"t_ms,ax_mg\n0,1000\n2,3000\n", {}},
+    {"Time (s),Accel (G's)\n0,1\n0.002,3\n", {}},
+    {"Time,Acceleration\nSEC,G'S\n0,1\n0.002,3\n", {}},
+    {"TIME (MSEC);HEAD ACC (GS)\n0;1\n2;3\n", {}},
+    {"Timestamp [milliseconds];a_g\n0;1\n2;3\n", {}},
+    {"\"Time (ms)\",\"Acc (g)\"\n\"0,0\",\"1,0\"\n\"2,0\",\"3,0\"\n", {"decimal commas were read as points"}},
+    {"t_ms,a_g\n-1,NaN\n0,1\n2,3\n", {"the first row has no value and was left out"}},
+    {"t_ms,a_g,comment,operator\n0,1\n2,3\n", {}},
+    {"t_ms,a_g,comment\n0,1\n2,3,\n", {"empty columns at the end were left out"}},
+    {"\n          X         A:A3 PI: HEAD N: 1\n\n     0.0E+00     1.0E+00\n     2.0E-03     3.0E+00\n",
+     {},
+     {.time = "X", .acceleration = {"A:A3 PI: HEAD N: 1"}, .time_unit = "s", .acceleration_unit = "g"}},
+    {"Curve of the head, node 1\n 0 1\n 2 3\n",
+     {"the first of the two columns is used as the time, the second as the acceleration"},
+     in_ms_and_g},
+    {"t_ms,a_g,F_N\n-1,,7\n0,1,7\n2,3,7\n4,,7\n6,NaN,7\n",
+     {"the first row has no value and was left out", "the last 2 rows have no value and were left out"}},
     {"t_s,a_g\n0,1\n2,3\n", {"t_s: the file says s; ms was given and is used"}, {.time_unit = "ms"}},
 };
 
@@ -224,7 +242,7 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
        {"acc [g]\n1\n3\n", "acc [g]\n1,0\n3\n", "Logger 12 34\nacc\n[g]\n1.0\n3.0\n", "a_g\r\n1\r\n3\r\n\r\n",
         "count,a_g\n7,1\n8,3\n", "time [ms];a_g\n0,7;1,0\n0,7;3,0\n", "# a_g\n1\n3\n"}) {
     SCOPED_TRACE(text);
-    const input::PulseCsvOptions options{.interval = 2e-3};
+    const input::PulseOptions options{.interval = 2e-3};
     ASSERT_EQ(said(text, options), "");
     const injury::MeasuredPulse measured = read(text, options);
     EXPECT_THAT(measured.pulse.time, ElementsAre(0, 2e-3));
@@ -265,9 +283,107 @@ TEST(pulse_csv, times_of_a_clock_count_from_the_first_sample) {
   EXPECT_THAT(said("time_s,a_g\n1764068400.00000002,1\n1764068400.00000001,2\n"), HasSubstr("is earlier"));
 }
 
+/// Each notation of two times 2 ms apart.
+TEST(pulse_csv, times_of_day_count_from_the_first_sample) {
+  for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{
+           {"10:00:00.000", "10:00:00.002"},
+           {"10:00:00,000", "10:00:00,002"},
+           {"23:59:59.999", "00:00:00.001"},
+           {"2024-05-01T23:59:59.999Z", "2024-05-02T00:00:00.001Z"},
+           {"2024-12-31T23:59:59.999", "2025-01-01T00:00:00.001"},
+           {"2024-05-01 10:00:00.000+02:00", "2024-05-01 08:00:00.002+00:00"},
+           {"2024/05/01 10:00:00.000-0530", "2024/05/01 10:00:00.002-0530"},
+           {"28.02.2024 23:59:59.999", "29.02.2024 00:00:00.001"},
+           {"05/31/2024 11:59:59.999 PM", "06/01/2024 12:00:00.001 AM"},
+           {"59:59.9990", "00:00.0010"},
+           {"7:05:03.1234567", "7:05:03.1254567"}}) {
+    SCOPED_TRACE(first);
+    const std::string text = "Time;Acc [g]\n" + first + ";1\n" + second + ";3\n";
+    ASSERT_EQ(said(text), "");
+    const injury::MeasuredPulse measured = read(text);
+    EXPECT_EQ(measured.pulse.time.front(), 0);
+    EXPECT_NEAR(measured.pulse.time.back(), 2e-3, 1e-12);
+    EXPECT_EQ(measured.counts_from, first);
+    EXPECT_EQ(measured.time.unit_origin, "format");
+  }
+  EXPECT_THAT(
+      read("Date,Clock,a_g\n2024-05-01,10:00:00.000,1\n2024-05-01,10:00:00.002,3\n", {.time = "Clock"})
+          .pulse.acceleration,
+      Pointwise(DoubleEq(), {g, 3 * g}));
+  EXPECT_EQ(read("stamp;a_g\n10:00:00,1;1\nlate;3\n", {.acceleration = {"a_g"}, .interval = 2e-3})
+                .pulse.time.size(),
+            2U);
+  EXPECT_THAT(said("Time,a_g\n59:59.9,1\n60:00.1,3\n"),
+              HasSubstr("must be a time of day, as in the first row of numbers"));
+  EXPECT_THAT(said("Time,a_g\n10:00:01,1\n10:00:00,3\n"), HasSubstr("is earlier than the previous time"));
+  EXPECT_THAT(said("Time,a_g\n10:00:01,1\n10:00:02,3\n", {.time_unit = "ms"}),
+              HasSubstr("is a time of day, which has no other unit: leave out --time-unit"));
+}
+
+TEST(pulse_csv, samples_that_share_a_time_are_one_fault_with_the_interval_that_helps) {
+  std::string rounded = "t_ms,a_g\n", packets = rounded;
+  for (int i = 0; i < 50; ++i) {
+    rounded += std::to_string(4 * i / 10) + "," + std::to_string(i) + "\n";
+    packets += std::to_string(10 * (i / 5)) + "," + std::to_string(i) + "\n";
+  }
+  EXPECT_THAT(said(rounded), HasSubstr("--interval \"0.3878 ms\" (19 ms over 49 steps)"));
+  EXPECT_THAT(said(packets), HasSubstr("several samples share a time, 40 with the previous one"));
+  EXPECT_THAT(said(packets), HasSubstr("--interval \"2 ms\" (90 ms over 45 steps)"));
+  EXPECT_EQ(std::ranges::count(said(packets), '\n'), 0);
+}
+
+TEST(pulse_csv, is_cut_on_the_printed_scale) {
+  const std::string text = "t_ms,a_g\n0,7\n1,8\n2,bad\n3,1\n5,3\n7,nan\n";
+  const injury::MeasuredPulse measured = read(text, {.cut = {.from = 3e-3, .to = 5e-3}});
+  EXPECT_THAT(measured.pulse.time, ElementsAre(3e-3, 5e-3));
+  EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
+  EXPECT_THAT(measured.remarks, ElementsAre("only the samples from 3 to 5 ms are used, 2 of 6"));
+  EXPECT_THAT(said(text, {.cut = {.from = 2e-3}}), HasSubstr(":4: a_g = bad: must be a number"));
+  EXPECT_THAT(said(text, {.cut = {.from = 8e-3}}),
+              HasSubstr("--from, --to: no sample is from 8 to 7 ms; the samples are from 0 to 7 ms"));
+  EXPECT_THAT(said(text, {.cut = {.to = 0.5e-3}}), HasSubstr("only one sample is from 0 to 0.5 ms"));
+  const injury::MeasuredPulse of_clock =
+      read("Time,a_g\n10:00:00.000,7\n10:00:00.001,1\n10:00:00.003,3\n", {.cut = {.from = 1e-3}});
+  EXPECT_EQ(of_clock.pulse.time.size(), 2U);
+  EXPECT_NEAR(of_clock.pulse.time.front(), 1e-3, 1e-12);
+}
+
+/// NI's layout: one header of the file, one of the segment, then names and numbers.
+std::string lvm(const std::string& x_columns, const std::string& table) {
+  return "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\t" +
+         x_columns +
+         "\nTime\t09:51:39,197\n***End_of_Header***\t\n\t\nChannels\t2\t\t\nSamples\t2\t2\t\n"
+         "Y_Unit_Label\tNewtons\tg\t\nX_Dimension\tTime\tTime\t\nX0\t0,0E+0\t1,0E-3\t\n"
+         "Delta_X\t1,0E-3\t2,0E-3\t\n***End_of_Header***\t\t\t\n" +
+         table;
+}
+
+TEST(pulse_csv, labview_files_say_their_units_and_times) {
+  const injury::MeasuredPulse none =
+      read(lvm("No", "X_Value\tForce\tHead\tComment\n\t5,0\t1,0\tstart\n\t5,0\t3,0\n"));
+  EXPECT_THAT(none.pulse.time, Pointwise(DoubleEq(), {1e-3, 3e-3}));
+  EXPECT_THAT(none.remarks, ElementsAre("the sampling interval, 2 ms, is that of the header",
+                                        "decimal commas were read as points"));
+  const injury::MeasuredPulse one =
+      read(lvm("One", "X_Value\tForce\tHead\tComment\n0,0\t5,0\t1,0\n0,002\t5,0\t3,0\n"));
+  EXPECT_THAT(one.pulse.time, Pointwise(DoubleEq(), {0.0, 2e-3}));
+  const injury::MeasuredPulse each = read(
+      lvm("Multi",
+          "X_Value\tForce\tX_Value\tHead\tComment\n0,0\t5,0\t0,001\t1,0\n0,1\t5,0\t0,003\t3,0\n0,2\t5,0\n"));
+  EXPECT_THAT(each.pulse.time, Pointwise(DoubleEq(), {1e-3, 3e-3}));
+  for (const injury::MeasuredPulse& measured : {none, one, each}) {
+    EXPECT_THAT(measured.pulse.acceleration, Pointwise(DoubleEq(), {g, 3 * g}));
+    EXPECT_EQ(measured.acceleration.front().name, "Head");
+    EXPECT_EQ(measured.format, "LVM");
+  }
+  EXPECT_THAT(said(lvm("No", "X_Value\tF\tA\n\t5\t1\n\t5\t3\n") + lvm("No", "X_Value\tF\tA\n\t5\t1\n")),
+              HasSubstr("holds 3 measurements; put each into a file of its own"));
+  EXPECT_THAT(said("LabVIEW Measurement\nSeparator\tTab\n"), HasSubstr("has no line ***End_of_Header***"));
+}
+
 TEST(pulse_csv, volts_become_an_acceleration_with_a_sensitivity) {
   const input::Sensitivity half = input::sensitivity_of("5 mV/g");
-  for (const auto& [text, options] : std::vector<std::pair<std::string, input::PulseCsvOptions>>{
+  for (const auto& [text, options] : std::vector<std::pair<std::string, input::PulseOptions>>{
            {"t_ms,ch1 [mV]\n0,10\n2,30\n", {.sensitivity = {ten_mv_per_g()}}},
            {"t_ms,acc [V]\n0,0.01\n2,0.03\n", {.sensitivity = {ten_mv_per_g()}}},
            {"t_ms,acc [V],old_g\n0,0.01,7\n2,0.03,7\n", {.sensitivity = {ten_mv_per_g()}}},
@@ -298,7 +414,7 @@ TEST(pulse_csv, a_sensitivity_is_a_voltage_for_an_acceleration) {
 struct Bad {
   std::string text;
   std::string said;
-  input::PulseCsvOptions options = {};
+  input::PulseOptions options = {};
 };
 
 /// Made on demand: the tests of units want to be the first to ask for any.
@@ -309,8 +425,7 @@ std::vector<Bad> bad_files() {
       {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
       {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
       {"time [ms],acc [mile]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
-      {"time [ms],acc [mg]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
-      {"time [ms],acc [mg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
+      {"time [ms],acc [kg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
       {"t_ms,a_g\n0,1\n2,3\n",
        "--acceleration-unit kg: an acceleration is needed",
        {.acceleration_unit = "kg"}},
@@ -343,7 +458,7 @@ std::vector<Bad> bad_files() {
       {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
       {"t_ms,a_g\nx,5\n1,2\n2,3\n", ":2: t_ms = x: must be a number"},
       {"t_ms,a_g\n0,1\n1,nan\n2,3\n", ":3: a_g = nan: must be a finite number"},
-      {"t_ms,a_g\n0,NaN\n1,1\n2,3\n", ":2: a_g = NaN: must be a finite number"},
+      {"t_ms,a_g\n0,1\n1,NaN\n2,\n3,3\n", ":3: a_g = NaN: must be a finite number (and 1 more that follow)"},
       {"t_ms,a_g\n0,1\n1,-inf\n2,3\n", ":3: a_g = -inf: must be a finite number"},
       {"t_ms,a_g\n0,1\n1,1e400\n2,3\n", ":3: a_g = 1e400: is too large or too small"},
       {"t_ms,a_g\n0,1\n1,1e308\n2,3\n", ":3: a_g = 1e308: is too large or too small"},
@@ -354,8 +469,9 @@ std::vector<Bad> bad_files() {
       {"t_ms;a_g\n0;1.000,5\n1;2,5\n2;3\n", ":2: a_g = 1.000,5: must be a number"},
       {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "decimal commas need another separator"},
       // Times.
-      {"t_ms,a_g\n0,1\n0,2\n2,3\n", ":3: t_ms = 0: repeats the time before, with another value"},
-      {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the time before"},
+      {"t_ms,a_g\n0,1\n0,2\n2,3\n",
+       ":3: t_ms: several samples share a time, 1 with the previous one: the times are rounded"},
+      {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the previous time"},
       {"t_ms,a_g\n1,1\n", "has one sample only"},
       {"t_ms,a_g\n1,1\n1,1\n", "has one sample only"},
       // Rows.
@@ -412,9 +528,12 @@ TEST(pulse_csv, each_kind_of_bad_file_is_told) {
 }
 
 TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
-  EXPECT_EQ(said("t_ms,a_g\n0,x\n1,2\n1,3\n4,\n"),
-            ":2: a_g = x: must be a number\n:4: t_ms = 1: repeats the time before, with another value; times "
-            "must increase\n:5: a_g: is missing; there must be no gap");
+  EXPECT_EQ(said("t_ms,a_g\n0,x\n1,2\n1,3\n4,\n5,1\n"),
+            ":2: a_g = x: must be a number\n:5: a_g: is missing; there must be no gap\n:4: t_ms: several "
+            "samples share a "
+            "time, 1 with the previous one: the times are rounded, or one stands for a packet of samples; if "
+            "the samples are "
+            "evenly spaced, give their interval: --interval \"2 ms\" (4 ms over 2 steps)");
   std::string text = "t_ms,a_g\n0,1\n";
   for (int i = 0; i < 100'000; ++i) text += "x,y\n";
   try {

@@ -70,7 +70,7 @@ TEST(sensor_offset, is_that_of_the_fall_and_not_of_the_rest_before) {
     ASSERT_TRUE(found->rest);
     EXPECT_NEAR(found->rest->mean.at(0), 1.2 * g, 4 * noise * g / std::sqrt(2400) + 1e-9);
     const std::size_t before = measured.pulse.time.size();
-    injury::leave_out_before(measured, found->begin);
+    injury::find_offset(measured, std::nullopt, false);
     EXPECT_EQ(measured.pulse.time.front(), found->begin);
     EXPECT_EQ(measured.pulse.time.size(), measured.pulse.acceleration.size());
     EXPECT_NEAR(static_cast<double>(before - measured.pulse.time.size()), 2500, noise > 0 ? 20 : 0);

@@ -64,17 +64,19 @@ TEST_F(StrainCsvTest, BeginsAtFirstContact) {
 TEST_F(StrainCsvTest, LeavesOutRowsThatRepeat) {
   const input::StrainTable table = read("time_s,strain\n0,0\n0.5,0.25\n0.5,0.25\n1,0\n");
   EXPECT_THAT(table.time, ElementsAre(0, 0.5, 1));
-  EXPECT_THAT(table.remarks, ElementsAre("1 row that repeats the one before was left out"));
+  EXPECT_THAT(table.remarks, ElementsAre("1 row that repeats the previous one was left out"));
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n0.5,0.25\n0.5,0.3\n"), HasSubstr("must be later"));
 }
 
 TEST_F(StrainCsvTest, NeedsAHeaderThatSaysWhatIsWhat) {
   EXPECT_THAT(first_rule("0,0\n1,0.5\n"), HasSubstr("needs a line above the numbers"));
-  EXPECT_THAT(first_rule("time,strain\n0,0\n1,0.5\n"), HasSubstr("the time needs a unit"));
-  EXPECT_THAT(first_rule("time_s,force [N]\n0,0\n1,0.5\n"), HasSubstr("one column called strain"));
-  EXPECT_THAT(first_rule("time_s,strain,strain [%]\n0,0,0\n1,0.5,50\n"), HasSubstr("there are 2"));
-  EXPECT_THAT(first_rule("time_s,strain [mm]\n0,0\n1,0.5\n"), HasSubstr("a pure number, or in %"));
-  EXPECT_THAT(first_rule("strain [%],x\n0,0\n1,0.5\n"), HasSubstr("one column of times"));
+  EXPECT_THAT(first_rule("time,strain\n0,0\n1,0.5\n"), HasSubstr("its unit is not stated"));
+  EXPECT_THAT(first_rule("time_s,force [N]\n0,0\n1,0.5\n"), HasSubstr("no column for the strain"));
+  EXPECT_THAT(first_rule("time_s,strain,strain [%]\n0,0,0\n1,0.5,50\n"),
+              HasSubstr("several columns may be the strain"));
+  EXPECT_THAT(first_rule("time_s,strain [mm]\n0,0\n1,0.5\n"),
+              HasSubstr("is a displacement; over the thickness"));
+  EXPECT_THAT(first_rule("strain [%],x\n0,0\n1,0.5\n"), HasSubstr("no column for the time"));
   EXPECT_THAT(first_rule(""), HasSubstr("is empty"));
   EXPECT_THAT(first_rule("time_s,strain\n"), HasSubstr("no row"));
 }
@@ -88,7 +90,8 @@ TEST_F(StrainCsvTest, NamesEveryFaultWithItsLine) {
 
 /// The first time is taken off: 0 and 1 are both 1e17 after -1e17.
 TEST_F(StrainCsvTest, RefusesTimesThatCannotBeToldApartAfterTheFirst) {
-  EXPECT_THAT(first_rule("time_s,strain\n-1e17,0\n0,0.1\n1,0.2\n"), HasSubstr("rounds to the previous time"));
+  EXPECT_THAT(first_rule("time_s,strain\n-1e17,0\n0,0.1\n1,0.2\n"),
+              HasSubstr("cannot be told apart from the previous time"));
   EXPECT_THAT(first_rule("time_s,strain\n-1e308,0\n1e308,0.1\n"), HasSubstr("too large"));
   EXPECT_THAT(first_rule("time [Ys],strain\n0,0\n1e300,0.1\n"), HasSubstr("too large"));
 }

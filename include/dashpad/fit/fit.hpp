@@ -55,6 +55,7 @@ struct MaterialMeasurement {
   std::optional<double> noise;  ///< standard deviation of a stress, Pa; absent: estimated from the misfit
   bool has_offset = false;      ///< its force zero is shifted by an unknown stress
   bool is_held_out = false;     ///< predicted, not fitted
+  std::vector<std::string> remarks = {};  ///< repairs and interpretations of the file, a sentence each
 };
 
 /// A figure of an impact that can be measured, in the order of impact_figure_names().
@@ -97,6 +98,7 @@ struct MeasuredDeceleration {
   double hic = 0;       ///< HIC with an unlimited window, from all samples between onset and end, g^2.5 s
   double velocity_change = 0;                         ///< m/s, over contact
   std::optional<injury::MeasuredImpact> impact = {};  ///< present if the file gives a speed or drop height
+  std::vector<std::string> remarks = {};  ///< repairs and interpretations of the file, a sentence each
 };
 
 /// Samples of a pulse that are fitted, at most; neighbours tell little that is new.
@@ -105,7 +107,8 @@ inline constexpr std::size_t max_pulse_points = 200;
 /// The pulse between onset and end, thinned evenly to max_pulse_points. `measured` has been filtered; `quiet`
 /// is the stretch before the impact, if it is known. Throws std::invalid_argument, with a message that
 /// follows the name of the file, for a pulse without onset or with too few samples after it.
-MeasuredDeceleration deceleration_of(const Pulse& measured, const std::optional<injury::Stretch>& quiet = {});
+MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& measured,
+                                     const std::optional<injury::Stretch>& quiet = {});
 
 /// An impact and what was measured of it. The material of its pad is that of the fit.
 struct ImpactMeasurement {

@@ -157,6 +157,7 @@ struct FitReport {
   std::vector<MetFigure> figures;
   std::vector<MetPulse> pulses;
   std::vector<ImpactComparison> comparison;  ///< in the order of the impacts
+  std::vector<std::string> remarks;          ///< how files were read: "drop.csv: decimal commas were ..."
   std::size_t points = 0;                    ///< fitted residuals, without priors
   std::size_t priors = 0;
   double degrees_of_freedom = 0;

@@ -55,8 +55,15 @@ FilterCoefficients cfc_coefficients(double channel_frequency_class, double inter
 /// vibrations may have been recorded as slower ones.
 bool samples_suffice(double channel_frequency_class, double interval);
 
-/// The filtered pulse at the same times. Throws std::invalid_argument unless the samples are evenly spaced,
-/// to within 1e-3 of the interval, and for what check() or cfc_coefficients() refuses.
+/// Whether each sample is within 1e-3 of the interval of its place on an even grid.
+bool is_evenly_spaced(const Pulse& pulse);
+
+/// The interval for resampling an uneven pulse before a filter, s: only one step in twenty is shorter. At
+/// most twenty times as many samples as before.
+double interval_for_filter(const Pulse& pulse);
+
+/// The filtered pulse at the same times. Throws std::invalid_argument unless is_evenly_spaced(), and for what
+/// check() or cfc_coefficients() refuses.
 Pulse cfc_filtered(const Pulse& pulse, double channel_frequency_class, Corner corner = Corner::sae_j211,
                    Ends ends = Ends::mirrored);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dashpad/impact/pulse.hpp"
@@ -61,8 +62,12 @@ SensorOffset offset_between(const MeasuredPulse& measured, double begin, double 
 /// fall, only that of the fall. Absent if there is no quiet part, as docs/pulses.md defines it.
 std::optional<SensorOffset> offset_before_impact(const MeasuredPulse& measured);
 
-/// Removes the samples before `begin`, s, and adds a remark.
-void leave_out_before(MeasuredPulse& measured, double begin);
+/// The offset between two times, s, or without them offset_before_impact(). Removes earlier samples at rest,
+/// with a remark. Throws std::invalid_argument for fewer than two samples in the interval and, if
+/// `is_required`, without a quiet part.
+std::optional<SensorOffset> find_offset(MeasuredPulse& measured,
+                                        const std::optional<std::pair<double, double>>& interval,
+                                        bool is_required);
 
 /// The pulse with the mean subtracted from each direction; a resultant is computed afterwards.
 MeasuredPulse zeroed(MeasuredPulse measured, const SensorOffset& offset);

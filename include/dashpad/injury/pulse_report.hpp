@@ -180,9 +180,13 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
 /// times at the levels of the standard.
 PulseLimits within_limits(const PulseReport& report, const Standard& standard);
 
-/// A remark if the sampling frequency, measured or resampled, is less than ten times the filter's class.
-std::optional<std::string> sampled_too_slowly(const MeasuredPulse& measured, std::optional<double> interval,
-                                              const PulseFilter& filter);
+/// Remarks if the sampling frequency, measured or resampled, is less than ten times the filter's class, and
+/// if a channel's code says that it was filtered before.
+std::vector<std::string> filter_remarks(const MeasuredPulse& measured, std::optional<double> interval,
+                                        const PulseFilter& filter);
+
+/// The interval, s, at which uneven samples are resampled for a filter, with a remark; absent for even ones.
+std::optional<double> resampling_for_filter(MeasuredPulse& measured);
 
 /// The uncertainties of the figures of `report` (docs/pulses.md). `calibration`: expanded relative
 /// uncertainty of an acceleration, in (0, max_calibration), equal in all directions.

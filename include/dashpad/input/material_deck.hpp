@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/input/reading.hpp"
 #include "dashpad/model/pad/material.hpp"
 #include "dashpad/quantities/unit_system.hpp"
@@ -34,9 +35,17 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
 /// std::invalid_argument with the available systems.
 const UnitSystem& deck_system(std::string_view name);
 
-/// Reads a column called strain, a pure number or in %, and columns of stress with units ("stress_kPa"). Of
-/// several stresses, each header has the rate after an @: "stress_kPa @ 10 1/s". `rate`, 1/s, applies to a
-/// single stress without a rate. A stress may be empty after its curve ends. Reports at most 200 faults.
-Reading<DeckMaterial> read_stress_table(const std::filesystem::path& file, std::optional<double> rate);
+/// Whether to read `file` as tables of tests, by its first keyword or row of numbers; false where it cannot
+/// be read.
+bool is_stress_table(const std::filesystem::path& file);
+
+/// Makes a foam of tests in tables: a column of strain or displacement, and columns of stress or force
+/// (`wanted` names them). Of several stresses in a file, each header has the rate after an @: "stress_kPa @
+/// 10 1/s". `rates`, 1/s, are those of the files with a single stress, in their order; they may be fewer.
+/// Loadings follow the largest strain so far; that of the slowest test is made to rise within its noise, and
+/// its way back is the unloading curve. What moved or was left out is in `differences`. Reports at most 200
+/// faults a file.
+Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path>& files,
+                                         const std::vector<double>& rates, const StressStrainColumns& wanted);
 
 }  // namespace dashpad::input

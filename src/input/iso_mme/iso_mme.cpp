@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "dashpad/input/fault.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "input/iso_mme/test_files.hpp"
+#include "input/measurement/clock_time.hpp"
 #include "input/measurement/csv_table.hpp"
 #include "input/measurement/pulse_samples.hpp"
 #include "input/spelling.hpp"
 #include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -27,19 +32,17 @@ std::optional<int> channel_number(const std::string& text) {
   return text.size() < code_length ? parsed<int>(text) : std::nullopt;
 }
 
-struct EvenTimes {
-  double first = 0, interval = 0;
-  std::string counts_from = {};  ///< the first time as in the file, if `first` is 0 instead
-
-  [[nodiscard]] double at(std::size_t sample) const { return first + interval * static_cast<double>(sample); }
-  friend bool operator==(const EvenTimes&, const EvenTimes&) = default;
-  /// False if rounding makes two neighbours equal.
-  [[nodiscard]] bool increase(std::size_t count) const {
-    for (std::size_t i = 1; i < count; ++i)
-      if (!(at(i) > at(i - 1))) return false;
-    return std::isfinite(at(count));
-  }
+struct Times {
+  std::vector<double> all = {};  ///< s; NaN at the ends where they are not known
+  std::string counts_from = {};  ///< the first time as in the file, if they count from there
+  std::string name = "implicit";
+  bool has_no_first = false;  ///< the first time is not stated, and taken as 0
 };
+
+bool increase(std::span<const double> times) {
+  return std::ranges::adjacent_find(times, std::greater_equal<>()) == times.end() &&
+         (times.empty() || std::isfinite(times.back()));
+}
 
 std::optional<double> number_of(const MmeLabels& labels, const std::string& name, MeasurementFaults& faults) {
   const MmeLabel* label = labels.find(name);
@@ -53,60 +56,106 @@ std::optional<double> number_of(const MmeLabels& labels, const std::string& name
   return std::nullopt;
 }
 
-EvenTimes times_of(const MmeLabels& labels, std::size_t count, MeasurementFaults& faults) {
-  if (const MmeLabel* reference = labels.find("Reference channel");
-      reference != nullptr && !reference->value.empty() && lower_case(reference->value) != "implicit")
-    faults.add(reference->line, reference->name, reference->value,
-               "only \"implicit\" times are read, those with a first sample and an interval");
-  const auto first = number_of(labels, "Time of first sample", faults);
+/// Even times, "implicit": those with a first sample and an interval.
+Times even_times(const MmeLabels& labels, std::size_t count, MeasurementFaults& faults) {
+  const MmeLabel* const of_first = labels.find("Time of first sample");
+  const bool has_no_first = of_first == nullptr || of_first->value.empty();
+  const auto first = has_no_first ? std::optional{0.0} : number_of(labels, "Time of first sample", faults);
   const auto interval = number_of(labels, "Sampling interval", faults);
-  if (!first || !interval) return {};
+  Times times{.has_no_first = has_no_first};
+  if (!first || !interval) return times;
   const MmeLabel* label = labels.find("Sampling interval");
-  EvenTimes times{*first, *interval};
-  if (*interval >= measured_magnitudes("s").least &&
-      counts_from_first(*first, *interval * static_cast<double>(count)))
-    times = {0, *interval, labels.value("Time of first sample") + " s"};
+  const bool is_far = *interval >= measured_magnitudes("s").least &&
+                      counts_from_first(*first, *interval * static_cast<double>(count));
+  if (is_far) times.counts_from = of_first->value + " s";
+  for (std::size_t i = 0; i < count; ++i)
+    times.all.push_back((is_far ? 0 : *first) + *interval * static_cast<double>(i));
   if (!(*interval > 0))
     faults.add(label->line, label->name, label->value, "must be more than 0");
-  else if (!times.increase(count))
+  else if (!increase(times.all))
     faults.add(label->line, label->name, label->value, "does not give times that increase");
   return times;
 }
 
-/// Adds the samples of a channel to the result; `times` if it is the first.
-void add_samples(const std::vector<double>& values, const EvenTimes& times,
-                 const injury::MeasuredColumn& column, injury::MeasuredPulse& result,
-                 MeasurementFaults& faults) {
-  Pulse& pulse = result.pulse;
-  if (result.acceleration.empty()) {
-    result.counts_from = times.counts_from;
-    if (!times.counts_from.empty()) result.remarks.push_back(remark_on_clock(times.counts_from));
-    for (std::size_t i = 0; i < values.size(); ++i) pulse.time.push_back(times.at(i));
+/// The channel of times that `labels` refer to: by its code, or the only one of times (TI).
+const IsoMmeChannel* channel_of_times(const MmeLabels& labels, const Channels& all) {
+  const std::string code = upper_case(labels.value("Reference channel name"));
+  const IsoMmeChannel* found = nullptr;
+  for (const IsoMmeChannel& channel : all) {
+    const bool has_times = channel.code.size() == code_length &&
+                           upper_case(channel.code).compare(place_of_dimension, 2, "TI") == 0;
+    if (code.empty() ? !has_times : upper_case(channel.code) != code) continue;
+    if (found != nullptr) return nullptr;
+    found = &channel;
   }
-  std::vector<double> scaled(values.size());
-  std::ranges::transform(values, scaled.begin(), [&](double value) { return value * column.factor; });
-  if (result.resultant) {
-    result.components.push_back(std::move(scaled));
-    pulse.acceleration = injury::resultant_of(result.components);
-  } else {
-    pulse.acceleration = std::move(scaled);
-  }
-  if (!std::ranges::all_of(pulse.acceleration, [](double value) { return std::isfinite(value); }))
-    faults.refuse(0, "", "", "holds a value that is too large to compute with");
-  judge_pulse(pulse, 0, faults);
-  faults.throw_if_any();
-  result.acceleration.push_back(column);
+  return found;
 }
 
-/// Adds a channel to the result: its values, or a direction of a resultant. The first one sets `first_times`.
-void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const IsoMmeOptions& options,
-                 EvenTimes& first_times, injury::MeasuredPulse& result) {
+/// The times in another channel, "explicit".
+Times explicit_times(const MmeLabels& labels, std::size_t count, const MmeTestFiles& test,
+                     const Channels& all, MeasurementFaults& faults) {
+  const MmeLabel* const reference = labels.find("Reference channel");
+  const IsoMmeChannel* const channel = channel_of_times(labels, all);
+  if (channel == nullptr || !channel->problem.empty()) {
+    const std::string name = labels.value("Reference channel name");
+    faults.add(reference->line, reference->name, reference->value,
+               name.empty()
+                   ? "needs a channel of times: there is no Reference channel name, and not one channel "
+                     "of times (TI)"
+                   : fmt::format("the channel of times, {}, is missing or occurs twice", name));
+    return {};
+  }
+  const std::string& file = test.channels.at(channel->number);
+  MeasurementFaults own(test.shown(file));
+  const std::string text = test.texts({file}, false).at(file);
+  MmeChannelText read = read_mme_channel(text, own);
+  const std::string unit = read.labels.value("Unit").empty() ? "s" : read.labels.value("Unit");
+  double factor = 1;
+  try {
+    factor = pulse_unit_factor(ColumnKind::time, unit);
+  } catch (const UnitError& error) {
+    own.add(read.labels.find("Unit")->line, "Unit", unit, error.what());
+  }
+  if (own.none() && read.values.size() != count)
+    own.add(0, "", "", fmt::format("has {} times for {} samples", read.values.size(), count));
+  own.throw_if_any();
+  const std::span<const double> known = std::span(read.values).subspan(read.begin, read.end - read.begin);
+  if (!increase(known)) own.refuse(0, "", "", "has times that do not increase");
+  Times times{.all = std::move(read.values), .name = channel->code};
+  const double first = known.empty() ? 0 : times.all[read.begin];
+  const double last = known.empty() ? 0 : times.all[read.end - 1];
+  const bool is_far = counts_from_first(factor * first, factor * (last - first));
+  if (is_far) times.counts_from = fmt::format("{} {}", first, unit);
+  for (double& time : times.all) time = factor * (time - (is_far ? first : 0));
+  return times;
+}
+
+Times times_of(const MmeLabels& labels, std::size_t count, const MmeTestFiles& test, const Channels& all,
+               MeasurementFaults& faults) {
+  const std::string kind = lower_case(labels.value("Reference channel"));
+  if (kind == "explicit") return explicit_times(labels, count, test, all, faults);
+  if (kind.empty() || kind == "implicit") return even_times(labels, count, faults);
+  const MmeLabel* const reference = labels.find("Reference channel");
+  faults.add(reference->line, reference->name, reference->value, "must be implicit or explicit");
+  return {};
+}
+
+/// What is read of the channels, and the samples that all of them have.
+struct ReadChannels {
+  Times times = {};
+  std::vector<std::vector<double>> values = {};  ///< m/s2
+  std::size_t begin = 0, end = 0;
+};
+
+/// Reads a channel: its values, or a direction of a resultant. The first one sets the times.
+void read_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const Channels& all,
+                  const PulseOptions& options, ReadChannels& channels, injury::MeasuredPulse& result) {
   const std::string& file = test.channels.at(channel.number);
   MeasurementFaults faults(test.shown(file));
   const std::string text = test.texts({file}, false).at(file);
-  const MmeChannelText read = read_mme_channel(text, faults);
-  const EvenTimes times = times_of(read.labels, read.values.size(), faults);
-  if (faults.none() && read.values.size() < 2) faults.add(0, "", "", "a pulse needs at least two samples");
+  MmeChannelText read = read_mme_channel(text, faults);
+  Times times = times_of(read.labels, read.values.size(), test, all, faults);
+  if (faults.none() && read.end - read.begin < 2) faults.add(0, "", "", "a pulse needs at least two samples");
   injury::MeasuredColumn column{
       .name = channel.code, .number = channel.number, .unit = read.labels.value("Unit")};
   const std::string unit_of_file = column.unit;
@@ -115,15 +164,65 @@ void add_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const I
                   sensitivity_at(options.sensitivity, result.acceleration.size()));
   const MmeLabel* label = read.labels.find("Unit");
   if (!rule.empty()) faults.add(label == nullptr ? 0 : label->line, "Unit", unit_of_file, rule);
-  if (result.acceleration.empty())
-    first_times = times;
-  else if (times != first_times || read.values.size() != result.pulse.time.size())
+  const auto are_equal = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  if (result.acceleration.empty()) {
+    channels.times = std::move(times);
+    channels.end = read.values.size();
+  } else if (!std::ranges::equal(times.all, channels.times.all, are_equal)) {
     faults.add(0, "", "", "has different times from " + result.acceleration.front().name);
+  }
   faults.throw_if_any();
   if (const auto remark = overruled_unit(column, unit_of_file)) result.remarks.push_back(*remark);
   if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
     result.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
-  add_samples(read.values, times, column, result, faults);
+  for (double& value : read.values) value *= column.factor;
+  channels.values.push_back(std::move(read.values));
+  channels.begin = std::max(channels.begin, read.begin);
+  channels.end = std::min(channels.end, read.end);
+  result.acceleration.push_back(column);
+}
+
+/// The pulse of the samples that all channels and their times have, and remarks on what they lack.
+void assemble(ReadChannels channels, const PulseOptions& options, MeasurementFaults& faults,
+              injury::MeasuredPulse& result) {
+  Times& times = channels.times;
+  const std::size_t count = times.all.size();
+  while (channels.begin < channels.end && std::isnan(times.all[channels.begin])) ++channels.begin;
+  while (channels.begin < channels.end && std::isnan(times.all[channels.end - 1])) --channels.end;
+  if (channels.end < channels.begin + 2) faults.refuse(0, "", "", "a pulse needs at least two samples");
+  const auto left_out = [&](std::string_view which, std::size_t samples) {
+    if (samples > 0)
+      result.remarks.push_back(
+          samples == 1
+              ? fmt::format("the {} sample has no value (NOVALUE) and was left out", which)
+              : fmt::format("the {} {} samples have no value (NOVALUE) and were left out", which, samples));
+  };
+  left_out("first", channels.begin);
+  left_out("last", count - channels.end);
+  if (times.has_no_first)
+    result.remarks.emplace_back("the time of the first sample is not stated; it is taken as 0");
+  if (!times.counts_from.empty()) result.remarks.push_back(remark_on_clock(times.counts_from));
+  result.counts_from = times.counts_from;
+  result.time.name = times.name;
+  const KeptSamples with_value{channels.begin, channels.end};
+  with_value.keep(times.all);
+  KeptSamples kept{0, times.all.size()};
+  if (options.cut.from || options.cut.to) kept = kept_samples(times.all, options.cut, faults, result.remarks);
+  kept.keep(times.all);
+  for (std::vector<double>& values : channels.values) {
+    with_value.keep(values);
+    kept.keep(values);
+  }
+  result.pulse.time = std::move(times.all);
+  result.pulse.acceleration =
+      options.resultant ? injury::resultant_of(channels.values) : channels.values.front();
+  if (options.resultant) result.components = std::move(channels.values);
+  if (!std::ranges::all_of(result.pulse.acceleration, [](double value) { return std::isfinite(value); }))
+    faults.refuse(0, "", "", "holds a value that is too large to compute with");
+  judge_pulse(result.pulse, 0, faults);
+  if (faults.none())
+    judge_gaps(result.pulse.time, {}, times.name, options.bridge_gaps, faults, result.remarks);
+  faults.throw_if_any();
 }
 
 /// By channel number, the code and name in "11HEAD0000H3ACXA / Head x".
@@ -237,7 +336,7 @@ Channels directions(const std::filesystem::path& file, Channels found) {
 /// The chosen channel, or the directions of a resultant. Throws an InputError that lists the candidates.
 /// `file` is for messages.
 Channels chosen_channels(const std::filesystem::path& file, const Channels& all,
-                         const IsoMmeOptions& options) {
+                         const PulseOptions& options) {
   Channels found = candidates(file, all, options.channel);
   if (options.resultant) return directions(file, found);
   if (found.size() > 1)
@@ -254,27 +353,35 @@ bool is_iso_mme(const std::filesystem::path& file) {
          is_archive(file);
 }
 
-Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file) {
-  return reading_of([&]() -> std::vector<IsoMmeChannel> { return list(find_mme_test(file)); });
+Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file,
+                                                     const std::string& test) {
+  return reading_of([&]() -> std::vector<IsoMmeChannel> { return list(find_mme_test(file, test)); });
 }
 
-Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options) {
+Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const PulseOptions& options) {
   return reading_of([&]() -> PulseFile {
-    const MmeTestFiles test = find_mme_test(file);
+    const MmeTestFiles test = find_mme_test(file, options.test);
     injury::MeasuredPulse result{.format = "ISO-MME",
                                  .time = {.name = "implicit", .unit = "s", .unit_origin = "format"},
                                  .resultant = options.resultant};
-    const Channels chosen = chosen_channels(file, list(test), options);
+    const Channels all = list(test);
+    const Channels chosen = chosen_channels(file, all, options);
     if (options.sensitivity.size() > 1 && options.sensitivity.size() != chosen.size())
       refuse_file(file, wrong_number_of_sensitivities(options.sensitivity.size(), chosen.size()));
-    EvenTimes first_times;
+    ReadChannels channels;
     for (const IsoMmeChannel& channel : chosen) {
       if (!channel.problem.empty())
         throw InputError({Fault{file.string(), 0, channel.code, "", channel.problem}});
-      add_channel(channel, test, options, first_times, result);
+      read_channel(channel, test, all, options, channels, result);
     }
+    MeasurementFaults faults(file.string());
+    assemble(std::move(channels), options, faults, result);
     return {std::move(result), test.files()};
   });
+}
+
+Reading<PulseFile> read_pulse(const std::filesystem::path& file, const PulseOptions& options) {
+  return is_iso_mme(file) ? read_iso_mme(file, options) : read_pulse_csv(file, options);
 }
 
 }  // namespace dashpad::input

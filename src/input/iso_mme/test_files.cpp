@@ -1,11 +1,15 @@
 #include "input/iso_mme/test_files.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "input/disk.hpp"
+#include "input/spelling.hpp"
 #include "quantities/from_chars.hpp"
 
 namespace dashpad::input {
@@ -43,22 +47,37 @@ std::optional<int> number_of_ending(const std::string& ending) {
   return fits ? number : std::nullopt;
 }
 
-std::string main_file(const fs::path& file, const std::vector<std::string>& names,
-                      const std::string& wanted) {
-  std::vector<std::string> found;
+/// The .mme file called `wanted`, or else that of the test, or else the only one.
+std::string main_file(const fs::path& file, const std::vector<std::string>& names, const std::string& wanted,
+                      const std::string& test) {
+  std::vector<std::string> found, stems;
   for (const std::string& name : names) {
-    const bool fits = wanted.empty() ? are_alike(parts(name).ending, "mme") : name == wanted;
-    if (fits && !is_litter(name)) found.push_back(name);
+    const Name of = parts(name);
+    const bool fits = wanted.empty() ? are_alike(of.ending, "mme") : name == wanted;
+    if (!fits || is_litter(name)) continue;
+    found.push_back(name);
+    stems.push_back(of.stem);
   }
   if (found.empty())
     refuse_file(
         file, wanted.empty() ? "holds no .mme file: not a test in ISO-MME format" : "is not a regular file");
-  if (found.size() > 1)
-    refuse_file(file, fmt::format("holds several tests: {}, {}, ...", found[0], found[1]));
-  return found.front();
+  std::vector<std::string> called;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (are_alike(stems[i], test) || are_alike(found[i], test) || are_alike(parts(found[i]).folder, test))
+      called.push_back(found[i]);
+  if (test.empty() && found.size() == 1) return found.front();
+  if (called.size() == 1) return called.front();
+  std::ranges::sort(stems);
+  const bool are_different = std::ranges::adjacent_find(stems) == stems.end();
+  const std::string all = short_listing(are_different ? stems : found);
+  if (test.empty())
+    refuse_file(file, fmt::format("holds {} tests: {}; choose one with --test", found.size(), all));
+  refuse_file(file, fmt::format("--test {}: {}; available: {}", test,
+                                called.empty() ? "no such test" : "several tests are called so", all));
 }
 
 constexpr std::string_view no_value = "NOVALUE";
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_labels = 10'000;
 
 /// Takes a label off; false if `line` is none.
@@ -94,7 +113,7 @@ MmeMembers MmeTestFiles::texts(const std::vector<std::string>& names, bool only_
   return (in_archive ? read_from_archive : read_from_folder)(source, names, most, only_labels);
 }
 
-MmeTestFiles find_mme_test(const fs::path& file) {
+MmeTestFiles find_mme_test(const fs::path& file, const std::string& test_name) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (status.type() == fs::file_type::not_found) refuse_file(file, "no such file");
@@ -108,7 +127,7 @@ MmeTestFiles find_mme_test(const fs::path& file) {
   }
   const std::vector<std::string> names =
       test.in_archive ? names_in_archive(test.source) : names_in_folder(test.source);
-  test.main_file = main_file(file, names, wanted);
+  test.main_file = main_file(file, names, wanted, test_name);
   const Name main = parts(test.main_file);
   const std::string folder = main.folder.empty() ? "Channel" : main.folder + "/Channel";
 
@@ -160,6 +179,7 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
   std::string_view line;
   bool in_labels = true;
   std::size_t blank_line = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> missing;  // sample and line
   while (lines.next(line)) {
     line = without_blanks(line);
     if (line.empty()) {
@@ -172,12 +192,24 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
     blank_line = 0;
     if (channel.values.size() == max_samples)
       faults.refuse(lines.number(), "", "", fmt::format("more than {} samples", max_samples));
-    const ReadNumber number = read_number(line);
-    if (number.kind != NumberKind::number)
-      faults.add(lines.number(), "sample", line,
-                 rule_for(line == no_value ? NumberKind::empty : number.kind));
+    const bool has_value = line != no_value;
+    const ReadNumber number = has_value ? read_number(line) : ReadNumber{NumberKind::number, no_number};
+    if (number.kind != NumberKind::number) faults.add(lines.number(), "sample", line, rule_for(number.kind));
+    if (!has_value) missing.emplace_back(channel.values.size(), lines.number());
     channel.values.push_back(number.value);
   }
+  const auto is_there = [](double value) { return !std::isnan(value); };
+  const auto begin = std::ranges::find_if(channel.values, is_there);
+  const auto end = std::find_if(channel.values.rbegin(), channel.values.rend(), is_there);
+  channel.begin = static_cast<std::size_t>(begin - channel.values.begin());
+  channel.end = std::max(channel.begin, static_cast<std::size_t>(channel.values.rend() - end));
+  std::erase_if(missing, [&](const auto& sample) {
+    return sample.first < channel.begin || sample.first >= channel.end;
+  });
+  if (!missing.empty())
+    faults.add(missing.front().second, "sample", no_value,
+               fmt::format("is missing between two others{}; a pulse cannot have gaps",
+                           missing.size() == 1 ? "" : fmt::format(", as are {} more", missing.size() - 1)));
   check_number_of_samples(channel, faults);
   return channel;
 }

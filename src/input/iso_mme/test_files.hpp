@@ -47,8 +47,9 @@ struct MmeTestFiles {
   [[nodiscard]] MmeMembers texts(const std::vector<std::string>& names, bool only_labels) const;
 };
 
-/// `file` is a folder, a .mme file, or an archive with one test in it. Throws InputError.
-MmeTestFiles find_mme_test(const std::filesystem::path& file);
+/// `file` is a folder, a .mme file, or an archive. `test`: the name of its .mme file without ending, or its
+/// folder, where there are several; else "". Throws InputError.
+MmeTestFiles find_mme_test(const std::filesystem::path& file, const std::string& test);
 
 struct MmeLabel {
   std::string name;
@@ -77,10 +78,12 @@ MmeLabels read_mme_labels(std::string_view text);
 
 struct MmeChannelText {
   MmeLabels labels;
-  std::vector<double> values;
+  std::vector<double> values;      ///< NaN at both ends for NOVALUE
+  std::size_t begin = 0, end = 0;  ///< of those with a value
 };
 
-/// Reads a whole channel file, which must have as many samples as it claims.
+/// Reads a whole channel file, which must have as many samples as it claims and none missing between two
+/// others.
 MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults);
 
 }  // namespace dashpad::input

@@ -50,10 +50,11 @@ bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean
   }
   const double before =
       clean.table.stress.empty() ? clean.stress_at_zero.value_or(0) : clean.table.stress.back();
-  if (role == CurveRole::base && stress <= before) {
-    faults.add(curve.lines[i], key, written_number(stress),
-               fmt::format("must be more than the previous stress, {:.6g} Pa: the slowest curve has to rise",
-                           before));
+  if (role == CurveRole::base && stress < before) {
+    faults.add(
+        curve.lines[i], key, written_number(stress),
+        fmt::format("must not be less than the previous stress, {:.6g} Pa: the slowest curve cannot fall",
+                    before));
     return false;
   }
   return true;
@@ -130,7 +131,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& d
                      {modulus * yield / 3, modulus * (2 * yield / 3), modulus * yield}};
   std::vector<std::size_t> lines(3, deck_curve.line);
   for (std::size_t i = first; i < strain.size(); ++i)
-    if (strain[i] > yield * (1 + 1e-9) && stress[i] > limited.stress.back()) {
+    if (strain[i] > yield * (1 + 1e-9) && stress[i] >= limited.stress.back()) {
       limited.strain.push_back(strain[i]);
       limited.stress.push_back(stress[i]);
       lines.push_back(curve.lines[i]);

@@ -53,13 +53,20 @@ std::string DeckFields::place_of(std::size_t field) const {
 
 double DeckFields::number(std::size_t field, const std::string& key, const DeckUnit& unit) {
   const std::string_view written = text(field);
+  if (const auto at = written.find('&'); at <= 1 && line_.parameters != nullptr) {
+    const bool is_negative = written.starts_with('-');
+    const auto found = line_.parameters->find(lower_case(without_blanks(written.substr(at + 1))));
+    if (found != line_.parameters->end() && (at == 0 || is_negative || written.starts_with('+')))
+      return read_deck_number(fmt::format("{}", is_negative ? -found->second : found->second), unit).value;
+    faults_.add(line_.number, key, to_utf8(written),
+                "is a parameter that no *PARAMETER of this deck defines");
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   const ReadNumber read = read_deck_number(written, unit);
   if (read.kind == NumberKind::number) return read.value;
   if (read.kind == NumberKind::empty) return 0;
-  const std::string rule = written.starts_with('&')
-                               ? "is a parameter; write the number in its place"
-                               : rule_for_deck_number(read.kind) + " (" + place_of(field) + ")";
-  faults_.add(line_.number, key, to_utf8(written), rule);
+  faults_.add(line_.number, key, to_utf8(written),
+              rule_for_deck_number(read.kind) + " (" + place_of(field) + ")");
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -128,10 +135,13 @@ std::string others_listed(const std::vector<std::string>& other_materials) {
   return other_materials.empty() ? "" : "; available: " + listing(other_materials);
 }
 
-std::string missing(const std::string& block, bool includes_files, const char* include) {
+std::string missing(const std::string& block, const OutOfReach& why, const char* include) {
+  if (why.encrypted > 0)
+    return fmt::format("a part of the deck is encrypted, from line {} on, so {} cannot be read",
+                       why.encrypted, block);
   return fmt::format(
       "there is no {}{}", block,
-      includes_files ? fmt::format("; files of {} are not read: put it into this deck", include) : "");
+      why.includes_files ? fmt::format("; files of {} are not read: put it into this deck", include) : "");
 }
 
 std::string too_many_points(std::size_t count) {

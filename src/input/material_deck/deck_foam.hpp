@@ -1,7 +1,9 @@
 #pragma once
 /// Decks as blocks of lines with fields, and the foams that they describe.
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "dashpad/input/material_deck.hpp"
+#include "dashpad/model/pad/foam/hyperfoam_curve.hpp"
 #include "dashpad/model/pad/foam/table_curve.hpp"
 #include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "input/material_deck/deck_cards.hpp"
@@ -16,9 +19,13 @@
 
 namespace dashpad::input {
 
+/// The values of a deck's parameters, by their names in lower case.
+using DeckParameters = std::map<std::string, double, std::less<>>;
+
 struct DeckLine {
   std::size_t number = 0;
   std::string_view text;
+  const DeckParameters* parameters = nullptr;  ///< that its fields may name
 };
 
 /// The widths of the fields of a line, in columns.
@@ -89,7 +96,29 @@ struct DeckCurve {
     stress.push_back(of_stress);
     lines.push_back(of_line);
   }
+  void reverse() {
+    std::ranges::reverse(strain);
+    std::ranges::reverse(stress);
+    std::ranges::reverse(lines);
+  }
 };
+
+/// The curves of a measured test, in ascending order of strain.
+struct MeasuredCurves {
+  DeckCurve loading;
+  std::optional<DeckCurve> way_back = {};  ///< not above the loading, to its last strain
+};
+
+/// The loading of a test along the largest strain so far, and the way back from the largest strain. The curve
+/// of the slowest test is made to rise. Adds what was left out or moved to `differences`. The test has
+/// points.
+MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vector<std::string>& differences);
+
+/// The stress on straight lines from the origin through the points, Pa; constant beyond the last.
+double stress_on(const DeckCurve& curve, double strain);
+
+/// Raises a curve to that of a slower test where it lies below; adds by how much to `differences`.
+void raise_to(const DeckCurve& slower, DeckCurve& curve, std::vector<std::string>& differences);
 
 struct DeckRateCurve {
   double rate = 0;       ///< 1/s; 0: not stated
@@ -118,6 +147,7 @@ struct DeckFoam {
   DeckAir air;
   bool linear_in_rate = true;
   std::optional<ViscoelasticFoam> viscoelastic;  ///< the whole law; then there are no curves
+  std::optional<HyperfoamCurve> hyperfoam;       ///< the base curve, in place of points of the first loading
   std::string basis = "solver card";
   std::string source;
   std::vector<std::string> assumptions, differences;
@@ -127,6 +157,9 @@ struct DeckFoam {
 std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units, MeasurementFaults& faults);
 std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& system, const DeckUnits& units,
                                    MeasurementFaults& faults);
+std::vector<DeckFoam> read_abaqus(std::string_view text, const DeckUnits& units, MeasurementFaults& faults);
+/// Whether the keywords of a text are those of Abaqus.
+bool is_abaqus(std::string_view text);
 
 /// The material; absent after a fault.
 std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults& faults);
@@ -150,8 +183,14 @@ std::vector<std::string> split_at(std::string_view text, char separator);
 /// "; available: *MAT_001, *MAT_002", for materials that are not read.
 std::string others_listed(const std::vector<std::string>& other_materials);
 
+/// Why a block may be out of reach.
+struct OutOfReach {
+  bool includes_files = false;
+  std::size_t encrypted = 0;  ///< line of the first encrypted part; 0 without
+};
+
 /// The rule for a block that is not in the deck; it may be in a file that `include` names.
-std::string missing(const std::string& block, bool includes_files, const char* include);
+std::string missing(const std::string& block, const OutOfReach& why, const char* include);
 
 /// The rule for a curve with too many points.
 std::string too_many_points(std::size_t count);

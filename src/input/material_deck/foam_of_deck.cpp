@@ -62,6 +62,14 @@ std::size_t line_of(const std::string& key, const CurveLines& lines) {
   return lines.loading[place].empty() ? lines.material : lines.loading[place].front();
 }
 
+/// "curve 22: stress" for "rate.curves[1].stress"; other keys as they are.
+std::string in_words_of_deck(const std::string& key, const DeckFoam& foam) {
+  const auto curve = key.starts_with("rate.") ? index_in(key, "curves") : std::nullopt;
+  if (!curve || *curve + 1 >= foam.loading.size()) return key;
+  const auto end = key.find("].");
+  return foam.loading[*curve + 1].curve.name + (end == std::string::npos ? "" : ": " + key.substr(end + 2));
+}
+
 /// Checks the rates and assumes the first one if it is missing.
 bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
   bool sound = true;
@@ -116,6 +124,12 @@ std::optional<FoamCurves> curves_of(const DeckFoam& foam, CurveLines& lines, Mea
   effect.linear = foam.linear_in_rate;
   bool sound = true;
   for (std::size_t i = 0; i < foam.loading.size(); ++i) {
+    if (i == 0 && foam.hyperfoam) {
+      curves.base = *foam.hyperfoam;
+      lines.loading.push_back({foam.loading[i].curve.line});
+      lines.of_rates.push_back(foam.loading[i].line);
+      continue;
+    }
     auto clean = prepared(foam, i, faults, differences);
     if (!clean) {
       sound = false;
@@ -197,7 +211,8 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
 /// Adds the differences that hold for every deck.
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
-  differences.emplace_back("Between its points a curve is a monotone cubic here, not piecewise linear.");
+  if (!foam.hyperfoam)
+    differences.emplace_back("Between its points a curve is a monotone cubic here, not piecewise linear.");
   differences.emplace_back("Beyond its last strain a curve is extrapolated to full compression.");
   if (foam.loading.size() > 1) {
     differences.emplace_back(
@@ -235,7 +250,7 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
   const std::vector<Violation> broken = violations(material);
   for (const Violation& violation : broken)
     if (!std::isnan(violation.value))  // reported when it was read
-      faults.add(line_of(violation.key, lines), foam.card + ": " + violation.key,
+      faults.add(line_of(violation.key, lines), foam.card + ": " + in_words_of_deck(violation.key, foam),
                  fmt::format("{:.6g}", violation.value), violation.rule);
   if (!broken.empty()) return std::nullopt;
 

@@ -79,15 +79,27 @@ bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
     foam.differences.emplace_back(
         "SFLAG = 0: the rates of the table are those of the true strain; here they are treated as rates of "
         "the nominal strain.");
-  if (name != "MODEL") return true;
-  const auto model = field.whole();
+  return true;
+}
+
+/// Whether the card says MODEL = 0, before its further cards are counted.
+bool is_model_zero(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaSource& from,
+                   const std::string& card) {
+  const DeckCard first = kind.cards.front();
+  const auto place = static_cast<std::size_t>(
+      std::ranges::find(first, std::string_view("MODEL"), &DeckField::name) - first.begin());
+  const std::vector<DeckLine> lines = lines_behind_title(block);
+  if (place == first.size() || lines.empty()) return true;
+  DeckFields fields(lines.front(), equal_widths(8, block.long_format), true, from.faults);
+  const auto model = fields.whole(place, card + ": MODEL");
   if (!model || *model == 0) return true;
-  from.faults.add(field.line.line(), field.key, fmt::format("{}", *model),
-                  "must be 0: curves against volumetric strain are read, not against plastic strain");
+  from.faults.add(fields.line(), card + ": MODEL", fmt::format("{}", *model),
+                  "is not read; must be 0: a curve over volumetric strain, not over plastic strain");
   return false;
 }
 
 bool read_cards(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaSource& from, DeckFoam& foam) {
+  if (!is_model_zero(block, kind, from, foam.card)) return false;
   const auto lines = cards_of(block, kind, foam.card, from.faults);
   if (!lines) return false;
   for (std::size_t i = 0; i < lines->size(); ++i) {

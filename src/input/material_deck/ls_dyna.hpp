@@ -1,6 +1,8 @@
 #pragma once
 /// *KEYWORD input of LS-DYNA.
 
+#include <memory>
+
 #include "input/material_deck/deck_foam.hpp"
 
 namespace dashpad::input {
@@ -11,8 +13,15 @@ struct LsDynaBlocks {
   NumberedBlocks curves{"curve"};
   NumberedBlocks tables{"table"};
   std::vector<std::string> other_materials;  ///< keywords of materials that are not read
-  bool includes_files = false;
+  std::map<long, std::string> other_curves;  ///< keywords of curves that are not read, by number
+  OutOfReach out_of_reach;
+  std::unique_ptr<const DeckParameters> parameters;
 };
+
+/// The parameters of a deck: *PARAMETER and *PARAMETER_EXPRESSION with sums, products, powers, brackets and
+/// the usual functions of parameters defined before. Anything else is a fault where it is used.
+DeckParameters ls_dyna_parameters(std::string_view text, MeasurementFaults& faults);
+
 LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults);
 
 /// The foam of a keyword such as MAT_083; null if it is not read.

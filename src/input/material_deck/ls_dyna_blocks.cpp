@@ -13,6 +13,7 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t max_materials_listed = 10;
+constexpr std::string_view begin_of_encrypted = "-----BEGIN PGP", end_of_encrypted = "-----END PGP";
 
 /// "*MAT_057_TITLE +": the keyword, and whether its fields are long.
 DeckBlock begun_block(const DeckLine& line, bool all_long) {
@@ -45,7 +46,11 @@ std::optional<long> number_of_block(const DeckBlock& block) {
   const std::string_view line = lines.front().text;
   const auto comma = line.find(',');
   const std::size_t width = comma != std::string_view::npos ? comma : block.long_format ? 20 : 10;
-  const ReadNumber read = read_deck_number(line.substr(0, width), {});
+  const std::string_view field = without_blanks(line.substr(0, width));
+  ReadNumber read = read_deck_number(field, {});
+  if (const auto* const known = lines.front().parameters; field.starts_with('&') && known != nullptr)
+    if (const auto found = known->find(lower_case(field.substr(1))); found != known->end())
+      read = {NumberKind::number, found->second};
   if (read.kind != NumberKind::number || !(std::abs(read.value) < 1e10)) return std::nullopt;
   return static_cast<long>(read.value);
 }
@@ -101,6 +106,7 @@ const LsDynaFoam* ls_dyna_foam(std::string_view keyword) {
 
 LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
   LsDynaBlocks deck;
+  deck.parameters = std::make_unique<const DeckParameters>(ls_dyna_parameters(text, faults));
   LineReader lines(text);
   std::string_view line;
   std::size_t place = 0;
@@ -117,9 +123,19 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
     if (keyword == "KEYWORD" && says_long(std::string(line))) all_long = true;
     const bool foam = ls_dyna_foam(keyword) != nullptr;
     const bool curve = keyword == "DEFINE_CURVE";
+    const bool other_curve =
+        !curve && (keyword.starts_with("DEFINE_CURVE") || keyword.starts_with("DEFINE_FUNCTION"));
     const bool table = keyword == "DEFINE_TABLE" || keyword == "DEFINE_TABLE_2D";
-    while ((more = lines.next(line)) && !line.starts_with('*'))
-      if ((foam || curve || table) && !line.starts_with('$')) block.lines.push_back({lines.number(), line});
+    bool is_encrypted = false;
+    while ((more = lines.next(line)) && !line.starts_with('*')) {
+      if (line.starts_with(begin_of_encrypted)) {
+        is_encrypted = true;
+        if (deck.out_of_reach.encrypted == 0) deck.out_of_reach.encrypted = lines.number();
+      }
+      if ((foam || curve || table || other_curve) && !line.starts_with('$') && !is_encrypted)
+        block.lines.push_back({lines.number(), line, deck.parameters.get()});
+      if (line.starts_with(end_of_encrypted)) is_encrypted = false;
+    }
     while (!block.lines.empty() && without_blanks(block.lines.back().text).empty() && !foam)
       block.lines.pop_back();
     if (foam) {
@@ -129,10 +145,14 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
     } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < max_materials_listed)
       deck.other_materials.push_back("*" + to_utf8(keyword));
     else if (keyword.starts_with("INCLUDE"))
-      deck.includes_files = true;
-    if (!curve && !table) continue;
-    if (const auto id = number_of_block(block))
-      (curve ? deck.curves : deck.tables).add(*id, std::move(block), faults);
+      deck.out_of_reach.includes_files = true;
+    if (!curve && !table && !other_curve) continue;
+    if (const auto id = number_of_block(block)) {
+      if (other_curve)
+        deck.other_curves.emplace(*id, "*" + to_utf8(keyword));
+      else
+        (curve ? deck.curves : deck.tables).add(*id, std::move(block), faults);
+    }
   }
   return deck;
 }
@@ -142,8 +162,12 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
   const auto& [deck, units, faults] = from;
   const DeckBlock* const block = deck.curves.find(id);
   if (block == nullptr) {
-    faults.add(asked, key, fmt::format("{}", id),
-               missing(fmt::format("*DEFINE_CURVE {}", id), deck.includes_files, "*INCLUDE"));
+    const auto other = deck.other_curves.find(id);
+    faults.add(
+        asked, key, fmt::format("{}", id),
+        other != deck.other_curves.end()
+            ? fmt::format("curve {} is a {}, which is not read: only *DEFINE_CURVE is", id, other->second)
+            : missing(fmt::format("*DEFINE_CURVE {}", id), deck.out_of_reach, "*INCLUDE"));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);
@@ -178,7 +202,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
     faults.add(asked, key, fmt::format("{}", id),
                deck.curves.find(id) != nullptr
                    ? "is a curve; a table of curves for several rates is needed"
-                   : missing(fmt::format("*DEFINE_TABLE {}", id), deck.includes_files, "*INCLUDE"));
+                   : missing(fmt::format("*DEFINE_TABLE {}", id), deck.out_of_reach, "*INCLUDE"));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
 
-enum class Solver { ls_dyna, radioss, unknown };
+enum class Solver { abaqus, ls_dyna, radioss, unknown };
 
 /// Decides by the first line that begins a keyword.
 Solver solver_of(std::string_view text) {
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
-    if (line.starts_with('*')) return Solver::ls_dyna;
+    if (line.starts_with('*')) return is_abaqus(text) ? Solver::abaqus : Solver::ls_dyna;
     if (line.starts_with('/')) return Solver::radioss;
   }
   return Solver::unknown;
@@ -61,10 +61,11 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
     if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
     const Solver solver = solver_of(text);
     if (solver == Solver::unknown)
-      faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA) or / (Radioss)");
+      faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA, Abaqus) or / (Radioss)");
     const DeckUnits deck_units(units);
-    std::vector<DeckFoam> foams = solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
-                                                            : read_radioss(text, units, deck_units, faults);
+    std::vector<DeckFoam> foams = solver == Solver::abaqus    ? read_abaqus(text, deck_units, faults)
+                                  : solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
+                                                              : read_radioss(text, units, deck_units, faults);
     std::vector<DeckMaterial> materials;
     for (DeckFoam& foam : foams) {
       foam.source = fmt::format("{} {} of the deck {}, line {}, in the units {}", foam.card, foam.id,

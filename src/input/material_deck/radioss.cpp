@@ -189,8 +189,9 @@ bool LawLines::rows(long count, std::vector<DeckRateCurve>& rows) {
 std::optional<DeckCurve> LawLines::function(long id, double scale, const char* field, std::size_t asked) {
   const DeckBlock* const block = from_.deck.functions.find(id);
   if (block == nullptr) {
-    from_.faults.add(asked, key(field), fmt::format("{}", id),
-                     missing(fmt::format("/FUNCT/{}", id), from_.deck.includes_files, "#include"));
+    from_.faults.add(
+        asked, key(field), fmt::format("{}", id),
+        missing(fmt::format("/FUNCT/{}", id), {.includes_files = from_.deck.includes_files}, "#include"));
     return std::nullopt;
   }
   DeckCurve curve{fmt::format("function {}", id), block->head.number};

@@ -70,9 +70,7 @@ DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t li
 /// Converts gamma = V/V0 - 1, negative in compression, to strain.
 void mirror(DeckCurve& curve) {
   for (double& strain : curve.strain) strain = strain == 0 ? 0 : -strain;
-  std::ranges::reverse(curve.strain);
-  std::ranges::reverse(curve.stress);
-  std::ranges::reverse(curve.lines);
+  curve.reverse();
 }
 
 /// Sets the unloading by Iflag: at 4, as in LAW90, Shape and Hys lessen the whole stress.
@@ -186,6 +184,12 @@ bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   }
   auto curve = lines.function(function, (*elastic)("Fscale"), "fct_IDf", elastic->line);
   if (!curve) return false;
+  if (!curve->strain.empty() && std::ranges::min(curve->strain) >= 0 && std::ranges::max(curve->strain) > 0) {
+    from.faults.add(
+        curve->line, curve->name, "",
+        "all its points lie at positive strains, which are tension in LAW33; compression is negative");
+    return false;
+  }
   mirror(*curve);
   foam.loading.push_back({0, curve->line, *std::move(curve)});
   return true;

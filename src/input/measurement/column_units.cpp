@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,12 +16,34 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> time_units{"s", "ms", "us", "µs", "sec", "msec"};
-constexpr std::array<std::string_view, 18> acceleration_units{
-    "g",     "G",      "gn",      "m/s2",   "m/s^2", "m/s²",   "m/s**2", "mm/s2",  "mm/s^2",
-    "mm/s²", "mm/ms2", "mm/ms^2", "mm/ms²", "ft/s2", "ft/s^2", "in/s2",  "in/s^2", "in/s²"};
-constexpr std::array<std::string_view, 9> other_names_of_g{"g",  "G",   "gs",  "Gs", "g's",
-                                                           "gn", "g_n", "g_0", "g0"};
+constexpr std::array<std::string_view, 4> time_units{"s", "ms", "us", "µs"};
+constexpr std::array<std::string_view, 17> acceleration_units{
+    "g",      "mg",      "gn",     "m/s2",  "m/s^2",  "m/s²",  "mm/s2",  "mm/s^2", "mm/s²",
+    "mm/ms2", "mm/ms^2", "mm/ms²", "ft/s2", "ft/s^2", "in/s2", "in/s^2", "in/s²"};
+/// Names of g and its thousandth, in lower case. Of an acceleration, mg can only be a thousandth of g.
+constexpr std::array<std::string_view, 9> names_of_g{"g",  "gs",  "g's", "g’s", "gee",
+                                                     "gn", "g_n", "g_0", "g0"};
+constexpr std::array<std::string_view, 6> names_of_milli_g{"mg",      "mgs",     "mg's",
+                                                           "milli-g", "milli g", "millig"};
+/// Names of units of time, in lower case.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> names_of_times{
+    {{"sec", "s"},
+     {"secs", "s"},
+     {"second", "s"},
+     {"seconds", "s"},
+     {"sek", "s"},
+     {"msec", "ms"},
+     {"msecs", "ms"},
+     {"millis", "ms"},
+     {"millisec", "ms"},
+     {"millisecond", "ms"},
+     {"milliseconds", "ms"},
+     {"usec", "us"},
+     {"usecs", "us"},
+     {"microsec", "us"},
+     {"microsecond", "us"},
+     {"microseconds", "us"},
+     {"micros", "us"}}};
 
 bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();
@@ -32,12 +55,16 @@ std::string standard_unit(std::string_view unit) {
   replace_all(text, "**", "^");
   replace_all(text, "_per_", "/");
   replace_all(text, "/s/s", "/s2");
-  if (text == "m_s2" || text == "mps2") return "m/s2";
-  if (text == "sec" || text == "secs") return "s";
-  if (text == "msec") return "ms";
-  if (text == "usec") return "us";
+  const std::string lower = lower_case(text);
+  if (lower == "m_s2" || lower == "mps2" || lower == "m/sec2" || lower == "m/sec^2") return "m/s2";
+  for (const auto& [name, unit_of_time] : names_of_times)
+    if (lower == name) return std::string(unit_of_time);
+  if (text == "S" || text == "MS" || text == "US") return lower;  // headers in capitals
   return text;
 }
+
+bool is_name_of_g(std::string_view unit) { return is_among(lower_case(unit), names_of_g); }
+bool is_name_of_milli_g(std::string_view unit) { return is_among(lower_case(unit), names_of_milli_g); }
 
 const char* si_unit_of(ColumnKind kind) { return kind == ColumnKind::time ? "s" : "m/s2"; }
 
@@ -95,7 +122,10 @@ std::string unknown_unit(const std::string& header) {
 
 double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
   const std::string text = standard_unit(unit);
-  if (kind == ColumnKind::acceleration && is_among(text, other_names_of_g)) return standard_gravity;
+  if (kind == ColumnKind::acceleration) {
+    if (is_name_of_g(text)) return standard_gravity;
+    if (is_name_of_milli_g(text)) return 1e-3 * standard_gravity;
+  }
   if (text.empty()) throw UnitError("needs a unit");
   try {
     return to_si("1 " + text, si_unit_of(kind));
@@ -108,7 +138,7 @@ double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
 
 bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
   const std::string text = standard_unit(unit);
-  if (kind == ColumnKind::acceleration && is_among(text, other_names_of_g)) return true;
+  if (kind == ColumnKind::acceleration && (is_name_of_g(text) || is_name_of_milli_g(text))) return true;
   return is_unit_of(text, si_unit_of(kind));
 }
 
@@ -116,7 +146,8 @@ bool is_voltage(const std::string& unit) { return is_unit_of(standard_unit(unit)
 
 bool is_customary_unit(std::string_view text) {
   const std::string unit = standard_unit(text);
-  return is_among(unit, time_units) || is_among(unit, acceleration_units);
+  return is_among(unit, time_units) || is_among(unit, acceleration_units) || is_name_of_g(unit) ||
+         is_name_of_milli_g(unit);
 }
 
 HeaderText split_header(std::string_view header) {
@@ -150,7 +181,8 @@ bool looks_like(ColumnKind kind, const injury::MeasuredColumn& column) {
   if (!has_time_unit && !has_acceleration_unit && is_other_unit(column.unit)) return false;
   const std::string name = lower_case(split_header(column.name).name);
   if (kind == ColumnKind::time) {
-    const bool is_named = begins_with_word(name, {"time", "t", "zeit", "temps", "tiempo", "tempo"});
+    const bool is_named = begins_with_word(name, {"time", "t", "timestamp", "datetime", "zeit", "zeitstempel",
+                                                  "uhrzeit", "temps", "tiempo", "tempo"});
     return has_time_unit || (is_named && !has_acceleration_unit);
   }
   const bool is_named =
@@ -204,6 +236,10 @@ std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
                                           const std::string& unit_of_file) {
   if (column.unit_origin != "given" || unit_of_file.empty() || unit_of_file == column.unit)
     return std::nullopt;
+  for (const ColumnKind kind : {ColumnKind::time, ColumnKind::acceleration})
+    if (is_pulse_unit(kind, unit_of_file) && is_pulse_unit(kind, column.unit) &&
+        pulse_unit_factor(kind, unit_of_file) == pulse_unit_factor(kind, column.unit))
+      return std::nullopt;
   return fmt::format("{}: the file says {}; {} was given and is used", column.name, unit_of_file,
                      column.unit);
 }

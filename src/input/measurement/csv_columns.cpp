@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "input/measurement/clock_time.hpp"
 #include "input/spelling.hpp"
 #include "quantities/from_chars.hpp"
 #include "quantities/text.hpp"
@@ -155,6 +156,21 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
   return found;
 }
 
+/// The names in a row in which single blanks stand in names, and wider gaps between them.
+std::vector<std::string> between_wide_gaps(const CsvRow& row) {
+  std::vector<std::string> names;
+  const char* end = nullptr;
+  for (const std::string_view field : row.fields) {
+    const std::string word = to_utf8(field);
+    if (end != nullptr && field.data() == end + 1 && *end == ' ')
+      names.back() += ' ' + word;
+    else
+      names.push_back(word);
+    end = field.data() + field.size();
+  }
+  return names;
+}
+
 void settle(injury::MeasuredColumn& column, ColumnKind kind, const std::string& given,
             const std::optional<Sensitivity>& sensitivity, std::size_t line, MeasurementFaults& faults,
             std::vector<std::string>& remarks) {
@@ -168,27 +184,25 @@ void settle(injury::MeasuredColumn& column, ColumnKind kind, const std::string& 
 
 }  // namespace
 
-CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
+CsvHeader read_csv_header(std::string_view text, char separator, int fewest, std::size_t skipped) {
   CsvHeader header;
   CsvRows rows(text, separator);
   CsvRow row;
   std::optional<CsvHeader> fallback;
   std::string_view comment;
   while (header.rows.size() < max_header_rows && rows.next(row)) {
-    const auto is_number = [&](std::string_view field) {
-      const NumberKind kind = read_csv_number(field, separator).kind;
-      return kind != NumberKind::text && kind != NumberKind::empty;
-    };
-    const auto numbers = std::ranges::count_if(row.fields, is_number);
+    if (row.line <= skipped) continue;
+    const auto numbers = std::ranges::count_if(row.fields, reads_as_number);
     const auto begin_numbers = [&](CsvHeader& csv_header) {
       csv_header.first_line = row.line;
       csv_header.width = row.filled();
+      csv_header.first_row.assign(row.fields.begin(), row.fields.end());
     };
     if (numbers >= fewest && !fallback) {
       begin_numbers(fallback.emplace(header));
       comment = rows.comment();
     }
-    if (numbers >= fewest && is_number(row.fields.front())) {
+    if (numbers >= fewest && reads_as_number(row.fields.front())) {
       begin_numbers(header);
       comment = rows.comment();
       break;
@@ -199,9 +213,16 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
       header.is_latin1 = header.is_latin1 || !is_utf8(field);
       names.fields.push_back(to_utf8(field));
     }
+    if (separator == ' ' && row.fault.empty()) names.between_wide_gaps = between_wide_gaps(row);
     if (!names.fields.empty()) header.rows.push_back(std::move(names));
   }
   if (header.first_line == 0 && fallback) header = *fallback;
+  for (CsvHeader::Row& names : header.rows) {
+    if (separator != ' ' || names.fields.size() <= header.width) continue;
+    const bool has_wide_gaps = names.between_wide_gaps.size() == header.width;
+    names.fields = has_wide_gaps ? names.between_wide_gaps
+                                 : std::vector{fmt::format("{}", fmt::join(names.fields, " "))};
+  }
   if (header.first_line != 0 && header.rows.empty() && !comment.empty()) {
     CsvRows words(comment, separator);
     if (words.next(row) && row.filled() == header.width && row.fault.empty()) {
@@ -214,12 +235,29 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest) {
   return header;
 }
 
-CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool may_have_one_column) {
+bool CsvHeader::holds_time_of_day(const injury::MeasuredColumn& column) const {
+  const auto place = static_cast<std::size_t>(column.number - 1);
+  return place < first_row.size() && time_of_day(first_row[place]).has_value();
+}
+
+CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewest fewest) {
   CsvTable table{.text = text_in(content, faults), .header = {}};
   if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
-  table.has_one_column = may_have_one_column && is_one_column(table.text);
+  table.labview = labview_header(table.text, faults);
+  if (table.labview) {
+    table.separator = table.labview->separator;
+    table.header = read_csv_header(table.text, table.separator, 1, table.labview->end);
+    if (table.header.first_line == 0)
+      faults.refuse(table.labview->end, "", "", "no number follows the header");
+    return table;
+  }
+  table.has_one_column = fewest != Fewest::two && is_one_column(table.text);
   table.separator = table.has_one_column ? ';' : find_separator(table.text);
   table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
+  if (table.header.first_line == 0 && fewest == Fewest::one) {
+    table.separator = find_separator(table.text, 1);
+    table.header = read_csv_header(table.text, table.separator, 1);
+  }
   if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
   return table;
 }
@@ -229,21 +267,21 @@ void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::str
   faults.add(row.line, column.name, field_in(row, column), std::move(rule));
 }
 
-std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
+std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column,
                                 MeasurementFaults& faults) {
-  const ReadNumber read = read_csv_number(field_in(row, column), separator);
+  const ReadNumber read = read_csv_number(field_in(row, column));
   if (read.kind == NumberKind::number) return read.value * column.factor;
   add_fault(row, column, rule_for(read.kind), faults);
   return std::nullopt;
 }
 
 void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
-                        const std::vector<injury::MeasuredColumn>& chosen, char separator,
-                        MeasurementFaults& faults, std::size_t first) {
+                        const std::vector<injury::MeasuredColumn>& chosen, MeasurementFaults& faults,
+                        std::size_t first) {
   for (const CsvHeader::Row& row : header.rows) {
     if (names != nullptr && row.line <= names->line) continue;
     const auto kind_of = [&](const injury::MeasuredColumn& column) {
-      return read_csv_number(field_in(row, column), separator).kind;
+      return read_csv_number(field_in(row, column)).kind;
     };
     const auto holds_number = [&](const auto& column) { return kind_of(column) == NumberKind::number; };
     if (std::none_of(chosen.begin() + static_cast<std::ptrdiff_t>(first), chosen.end(), holds_number))
@@ -254,14 +292,16 @@ void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
   }
 }
 
-CsvColumns name_columns(const CsvHeader& header) {
+CsvColumns name_columns(const CsvHeader& header, const std::optional<LabViewHeader>& labview) {
   CsvColumns columns;
   columns.names = row_of_names(header);
   const std::size_t named_columns = columns.names != nullptr ? columns.names->fields.size() : 0;
   std::vector<const CsvHeader::Row*> unit_rows;
   for (const CsvHeader::Row& row : header.rows)
     if (is_row_of_units(row)) unit_rows.push_back(&row);
-  for (std::size_t i = 0; i < std::max(header.width, named_columns); ++i) {
+  // Names beyond the fields of the first row name nothing.
+  const std::size_t count = std::max(header.width, std::min(named_columns, header.first_row.size()));
+  for (std::size_t i = 0; i < count; ++i) {
     injury::MeasuredColumn column{.name = fmt::format("column {}", i + 1), .number = static_cast<int>(i + 1)};
     if (i < named_columns && !columns.names->fields[i].empty()) {
       column.unit = split_header(columns.names->fields[i]).unit;
@@ -269,6 +309,7 @@ CsvColumns name_columns(const CsvHeader& header) {
     }
     for (const CsvHeader::Row* row : unit_rows)
       if (column.unit.empty() && i < row->fields.size()) column.unit = lone_unit(row->fields[i]).value_or("");
+    if (labview && i < labview->columns.size()) column.unit = labview->columns[i].unit;
     columns.all.push_back(std::move(column));
   }
   return columns;
@@ -281,8 +322,9 @@ CsvColumns named_columns(const CsvHeader& header, const std::string& what, Measu
   return columns;
 }
 
-void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
+void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptions& options,
                     MeasurementFaults& faults, std::vector<std::string>& remarks) {
+  const CsvHeader& header = table.header;
   const std::size_t line = columns.names != nullptr ? columns.names->line : 0;
   const bool any_known = !those_that_look_like(ColumnKind::time, columns.all).empty() ||
                          !those_that_look_like(ColumnKind::acceleration, columns.all).empty();
@@ -301,9 +343,12 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
         fmt::format("names {} columns, but the numbers in line {} have {}; decimal commas need another "
                     "separator, such as a semicolon",
                     columns.names->fields.size(), header.first_line, header.width));
-  const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
   columns.acceleration = chosen(columns, ColumnKind::acceleration, acceleration, options.resultant ? 3 : 1,
                                 options.sensitivity, faults);
+  if (table.labview && table.labview->x_columns == LabViewHeader::XColumns::each && time.empty() &&
+      columns.acceleration.size() == 1 && columns.acceleration.front().number > 1)
+    time = {std::to_string(columns.acceleration.front().number - 1)};
+  const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
   const std::size_t count = columns.acceleration.size();
   if (options.resultant ? count == 1 || count > 3 : count > 1)
     faults.add(line, "", "",
@@ -311,7 +356,17 @@ void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsv
                                  : "several accelerations were named; combine them with --resultant");
   if (!times.empty()) {
     columns.time = times.front();
-    settle(columns.time, ColumnKind::time, options.time_unit, {}, line, faults, remarks);
+    columns.times_of_day = header.holds_time_of_day(columns.time);
+    if (!columns.times_of_day) {
+      settle(columns.time, ColumnKind::time, options.time_unit, {}, line, faults, remarks);
+    } else {
+      columns.time.unit = "s";
+      columns.time.unit_origin = "format";
+      if (!options.time_unit.empty())
+        faults.add(header.first_line, columns.time.name,
+                   header.first_row[static_cast<std::size_t>(columns.time.number - 1)],
+                   "is a time of day, which has no other unit: leave out --time-unit");
+    }
   } else if (options.interval) {
     columns.time = {.name = "samples", .unit = "s", .unit_origin = "given"};
     for (const injury::MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))

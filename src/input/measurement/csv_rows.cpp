@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "input/measurement/clock_time.hpp"
+
 namespace dashpad::input {
 
 namespace {
@@ -42,12 +44,13 @@ bool CsvRows::next(CsvRow& row) {
     row.line = lines_.number();
     row.fields.clear();
     row.fault = {};
+    row.has_quotes = false;
     if (!content.empty()) split(line, row);
     if (row.filled() == 0 && row.fault.empty()) {
       ++pending_blank_lines_;
       continue;
     }
-    blank_lines_ += pending_blank_lines_;  // those at the end of the file do not count
+    if (numbers_) blank_lines_ += pending_blank_lines_;  // those in a header and at the end do not count
     pending_blank_lines_ = 0;
     return true;
   }
@@ -94,6 +97,7 @@ void CsvRows::split(std::string_view line, CsvRow& row) {
     while (at < line.size() && is_blank(line[at]) && (by_blanks || line[at] != separator_)) ++at;
     if (by_blanks && at >= line.size()) return;
     if (at < line.size() && line[at] == '"') {
+      row.has_quotes = true;
       row.fields.push_back(quoted(line, at, row, at));
       while (at < line.size() && is_blank(line[at]) && !ends_field(line[at])) ++at;
       if (at < line.size() && !ends_field(line[at]) && row.fault.empty())
@@ -117,7 +121,7 @@ bool is_one_column(std::string_view text) {
   while (lines.next(line)) {
     line = without_blanks(line);
     if (line.empty() || line.starts_with('#')) continue;
-    if (read_csv_number(line, ';').kind != NumberKind::number) {
+    if (read_csv_number(line).kind != NumberKind::number) {
       if (numbers > 0)
         ++others;
       else
@@ -137,7 +141,7 @@ bool is_one_column(std::string_view text) {
   return numbers > others && !are_two;
 }
 
-char find_separator(std::string_view text) {
+char find_separator(std::string_view text, std::size_t fewest) {
   const std::string_view sample = beginning_of(text);
   char best = ',';
   std::size_t best_score = 0;
@@ -146,12 +150,11 @@ char find_separator(std::string_view text) {
     CsvRow row;
     std::size_t of_numbers = 0, of_some = 0;  // rows
     for (std::size_t count = 0; count < sample_rows && rows.next(row); ++count) {
-      const auto is_number = [&](std::string_view field) {
-        return read_csv_number(field, separator).kind == NumberKind::number;
-      };
-      const auto numbers = static_cast<std::size_t>(std::ranges::count_if(row.fields, is_number));
-      if (numbers < 2) continue;
-      const bool all = numbers == row.filled();
+      const auto numbers = static_cast<std::size_t>(std::ranges::count_if(row.fields, reads_as_number));
+      if (numbers < fewest) continue;
+      const auto empty = static_cast<std::size_t>(std::ranges::count_if(
+          row.fields, [](std::string_view field) { return without_blanks(field).empty(); }));
+      const bool all = numbers + empty == row.fields.size();
       if (all && of_numbers == 0) of_some = 0;  // numbers in the header do not count
       ++(all ? of_numbers : of_some);
     }
@@ -164,10 +167,15 @@ char find_separator(std::string_view text) {
   return best;
 }
 
-ReadNumber read_csv_number(std::string_view field, char separator) {
+ReadNumber read_csv_number(std::string_view field) {
   const ReadNumber number = read_number(field);
-  if (number.kind != NumberKind::text || separator == ',') return number;
+  if (number.kind != NumberKind::text) return number;
   return field.find(',') == std::string_view::npos ? number : read_number(field, ',');
+}
+
+bool reads_as_number(std::string_view field) {
+  const NumberKind kind = read_csv_number(field).kind;
+  return (kind != NumberKind::text && kind != NumberKind::empty) || time_of_day(field).has_value();
 }
 
 }  // namespace dashpad::input

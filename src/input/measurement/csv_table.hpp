@@ -19,6 +19,7 @@ struct CsvRow {
   std::size_t line = 0;  ///< of its beginning
   std::vector<std::string_view> fields;
   std::string_view fault;  ///< a fault in the quotes; empty if there is none
+  bool has_quotes = false;
   /// The number of fields up to the last one that is not empty.
   [[nodiscard]] std::size_t filled() const;
 };
@@ -54,52 +55,86 @@ class CsvRows {
   std::deque<std::string> unquoted_;
 };
 
-/// The separator ',' ';' tab or ' ' (any number of blanks) that makes numbers of most rows at the beginning.
-char find_separator(std::string_view text);
+/// The separator ',' ';' tab or ' ' (any number of blanks) that makes numbers of most rows at the beginning,
+/// at least `fewest` of each.
+char find_separator(std::string_view text, std::size_t fewest = 2);
 
 /// Whether the table has one column, of numbers with decimal points or commas. Two numbers with a comma
 /// between them are two columns if a row above has two fields, or if the first increases in at least four of
 /// five rows, like a time.
 bool is_one_column(std::string_view text);
 
-/// A number with a decimal point or, unless commas separate, a decimal comma.
-ReadNumber read_csv_number(std::string_view field, char separator);
+/// A number with a decimal point or a decimal comma. Where commas separate, a field that holds one was
+/// quoted.
+ReadNumber read_csv_number(std::string_view field);
+/// Whether a field is a number, finite or not, or a time of day.
+bool reads_as_number(std::string_view field);
 
 struct CsvHeader {
   struct Row {
     std::size_t line = 0;
     std::vector<std::string> fields;  ///< UTF-8, without blanks around them
+    /// The same row of a table separated by blanks, split only where two or more of them follow each other.
+    std::vector<std::string> between_wide_gaps = {};
   };
-  std::vector<Row> rows;       ///< those before the first row of numbers
-  bool from_comment = false;   ///< the only row is a comment
-  bool is_latin1 = false;      ///< some text is Latin-1
-  std::size_t first_line = 0;  ///< of the numbers; 0 without any
-  std::size_t width = 0;       ///< number of columns of the first row of numbers
+  std::vector<Row> rows;               ///< those before the first row of numbers
+  bool from_comment = false;           ///< the only row is a comment
+  bool is_latin1 = false;              ///< some text is Latin-1
+  std::size_t first_line = 0;          ///< of the numbers; 0 without any
+  std::size_t width = 0;               ///< number of columns of the first row of numbers
+  std::vector<std::string> first_row;  ///< the fields of that row, with empty ones at its end
+
+  [[nodiscard]] bool holds_time_of_day(const injury::MeasuredColumn& column) const;
 };
 
 /// The rows before the first one that begins with a number and holds at least `fewest` numbers; failing that,
-/// before the first one with so many.
-CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2);
+/// before the first one with so many. Lines up to `skipped` are left out.
+CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2, std::size_t skipped = 0);
+
+/// What the header of a LabVIEW measurement file says.
+struct LabViewHeader {
+  /// Where the values of X are: nowhere, in the first column, in one before each channel.
+  enum class XColumns { none, one, each };
+  struct Column {
+    std::string unit = {};
+    double first = 0;                     ///< X0, s
+    std::optional<double> interval = {};  ///< Delta_X, s, if X is the time
+  };
+  char separator = '\t';
+  std::size_t end = 0;  ///< line of the last end of a header
+  XColumns x_columns = XColumns::one;
+  std::vector<Column> columns = {};
+};
+
+/// Absent for other text.
+std::optional<LabViewHeader> labview_header(std::string_view text, MeasurementFaults& faults);
 
 struct CsvTable {
   std::string_view text;        ///< without byte order mark
   bool has_one_column = false;  ///< only if the caller allows it
   char separator = ',';
   CsvHeader header;
+  std::optional<LabViewHeader> labview = {};
 };
 
-/// Refuses text that is binary, empty or without a row of two numbers (or one). `content` outlives both.
-CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, bool may_have_one_column = false);
+/// How few numbers make a row of numbers.
+enum class Fewest { two, one_column, one };
+
+/// Refuses text that is binary, empty or without a row of two numbers; of one, if the table has one column
+/// only or, with Fewest::one, no row has two. `content` outlives both.
+CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewest fewest = Fewest::two);
 
 struct CsvColumns {
   std::vector<injury::MeasuredColumn> all;           ///< units as in the header
   const CsvHeader::Row* names = nullptr;             ///< the row that names them
   injury::MeasuredColumn time;                       ///< with its unit; number 0 if the interval is given
+  bool times_of_day = false;                         ///< as in time_of_day()
   std::vector<injury::MeasuredColumn> acceleration;  ///< with their units
 };
 
-/// All columns, named by the most telling row, with units from it or from a row of units below.
-CsvColumns name_columns(const CsvHeader& header);
+/// All columns, named by the most telling row, with units from it, from a row of units below or from
+/// `labview`.
+CsvColumns name_columns(const CsvHeader& header, const std::optional<LabViewHeader>& labview = {});
 /// The same columns. Refuses a table without a row of names; `what` continues the message: " and their units:
 /// time_s,strain".
 CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults);
@@ -114,7 +149,7 @@ std::string_view field_in(const Row& row, const injury::MeasuredColumn& column) 
 void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::string rule,
                MeasurementFaults& faults);
 /// The number of a field in SI; absent after a fault.
-std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column, char separator,
+std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column,
                                 MeasurementFaults& faults);
 /// Calls `take` with each row of numbers. Rows with a fault in their quotes are reported.
 template <class Take>
@@ -131,11 +166,11 @@ void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take) {
 
 /// Reports rows between names and numbers that hold a number in one of these columns, from `first` on.
 void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
-                        const std::vector<injury::MeasuredColumn>& chosen, char separator,
-                        MeasurementFaults& faults, std::size_t first = 0);
+                        const std::vector<injury::MeasuredColumn>& chosen, MeasurementFaults& faults,
+                        std::size_t first = 0);
 
 /// Chooses the columns of time and acceleration with their units; remarks on choices that were not obvious.
-void choose_columns(CsvColumns& columns, const CsvHeader& header, const PulseCsvOptions& options,
+void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptions& options,
                     MeasurementFaults& faults, std::vector<std::string>& remarks);
 
 // Units of measured columns, and their notation in headers.

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -58,6 +59,18 @@ void MeasurementFaults::add(std::size_t line, std::string key, std::string_view 
     faults_.back().rule += "; reading stopped here, after so many faults";
     throw_all();
   }
+}
+
+std::vector<Fault> MeasurementFaults::split_off(std::size_t first) {
+  const auto begin = faults_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<Fault> later(std::make_move_iterator(begin), std::make_move_iterator(faults_.end()));
+  faults_.erase(begin, faults_.end());
+  return later;
+}
+
+void MeasurementFaults::add(std::vector<Fault> faults) {
+  for (Fault& fault : faults)
+    add(static_cast<std::size_t>(fault.line), std::move(fault.key), fault.value, std::move(fault.rule));
 }
 
 void MeasurementFaults::refuse(std::size_t line, std::string key, std::string_view value, std::string rule) {
@@ -154,6 +167,7 @@ bool LineReader::next(std::string_view& line) {
 }
 
 std::string_view without_blanks(std::string_view text) {
+  if (!text.empty() && text.front() > ' ' && text.back() > ' ') return text;  // most fields
   constexpr std::string_view blanks = " \t\f\x1a";
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

@@ -28,6 +28,10 @@ class MeasurementFaults {
     if (!faults_.empty()) throw_all();
   }
   [[nodiscard]] bool none() const { return faults_.empty(); }
+  [[nodiscard]] std::size_t count() const { return faults_.size(); }
+  /// Takes back the faults from number `first`, from 0, on.
+  std::vector<Fault> split_off(std::size_t first);
+  void add(std::vector<Fault> faults);
   /// Adds a fault and throws.
   [[noreturn]] void refuse(std::size_t line, std::string key, std::string_view value, std::string rule);
 

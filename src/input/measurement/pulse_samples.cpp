@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "quantities/from_chars.hpp"
+#include "dashpad/quantities/quantity.hpp"
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::input {
 
@@ -42,6 +43,7 @@ constexpr double evenness = 0.25 + rounding;
 constexpr std::size_t few_gaps = 3;
 constexpr double max_on_any_grid = 10;
 constexpr double max_of_neighbours = 3;
+constexpr std::size_t max_gap_remarks = 20;
 
 double median_step(const std::vector<double>& times) {
   std::vector<double> steps(times.size() - 1);
@@ -64,11 +66,33 @@ bool is_even_but_for_gaps(const std::vector<double>& times, double usual) {
   return 2 * longer < count && (longer <= few_gaps || 10 * longer <= count);
 }
 
-constexpr double far = 1000;            // of the record
-constexpr std::size_t max_digits = 18;  // of a whole part: all of them fit into 64 bits
-constexpr std::string_view digits = "0123456789";
-
 }  // namespace
+
+std::optional<std::pair<double, double>> interval_of_zero(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+    throw UnitError("must be auto, or two times with a comma between them, such as \"0 ms,5 ms\"");
+  const double begin = stated_si(text.substr(0, comma), "s"), end = stated_si(text.substr(comma + 1), "s");
+  if (!(begin < end)) throw UnitError("the first time must be earlier than the second");
+  return std::pair{begin, end};
+}
+
+KeptSamples kept_samples(const std::vector<double>& times, const CutTimes& cut, MeasurementFaults& faults,
+                         std::vector<std::string>& remarks) {
+  const double end_of_record = times.back();
+  const double from = cut.from.value_or(times.front()), to = cut.to.value_or(end_of_record);
+  const auto begin = std::ranges::lower_bound(times, from), end = std::ranges::upper_bound(times, to);
+  const auto count = end - begin;
+  const std::string range = fmt::format("from {} to {} ms", brief(1e3 * from), brief(1e3 * to));
+  if (count < 2)
+    faults.refuse(0, "", "",
+                  fmt::format("--from, --to: {} {}; the samples are from {} to {} ms",
+                              count < 1 ? "no sample is" : "only one sample is", range,
+                              brief(1e3 * times.front()), brief(1e3 * end_of_record)));
+  remarks.push_back(fmt::format("only the samples {} are used, {} of {}", range, count, times.size()));
+  return {static_cast<std::size_t>(begin - times.begin()), static_cast<std::size_t>(end - times.begin())};
+}
 
 PulseGaps find_gaps(const std::vector<double>& times) {
   if (times.size() < 4) return {};
@@ -86,46 +110,28 @@ PulseGaps find_gaps(const std::vector<double>& times) {
   return gaps;
 }
 
-std::optional<ExactTime> exact_time(std::string_view number) {
-  number = without_blanks(number);
-  const bool is_negative = number.starts_with('-');
-  if (is_negative || number.starts_with('+')) number.remove_prefix(1);
-  const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
-  int exponent = 0;
-  if (mantissa_end < number.size()) {
-    std::string_view text = number.substr(mantissa_end + 1);
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto whole = parsed<int>(text);
-    if (!whole) return std::nullopt;
-    exponent = *whole;
-  }
-  const std::string_view mantissa = number.substr(0, mantissa_end);
-  const std::size_t point = std::min(mantissa.find_first_of(".,"), mantissa.size());
-  std::string all(mantissa.substr(0, point));
-  if (point < mantissa.size()) all += mantissa.substr(point + 1);
-  if (all.empty() || all.find_first_not_of(digits) != std::string::npos) return std::nullopt;
-  // The place of the decimal point among the digits; beyond their ends there are zeros.
-  const std::int64_t place = static_cast<std::int64_t>(point) + exponent;
-  if (place > static_cast<std::int64_t>(max_digits)) return std::nullopt;
-  const auto whole_digits = static_cast<std::size_t>(std::max<std::int64_t>(place, 0));
-  if (whole_digits > all.size()) all.append(whole_digits - all.size(), '0');
-  ExactTime time;
-  for (const char digit : all.substr(0, whole_digits)) time.whole = 10 * time.whole + (digit - '0');
-  const std::string part =
-      "0." + all.substr(whole_digits) + "e" + std::to_string(std::min<std::int64_t>(place, 0));
-  from_chars(part.data(), part.data() + part.size(), time.part);
-  return is_negative ? ExactTime{-time.whole, -time.part} : time;
-}
-
-bool counts_from_first(double first, double length) {
-  return std::abs(first) > far * length && std::abs(first) <= measured_magnitudes("s").most;
-}
-
-std::string remark_on_clock(const std::string& first) {
-  return fmt::format(
-      "the times begin at {}, far beyond the length of the record: here they count from the "
-      "first sample",
-      first);
+void judge_gaps(const std::vector<double>& times, const std::vector<std::uint32_t>& lines,
+                const std::string& name, bool bridge, MeasurementFaults& faults,
+                std::vector<std::string>& remarks) {
+  const PulseGaps gaps = find_gaps(times);
+  const auto line_of = [&](std::size_t sample) { return lines.empty() ? 0 : lines[sample]; };
+  const auto words = [&](const PulseGap& gap) {
+    const std::size_t next = gap.after + 1;
+    const std::string between =
+        lines.empty() ? fmt::format("between {:.6g} and {:.6g} ms", 1e3 * times[gap.after], 1e3 * times[next])
+                      : fmt::format("between lines {} and {}", lines[gap.after], lines[next]);
+    return fmt::format("{} {:.6g} ms are missing", between, 1e3 * gap.length);
+  };
+  if (!bridge)
+    for (const PulseGap& gap : gaps.all)
+      faults.add(line_of(gap.after + 1), name, "",
+                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps interpolates linearly",
+                             words(gap), 1e3 * gaps.usual_step));
+  for (std::size_t i = 0; i < std::min(gaps.all.size(), max_gap_remarks); ++i)
+    remarks.push_back(words(gaps.all[i]) + "; interpolated linearly");
+  if (gaps.all.size() > max_gap_remarks)
+    remarks.push_back(fmt::format("{} more gaps between the times; interpolated linearly",
+                                  gaps.all.size() - max_gap_remarks));
 }
 
 }  // namespace dashpad::input

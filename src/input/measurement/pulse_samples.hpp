@@ -1,15 +1,14 @@
 #pragma once
-/// Samples of a measured pulse: their plausibility, gaps, and times of clocks that began long ago.
+/// Samples of a measured pulse: their plausibility and gaps.
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/injury/measured_pulse.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
@@ -17,6 +16,21 @@ namespace dashpad::input {
 /// Reports implausible samples: intervals or times beyond those of any test, or a peak that is no impact's. A
 /// pulse of zeros is admitted. `line`: of the first sample, or 0.
 void judge_pulse(const Pulse& pulse, std::size_t line, MeasurementFaults& faults);
+
+/// The samples from `begin` to before `end`, by index.
+struct KeptSamples {
+  std::size_t begin = 0, end = 0;
+
+  template <class Value>
+  void keep(std::vector<Value>& of_samples) const {
+    of_samples.erase(of_samples.begin() + static_cast<std::ptrdiff_t>(end), of_samples.end());
+    of_samples.erase(of_samples.begin(), of_samples.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+};
+
+/// Those between two times, inclusive; remarks on them. Fewer than two are a fault.
+KeptSamples kept_samples(const std::vector<double>& times, const CutTimes& cut, MeasurementFaults& faults,
+                         std::vector<std::string>& remarks);
 
 struct PulseGap {
   std::size_t after = 0;  ///< index of the sample before the gap
@@ -33,26 +47,10 @@ struct PulseGaps {
 /// three steps have no gaps.
 PulseGaps find_gaps(const std::vector<double>& times);
 
-/// A decimal number as its whole part and its decimals, of the same sign. A double cannot hold
-/// 1764068400.1234 s to better than 0.24 us; so times of such clocks are subtracted before they are rounded.
-struct ExactTime {
-  std::int64_t whole = 0;
-  double part = 0;  ///< in (-1, 1)
-
-  /// The difference to `first`, accurate to 1e-16 for near times.
-  [[nodiscard]] double since(const ExactTime& first) const {
-    return static_cast<double>(whole - first.whole) + (part - first.part);
-  }
-};
-
-/// A number with a decimal point or comma, as in read_csv_number(); absent beyond 18 digits before the point.
-std::optional<ExactTime> exact_time(std::string_view number);
-
-/// Whether times count from the first sample: the clock's zero is further away than a thousand times
-/// `length`, s, of the record.
-bool counts_from_first(double first, double length);
-
-/// The remark for such a record. `first` is as in the file, with its unit.
-std::string remark_on_clock(const std::string& first);
+/// Reports the gaps between the times, as faults or, if they are to be bridged, as remarks. `lines` of the
+/// samples, or none. `name` of the times.
+void judge_gaps(const std::vector<double>& times, const std::vector<std::uint32_t>& lines,
+                const std::string& name, bool bridge, MeasurementFaults& faults,
+                std::vector<std::string>& remarks);
 
 }  // namespace dashpad::input

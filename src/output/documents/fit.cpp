@@ -144,6 +144,7 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
   add("Share of the energy returned, by the strain at which the test reverses", table_of_loops(report));
   add("Figures of impacts", table_of_figures(report, units));
   add("Pulses of impacts", table_of_pulses(report, units));
+  for (const std::string& remark : report.remarks) misfit.paragraphs.push_back("REMARK: " + one_line(remark));
   return misfit;
 }
 

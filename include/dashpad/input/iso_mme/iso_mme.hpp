@@ -22,19 +22,17 @@ struct IsoMmeChannel {
   std::string problem;  ///< why it cannot be read; empty if nothing speaks against it
 };
 
-/// All channels, by number.
-Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file);
+/// All channels, by number. `test`: as in PulseOptions.
+Reading<std::vector<IsoMmeChannel>> iso_mme_channels(const std::filesystem::path& file,
+                                                     const std::string& test = {});
 
-struct IsoMmeOptions {
-  std::string channel = {};  ///< number, or code in which ? stands for any character; empty: the only
-                             ///< acceleration
-  std::string acceleration_unit = {};         ///< empty: that of the file
-  bool resultant = false;                     ///< combine the directions X, Y, Z that `channel` matches
-  std::vector<Sensitivity> sensitivity = {};  ///< as in PulseCsvOptions; the directions in the order X, Y, Z
-};
+/// Times are even ("implicit"), or those of another channel ("explicit"). NOVALUE at the ends is left out
+/// with a remark, and a first time that is not stated is 0. Reads nothing outside of the folder or archive:
+/// links are not followed, and archives with names that lead elsewhere are refused. Reports at most 200
+/// faults. At most 1 GiB unpacked, 50 million samples each.
+Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const PulseOptions& options);
 
-/// Reads nothing outside of the folder or archive: links are not followed, and archives with names that lead
-/// elsewhere are refused. Reports at most 200 faults. At most 1 GiB unpacked, 50 million samples each.
-Reading<PulseFile> read_iso_mme(const std::filesystem::path& file, const IsoMmeOptions& options);
+/// Reads a test in ISO-MME or a table, whichever `file` is.
+Reading<PulseFile> read_pulse(const std::filesystem::path& file, const PulseOptions& options);
 
 }  // namespace dashpad::input

@@ -18,6 +18,18 @@ double last_strain_of(const BaseCurve& base) {
       base);
 }
 
+namespace {
+
+/// The points with plateaus of equal stress lifted a little, so that each stress has one strain.
+TableCurve rising(TableCurve table) {
+  constexpr double lift = 1e-7;  // relative, from point to point
+  for (std::size_t i = 1; i < table.stress.size(); ++i)
+    table.stress[i] = std::max(table.stress[i], table.stress[i - 1] * (1 + lift));
+  return table;
+}
+
+}  // namespace
+
 FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
     : last_{.exponent = continuation_exponent, .strain = last_strain_of(base)}, cells_(last_.strain) {
   last_.complement = 1 - last_.strain;
@@ -31,7 +43,7 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
   std::visit(
       [&]<class Form>(const Form& form) {
         if constexpr (std::is_same_v<Form, TableCurve>)
-          take([curve = MonotoneCurve(form)](double e) { return curve.stress(e); });
+          take([curve = MonotoneCurve(rising(form))](double e) { return curve.stress(e); });
         else
           take([&form](double e) { return form.stress(e); });
       },

@@ -67,9 +67,10 @@ bool check_base(const TableCurve& table, Violations& broken) {
   if (!check_points(table, "curve", broken)) return false;
   const std::size_t before = broken.size();
   for (std::size_t i = 1; i < table.stress.size(); ++i)
-    if (table.stress[i] <= table.stress[i - 1])
-      broken.push_back({entry("curve.stress", i), table.stress[i],
-                        "must be more than the previous stress: the curve of the slowest test has to rise"});
+    if (table.stress[i] < table.stress[i - 1])
+      broken.push_back(
+          {entry("curve.stress", i), table.stress[i],
+           "must not be less than the previous stress: the curve of the slowest test cannot fall"});
   return broken.size() == before;
 }
 
@@ -107,13 +108,27 @@ bool check_rate(double rate, double before, const std::string& key, Violations& 
   return rate > before && rate <= highest_rate;
 }
 
-/// Checks that a curve does not fall below that of the slower rate.
-void check_crossing(const MonotoneCurve& fast, double fast_rate, const auto& slow, double slow_rate,
-                    double last, const std::string& key, Violations& broken) {
+/// The stress on straight lines from the origin through the points, up to the last strain.
+double on_straight_lines(const TableCurve& table, double strain) {
+  const auto next =
+      static_cast<std::size_t>(std::ranges::lower_bound(table.strain, strain) - table.strain.begin());
+  const std::size_t i = std::min(next, table.strain.size() - 1);
+  const double e0 = i == 0 ? 0 : table.strain[i - 1], s0 = i == 0 ? 0 : table.stress[i - 1];
+  return s0 + (table.stress[i] - s0) * (strain - e0) / (table.strain[i] - e0);
+}
+
+/// Checks that a curve does not fall below that of the slower rate, as cubics and, if both are tables
+/// (`slow_table`), also on the straight lines between their points: what lies between points is not measured.
+void check_crossing(const TableCurve& fast_table, const MonotoneCurve& fast, double fast_rate,
+                    const TableCurve* slow_table, const auto& slow, double slow_rate, double last,
+                    const std::string& key, Violations& broken) {
   for (int i = 1; i <= places; ++i) {
     const double e = last * i / places;
     const double stress = fast.stress(e);
     if (stress >= (1 - max_crossing) * slow(e)) continue;
+    if (slow_table &&
+        on_straight_lines(fast_table, e) >= (1 - max_crossing) * on_straight_lines(*slow_table, e))
+      continue;
     broken.push_back(
         {key, stress,
          fmt::format("the curve at {:.4g} 1/s crosses that at {:.4g} 1/s: at a strain of {:.3g} its "
@@ -157,6 +172,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
                       fmt::format("must hold between 1 and {} curves", max_rates)});
   double before = curves.slowest_rate;
   std::optional<MonotoneCurve> slower;
+  const auto* slow_table = base ? std::get_if<TableCurve>(&curves.base) : nullptr;
   for (std::size_t i = 0; i < effect.curves.size(); ++i) {
     const auto& [rate, table] = effect.curves[i];
     const std::string key = entry("rate.curves", i);
@@ -173,9 +189,11 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
     if (in_order && (slower || base)) {
       const auto slow = [&](double e) { return slower ? slower->stress(e) : base->at(strain_of(e)).stress; };
       const double last = slower ? slower->last_strain() : base->last_strain();
-      check_crossing(curve, rate, slow, before, std::min(curve.last_strain(), last), key + ".stress", broken);
+      check_crossing(table, curve, rate, slow_table, slow, before, std::min(curve.last_strain(), last),
+                     key + ".stress", broken);
     }
     slower = curve;
+    slow_table = &table;
     before = std::max(before, rate);
   }
 }

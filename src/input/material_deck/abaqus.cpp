@@ -1,0 +1,228 @@
+// Foams of Abaqus input files: *LOW DENSITY FOAM with its tests, *HYPERFOAM with tests or coefficients.
+//
+// *UNIAXIAL TEST DATA has rows of nominal stress, nominal strain, [lateral strain,] and, for a low-density
+// foam, the rate. A low-density foam states absolute values, and unloading at negative rates; of a hyperfoam
+// compression is negative. *HYPERFOAM, N=2 has mu_1, alpha_1, mu_2, alpha_2, nu_1, nu_2.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "input/material_deck/deck_foam.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::input {
+
+namespace {
+
+constexpr double assumed_strain_of_fit = 0.8;  // of coefficients, whose range is not stated
+constexpr std::size_t max_rows_of_abaqus = 100'000;
+
+struct AbaqusKeyword {
+  std::string name;  ///< in capitals, single blanks: "LOW DENSITY FOAM"
+  std::map<std::string, std::string> parameters;
+  std::size_t line = 0;
+};
+
+AbaqusKeyword abaqus_keyword(std::string_view line, std::size_t number) {
+  AbaqusKeyword keyword{.name = {}, .parameters = {}, .line = number};
+  const std::vector<std::string> parts = split_at(line.substr(1), ',');
+  for (const std::string& word : split_at(upper_case(parts.front()), ' '))
+    if (!word.empty()) keyword.name += (keyword.name.empty() ? "" : " ") + word;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const auto equals = std::min(parts[i].find('='), parts[i].size());
+    keyword.parameters[upper_case(without_blanks(std::string_view(parts[i]).substr(0, equals)))] =
+        without_blanks(std::string_view(parts[i]).substr(std::min(equals + 1, parts[i].size())));
+  }
+  return keyword;
+}
+
+/// Reads the foams keyword by keyword.
+class AbaqusReader {
+ public:
+  AbaqusReader(const DeckUnits& units, MeasurementFaults& faults) : units_(units), faults_(faults) {}
+
+  void keyword(AbaqusKeyword keyword) {
+    const std::string& name = keyword.name;
+    is_read_ = false;
+    if (name == "MATERIAL") {
+      finish();
+      title_ = to_utf8(keyword.parameters["NAME"]);
+      density_ = 0;
+    } else if (name == "LOW DENSITY FOAM" || name == "HYPERFOAM") {
+      begin(keyword);
+    } else if (name == "UNIAXIAL TEST DATA" && foam_) {
+      const auto direction = keyword.parameters.find("DIRECTION");
+      is_read_ = direction == keyword.parameters.end() || upper_case(direction->second) != "TENSION";
+    } else if (name.ends_with(" TEST DATA") && foam_) {
+      foam_->differences.push_back(
+          fmt::format("*{} is left out: a pad is compressed in one direction.", name));
+    } else {
+      is_read_ = name == "DENSITY";
+    }
+    keyword_ = std::move(keyword);
+  }
+
+  void row(const DeckLine& line) {
+    if (!is_read_) return;
+    if (++rows_ > max_rows_of_abaqus)
+      faults_.refuse(line.number, "", "", fmt::format("more than {} rows", max_rows_of_abaqus));
+    DeckFields fields(line, Widths(max_fields, 20), true, faults_);
+    if (keyword_.name == "DENSITY") {
+      density_ = fields.number(0, "*DENSITY", units_.density);
+    } else if (keyword_.name == "HYPERFOAM") {
+      for (std::size_t i = 0; i < max_fields; ++i) coefficients_.push_back(fields.number(i, "*HYPERFOAM"));
+      coefficient_line_ = line.number;
+    } else {
+      point(fields);
+    }
+  }
+
+  std::vector<DeckFoam> foams() {
+    finish();
+    return std::move(foams_);
+  }
+
+ private:
+  static constexpr std::size_t max_fields = 8;
+
+  void begin(const AbaqusKeyword& keyword) {
+    if (foams_.size() == max_foams_of_deck)
+      faults_.refuse(keyword.line, "", "", fmt::format("more than {} foams", max_foams_of_deck));
+    foam_.emplace();
+    foam_->card = "*" + keyword.name;
+    foam_->line = keyword.line;
+    foam_->id = static_cast<long>(foams_.size()) + 1;
+    is_hyperfoam_ = keyword.name == "HYPERFOAM";
+    is_read_ = is_hyperfoam_ && !keyword.parameters.contains("TEST DATA INPUT");
+    terms_ = 1;
+    if (const auto n = keyword.parameters.find("N"); n != keyword.parameters.end())
+      terms_ = static_cast<std::size_t>(std::clamp(read_number(n->second).value, 0.0, 9.0));
+    const auto lateral = keyword.parameters.find("LATERAL STRAIN DATA");
+    has_lateral_ = lateral != keyword.parameters.end() && upper_case(lateral->second) != "NO";
+    coefficients_.clear();
+    curves_.clear();
+  }
+
+  void point(DeckFields& fields) {
+    const std::string key = foam_->card + ": test";
+    double stress = fields.number(0, key + ": stress", units_.stress),
+           strain = fields.number(1, key + ": strain");
+    double rate = 0;
+    if (is_hyperfoam_) {  // compression is negative; what is pulled is not for a pad
+      stress = -stress;
+      strain = -strain;
+      if (strain < 0) return;
+    } else {
+      rate = fields.number(has_lateral_ ? 3 : 2, key + ": rate", units_.rate);
+    }
+    if (std::isnan(stress + strain + rate)) return;
+    const auto [place, is_new] = curves_.try_emplace(rate);
+    if (is_new)
+      place->second = {is_hyperfoam_ ? "test of the hyperfoam" : fmt::format("test at {:g} 1/s", rate),
+                       fields.line()};
+    place->second.add(strain == 0 ? 0 : strain, stress == 0 ? 0 : stress, fields.line());
+  }
+
+  /// Sets the base curve from coefficients; false after a fault.
+  bool take_coefficients() {
+    const std::size_t needed = 3 * terms_;
+    if (terms_ < 1 || terms_ > 2) {
+      faults_.add(foam_->line, foam_->card + ": N", fmt::format("{}", terms_),
+                  "must be 1 or 2: a curve here has as many terms");
+      return false;
+    }
+    if (coefficients_.size() < needed) {
+      faults_.add(foam_->line, foam_->card, "", fmt::format("needs {} coefficients", needed));
+      return false;
+    }
+    const auto modulus = [&](std::size_t i) { return coefficients_[i] * units_.stress.factor; };
+    foam_->hyperfoam = HyperfoamCurve{modulus(0), coefficients_[1], terms_ == 2 ? modulus(2) : 0,
+                                      terms_ == 2 ? coefficients_[3] : 0, assumed_strain_of_fit};
+    foam_->assumptions.push_back(
+        fmt::format("The coefficients do not say up to which strain they were fitted; {:g} was used.",
+                    assumed_strain_of_fit));
+    if (std::any_of(coefficients_.begin() + static_cast<std::ptrdiff_t>(2 * terms_),
+                    coefficients_.begin() + static_cast<std::ptrdiff_t>(needed),
+                    [](double nu) { return nu != 0; }))
+      foam_->differences.emplace_back("nu is not 0: the pad does not widen; 0 is used.");
+    foam_->loading.push_back({0, foam_->line, {"coefficients", coefficient_line_}});
+    return true;
+  }
+
+  void finish() {
+    if (!foam_) return;
+    foam_->title = title_;
+    foam_->density = density_;
+    const bool is_sound = coefficients_.empty() ? take_tests() : take_coefficients();
+    if (is_sound) foams_.push_back(*std::move(foam_));
+    foam_.reset();
+  }
+
+  /// Loadings by their rates; the way back of the slowest.
+  bool take_tests() {
+    for (auto& [rate, curve] : curves_) {
+      if (std::ranges::is_sorted(curve.strain, std::ranges::greater())) curve.reverse();
+      if (rate >= 0) foam_->loading.push_back({rate, curve.line, curve});
+      if (rate < 0) foam_->unloading = curve;  // rates ascend: the slowest way back comes last
+    }
+    if (curves_.empty() || foam_->loading.empty()) {
+      faults_.add(foam_->line, foam_->card, "", "has no *UNIAXIAL TEST DATA of loading in compression");
+      return false;
+    }
+    if (std::ranges::count_if(curves_, [](const auto& each) { return each.first < 0; }) > 1)
+      foam_->differences.emplace_back("Of the unloading curves that at the slowest rate is used.");
+    if (!foam_->unloading)
+      foam_->assumptions.emplace_back(
+          "There is no unloading curve; the foam unloads along its slowest curve, without loss on it.");
+    return true;
+  }
+
+  const DeckUnits& units_;
+  MeasurementFaults& faults_;
+  std::vector<DeckFoam> foams_;
+  std::optional<DeckFoam> foam_;
+  AbaqusKeyword keyword_;
+  std::string title_;
+  double density_ = 0;
+  bool is_read_ = false, is_hyperfoam_ = false, has_lateral_ = false;
+  std::size_t rows_ = 0, terms_ = 1, coefficient_line_ = 0;
+  std::vector<double> coefficients_;
+  std::map<double, DeckCurve> curves_;  ///< by rate
+};
+
+}  // namespace
+
+bool is_abaqus(std::string_view text) {
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    if (!line.starts_with('*') || line.starts_with("**")) continue;
+    const std::string name = abaqus_keyword(line, 0).name;
+    if (name == "KEYWORD" || name.starts_with("MAT_") || name.starts_with("DEFINE_")) return false;
+    if (name == "MATERIAL" || name == "HYPERFOAM" || name == "LOW DENSITY FOAM" || name == "HEADING")
+      return true;
+  }
+  return false;
+}
+
+std::vector<DeckFoam> read_abaqus(std::string_view text, const DeckUnits& units, MeasurementFaults& faults) {
+  AbaqusReader reader(units, faults);
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    if (line.starts_with("**") || without_blanks(line).empty()) continue;
+    if (line.starts_with('*'))
+      reader.keyword(abaqus_keyword(line, lines.number()));
+    else
+      reader.row({lines.number(), line});
+  }
+  std::vector<DeckFoam> foams = reader.foams();
+  if (foams.empty() && faults.none())
+    faults.add(0, "", "", "holds no *LOW DENSITY FOAM or *HYPERFOAM of Abaqus");
+  return foams;
+}
+
+}  // namespace dashpad::input

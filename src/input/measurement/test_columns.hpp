@@ -1,0 +1,44 @@
+#pragma once
+/// The columns of compression tests: strain or displacement, stress or force, time, by their headers.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/input/measurement/tables.hpp"
+#include "input/measurement/csv_table.hpp"
+
+namespace dashpad::input {
+
+struct StressColumn {
+  injury::MeasuredColumn of;  ///< its factor gives Pa, of a force over the area of the specimen
+  double rate = 0;            ///< 1/s, in the header after an @; 0: not stated
+};
+
+struct TestColumns {
+  std::size_t line = 0;           ///< of the header
+  injury::MeasuredColumn strain;  ///< its factor gives a strain, of a displacement over the thickness
+  std::vector<StressColumn> stresses = {};
+  std::optional<injury::MeasuredColumn> time = {};
+};
+
+/// What to look for beside a strain.
+enum class Beside { one_stress, stresses, time };
+
+/// Finds the columns by `wanted` or by names in English, German, French, Spanish and Italian, and by units.
+/// Faults that name the option that helps if a header is ambiguous or lacks a unit. Throws InputError.
+TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns& wanted, Beside beside,
+                              MeasurementFaults& faults);
+
+/// The strain in a row; absent after a fault. 70 % and 17.5 mm of 25 mm are 0.7 to the last digit.
+std::optional<double> strain_in(const CsvRow& row, const TestColumns& columns, MeasurementFaults& faults);
+
+/// The rule for a strain of 1 or more.
+std::string too_large_strain(const TestColumns& columns);
+
+/// Turns the signs of values that are compressive and negative; a remark says so.
+void make_compression_positive(std::vector<double>& values, const std::string& name,
+                               std::vector<std::string>& remarks);
+
+}  // namespace dashpad::input

@@ -1,0 +1,195 @@
+// Compression tests in tables: columns in many notations, and what becomes of noise, loops, cycles and
+// relaxation.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dashpad/input/fault.hpp"
+#include "dashpad/input/material_deck.hpp"
+#include "dashpad/input/measurement/tables.hpp"
+#include "shared/temporary_folder.hpp"
+
+namespace dashpad {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Pointwise;
+
+class StressTableTest : public testing::Test {
+ protected:
+  input::StressStrainTable read(const std::string& text, const input::StressStrainColumns& columns = {}) {
+    return input::read_stress_strain_csv(folder_.write("test.csv", text), columns).value();
+  }
+  input::DeckMaterial material(const std::vector<std::string>& texts,
+                               const std::vector<double>& rates = {0.01},
+                               const input::StressStrainColumns& columns = {}) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& text : texts)
+      files.push_back(folder_.write(fmt::format("test{}.txt", files.size() + 1), text));
+    return input::read_stress_tables(files, rates, columns).value();
+  }
+  std::string said(auto&& read_it) {
+    try {
+      read_it();
+    } catch (const input::InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  test::TemporaryFolder folder_;
+};
+
+const Foam& foam_of(const input::DeckMaterial& made) { return std::get<Foam>(made.material.law); }
+const TableCurve& base_of(const input::DeckMaterial& made) {
+  return std::get<TableCurve>(foam_of(made).curves.base);
+}
+
+TEST_F(StressTableTest, EveryNotationIsTheSameTest) {
+  const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  for (const std::string text :
+       {"strain,stress_kPa\n0.1,20\n0.5,40\n", "strain_percent,stress [MPa]\n10,0.02\n50,0.04\n",
+        "Dehnung [%];Spannung [kPa]\n10,0;20,0\n50,0;40,0\n",
+        "Stauchung;Druckspannung\n%;kPa\n10;20\n50;40\n",
+        "d\xe9"
+        "formation (%);contrainte (kPa)\n10;20\n50;40\n",
+        "deformaci\xc3\xb3n [mm/mm];esfuerzo [kPa]\n0,1;20\n0,5;40\n",
+        "stress_kPa,strain\n-20,-0.1\n-40,-0.5\n", "strain,stress_kPa\n0.1,-20\n0.5,-40\n",
+        "\"Time\",\"Compressive extension\",\"Compressive "
+        "load\"\n\"(s)\",\"(mm)\",\"(N)\"\n\"0.000\",\"2.5\",\"50\"\n\"1\",\"12.5\",\"100\"\n",
+        "Weg / mm;Kraft / N\n2,5;50\n12,5;100\n", "Verformung [mm];Standardkraft [kN]\n2,5;0,05\n12,5;0,1\n",
+        "No.,Crosshead displacement (mm),Load (N),true strain\n1,2.5,50,0.11\n2,12.5,100,0.7\n"}) {
+    SCOPED_TRACE(text);
+    ASSERT_EQ(said([&] { read(text, specimen); }), "");
+    const input::StressStrainTable table = read(text, specimen);
+    EXPECT_THAT(table.strain, Pointwise(DoubleNear(1e-12), {0.1, 0.5}));
+    EXPECT_THAT(table.stress, Pointwise(DoubleNear(1e-7), {20e3, 40e3}));
+  }
+  EXPECT_THAT(read("stress_kPa,strain\n-40,-0.5\n-20,-0.1\n").strain, ElementsAre(0.1, 0.5));
+  EXPECT_THAT(read("stress_kPa,strain\n-20,-0.1\n-40,-0.5\n").remarks,
+              ElementsAre("strain: compression is negative in the file; its sign was turned",
+                          "stress_kPa: compression is negative in the file; its sign was turned"));
+  EXPECT_THAT(read("a,b,c\n0.1,1,20\n0.5,2,40\n",
+                   {.strain = "a", .stress = "c", .strain_unit = "fraction", .stress_unit = "kPa"})
+                  .stress,
+              ElementsAre(20e3, 40e3));
+}
+
+TEST_F(StressTableTest, WhatIsNotClearIsOneFault) {
+  const auto of = [&](const std::string& text, const input::StressStrainColumns& columns = {}) {
+    return said([&] { read(text, columns); });
+  };
+  EXPECT_THAT(of("Weg [mm];Spannung [kPa]\n1;2\n3;4\n"), HasSubstr("is a displacement; over the thickness"));
+  EXPECT_THAT(of("strain,load_N\n0.1,2\n0.3,4\n"), HasSubstr("is a force; over the area"));
+  EXPECT_THAT(of("strain_1,strain_2,stress_kPa\n0.1,0.1,2\n0.3,0.3,4\n"),
+              HasSubstr("several columns may be the strain"));
+  EXPECT_THAT(of("strain,stress_kPa\n10,2\n30,4\n50,5\n"),
+              AllOf(HasSubstr(":2: strain = 10: a strain is below 1: is it in per cent?"),
+                    testing::Not(HasSubstr(":3:"))));
+  EXPECT_THAT(of("strain,stress [s]\n0.1,2\n0.3,4\n", {.stress = "stress"}),
+              HasSubstr("--stress-unit gives another unit"));
+  EXPECT_THAT(of("strain,stress\n0.1,2\n0.3,4\n"), HasSubstr("its unit is not stated"));
+}
+
+/// A test from 0 to a strain and back, with noise of a share of the largest stress.
+std::string loop(double noise, bool with_way_back = true) {
+  std::string text = "strain,stress_kPa\n";
+  for (int i = 0; i <= (with_way_back ? 200 : 100); ++i) {
+    const double e = 0.006 * (i <= 100 ? i : 200 - i);
+    const double loading = 20 * std::tanh(e / 0.02) + 80 * e * e * e / 0.216;
+    const double stress = i <= 100 ? loading : 0.4 * loading + 0.6 * loading * std::pow(e / 0.6, 6);
+    text += fmt::format("{:.5f},{:.5f}\n", e, stress + noise * 100 * std::sin(37.0 * i * i));
+  }
+  return text;
+}
+
+TEST_F(StressTableTest, AMeasuredWayBackIsTheUnloadingCurve) {
+  const input::DeckMaterial made = material({loop(0)});
+  EXPECT_EQ(base_of(made).strain.size(), 100U);
+  EXPECT_NEAR(base_of(made).stress.back(), 100e3, 1);
+  ASSERT_TRUE(foam_of(made).unloading_curve);
+  const TableCurve& back = *foam_of(made).unloading_curve;
+  EXPECT_EQ(back.strain.back(), base_of(made).strain.back());
+  EXPECT_NEAR(back.stress[49], 0.4 * 30e3 + 0.6 * 30e3 / 64, 30);  // at a strain of 0.3
+  EXPECT_THAT(made.differences,
+              Contains(AllOf(HasSubstr("turns back in line 102"), HasSubstr("the unloading curve"))));
+  EXPECT_THAT(made.assumptions, testing::Not(Contains(HasSubstr("unloading"))));
+  EXPECT_THAT(material({loop(0, false)}).assumptions,
+              Contains(HasSubstr("The unloading is not in the table")));
+}
+
+TEST_F(StressTableTest, NoiseIsTakenOutAndToldOf) {
+  const input::DeckMaterial made = material({loop(0.004)});
+  EXPECT_THAT(
+      made.differences,
+      Contains(HasSubstr("goes up and down by noise; it was made to rise, which moved it by at most")));
+  const TableCurve& base = base_of(made);
+  for (std::size_t i = 1; i < base.stress.size(); ++i) EXPECT_GE(base.stress[i], base.stress[i - 1]);
+  for (std::size_t i = 0; i < base.strain.size(); ++i) {
+    const double e = base.strain[i];
+    EXPECT_NEAR(base.stress[i], 20e3 * std::tanh(e / 0.02) + 80e3 * e * e * e / 0.216, 600) << e;
+  }
+}
+
+TEST_F(StressTableTest, SofteningIsLevelledAndToldOf) {
+  const input::DeckMaterial made =
+      material({"strain,stress_kPa\n0,0\n0.05,40\n0.1,32\n0.2,34\n0.5,60\n0.7,200\n"});
+  EXPECT_THAT(base_of(made).stress, Pointwise(DoubleNear(1), {35333.0, 35333.0, 60e3, 200e3}));
+  EXPECT_THAT(made.differences, Contains(HasSubstr("the stress falls about a strain of 0.05")));
+}
+
+TEST_F(StressTableTest, CyclesAndRelaxationLeaveTheLoading) {
+  const input::DeckMaterial cycles =
+      material({"strain,stress_kPa\n0,0\n0.1,20\n0.3,30\n0.15,8\n0.05,2\n0.2,22\n0.3,29\n0.5,60\n0.7,200\n0."
+                "5,20\n0.2,5\n0,0\n"});
+  EXPECT_THAT(base_of(cycles).strain, ElementsAre(0.1, 0.3, 0.5, 0.7));
+  EXPECT_THAT(cycles.differences,
+              Contains(AllOf(HasSubstr("turns back in line 4 and rises again"), HasSubstr("dashpad fit"))));
+  const input::DeckMaterial relaxed =
+      material({"strain,stress_kPa\n0,0\n0.1,20\n0.3,30\n0.5,60\n0.5,50\n0.5,45\n0.5,43\n"});
+  EXPECT_THAT(base_of(relaxed).stress, ElementsAre(20e3, 30e3, 60e3));
+  EXPECT_FALSE(foam_of(relaxed).unloading_curve);
+  EXPECT_THAT(relaxed.differences, Contains(HasSubstr("the stress relaxes by 28 %")));
+}
+
+TEST_F(StressTableTest, SeveralFilesHaveTheirOwnRatesAndStrains) {
+  const std::string slow = "strain,stress_kPa\n0,0\n0.1,20\n0.3,30\n0.7,200\n";
+  const std::string fast = "strain,stress_kPa\n0,0\n0.05,15\n0.2,35\n0.5,120\n0.65,260\n";
+  const input::DeckMaterial made = material({fast, slow}, {40, 0.01});
+  EXPECT_EQ(foam_of(made).curves.slowest_rate, 0.01);
+  EXPECT_THAT(base_of(made).strain, ElementsAre(0.1, 0.3, 0.7));
+  const auto& effect = std::get<CurvesRateEffect>(foam_of(made).curves.rate_effect);
+  ASSERT_EQ(effect.curves.size(), 1U);
+  EXPECT_EQ(effect.curves.front().rate, 40);
+  EXPECT_THAT(effect.curves.front().curve.strain, ElementsAre(0.05, 0.2, 0.5, 0.65));
+  EXPECT_THAT(said([&] {
+                material({fast, slow}, {40});
+              }),
+              HasSubstr("with several files each needs its rate"));
+  const input::DeckMaterial below =
+      material({slow, "strain,stress_kPa\n0,0\n0.1,18\n0.3,40\n0.7,250\n"}, {0.01, 10});
+  EXPECT_THAT(below.differences, Contains(HasSubstr("test2.txt: lies below the slower test by up to 2 kPa")));
+}
+
+TEST_F(StressTableTest, TablesAreToldFromDecksByTheirContent) {
+  EXPECT_TRUE(input::is_stress_table(folder_.write("a.txt", "strain,stress_MPa\n0,0\n")));
+  EXPECT_TRUE(input::is_stress_table(folder_.write("a.dat", "0 1\n")));
+  EXPECT_FALSE(input::is_stress_table(folder_.write("deck.txt", "$ comment\n*KEYWORD\n")));
+  EXPECT_FALSE(input::is_stress_table(folder_.write("deck.rad", "#RADIOSS STARTER\n/BEGIN\n")));
+  EXPECT_FALSE(input::is_stress_table(folder_.write("words", "nothing\n")));
+  EXPECT_TRUE(input::is_stress_table("/none/test.csv"));
+  EXPECT_FALSE(input::is_stress_table("/none/test.k"));
+}
+
+}  // namespace
+}  // namespace dashpad
