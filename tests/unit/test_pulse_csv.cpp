@@ -320,6 +320,16 @@ TEST(pulse_csv, times_of_day_count_from_the_first_sample) {
               HasSubstr("is a time of day, which has no other unit: leave out --time-unit"));
 }
 
+/// Whole numbers beside 1,234 in one column: it may be 1234.
+TEST(pulse_csv, commas_of_thousands_are_not_taken_for_decimals) {
+  EXPECT_THAT(said("t_ms;a_g\n0;987\n1;1,234\n2;12,345\n"),
+              HasSubstr(":3: its comma may separate thousands"));
+  EXPECT_THAT(said("t_ms,a_g\n0,987\n1,\"1,234\"\n"), HasSubstr(":3: its comma may separate thousands"));
+  EXPECT_THAT(read("t_ms;a_g\n0;0\n1;1,234\n2;12,345\n").pulse.acceleration,
+              Pointwise(DoubleEq(), {0.0, 1.234 * g, 12.345 * g}));
+  EXPECT_EQ(said("t_ms;a_g\n0;987\n1;1,23\n"), "");
+}
+
 TEST(pulse_csv, samples_that_share_a_time_are_one_fault_with_the_interval_that_helps) {
   std::string rounded = "t_ms,a_g\n", packets = rounded;
   for (int i = 0; i < 50; ++i) {

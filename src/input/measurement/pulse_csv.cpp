@@ -30,7 +30,7 @@ struct Findings {
   std::size_t empty_columns = 0;                       ///< rows with an empty last field
   std::size_t decimal_comma = 0, decimal_point = 0;    ///< the first line of each
   bool commas_may_be_of_thousands = true;              ///< every number with a comma is like 1,234
-  bool has_whole_numbers = false;
+  std::array<bool, 4> has_commas = {}, has_whole_numbers = {};  ///< of each column; 0 is not counted
 };
 
 /// The columns to be read, the time first.
@@ -133,11 +133,14 @@ class NumberReader {
 
   /// Call after the last row. Reports commas that may be those of thousands.
   void judge_commas() {
-    if (findings.decimal_comma > 0 && findings.commas_may_be_of_thousands && findings.has_whole_numbers)
+    bool has_both = false;
+    for (std::size_t i = 0; i < findings.has_commas.size(); ++i)
+      has_both = has_both || (findings.has_commas[i] && findings.has_whole_numbers[i]);
+    if (has_both && findings.commas_may_be_of_thousands)
       faults_.add(
           findings.decimal_comma, "", "",
-          "its comma may separate thousands or decimals, since other numbers are whole: write decimal "
-          "points, and no thousands separators");
+          "its comma may separate thousands or decimals, since other numbers of its column are whole: write "
+          "decimal points, and no thousands separators");
   }
 
   /// Call after the last row. If the clock began long ago, makes times count from the first sample and
@@ -244,10 +247,14 @@ class NumberReader {
   bool has_usual_decimal_sign(const CsvRow& row, const injury::MeasuredColumn& column) {
     const std::string_view field = field_in(row, column);
     const bool comma = (separator_ != ',' || row.has_quotes) && field.find(',') != std::string_view::npos;
-    if (comma) findings.commas_may_be_of_thousands &= may_have_comma_of_thousands(field);
+    const auto place = static_cast<std::size_t>(&column - columns_.data());
+    if (comma) {
+      findings.has_commas[place] = true;
+      findings.commas_may_be_of_thousands &= may_have_comma_of_thousands(field);
+    }
     if (!comma && (findings.decimal_point != 0 && findings.decimal_comma == 0)) return true;
     if (!comma && field.find('.') == std::string_view::npos) {
-      findings.has_whole_numbers = true;
+      if (field != "0") findings.has_whole_numbers[place] = true;
       return true;
     }
     std::size_t& first = comma ? findings.decimal_comma : findings.decimal_point;
