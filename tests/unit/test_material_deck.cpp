@@ -507,6 +507,10 @@ TEST_F(MaterialDeckTest, FoamsOfAbaqusAreRead) {
   const auto& curve = std::get<HyperfoamCurve>(std::get<Foam>(fitted.law).curves.base);
   EXPECT_DOUBLE_EQ(curve.first_modulus, 3e4);
   EXPECT_EQ(curve.second_exponent, -2);
+  const auto damped =
+      read("*MATERIAL, NAME=F\n*HYPERFOAM, N=1\n0.03,6,0\n*MULLINS EFFECT\n1.5,0.1,0.1\n").at(0);
+  EXPECT_THAT(damped.differences, Contains(HasSubstr("*MULLINS EFFECT is left out")));
+  EXPECT_THAT(damped.assumptions, Contains(HasSubstr("without loss")));
   EXPECT_THAT(faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=3\n1,2,3,4,5,6,0,0\n"),
               ElementsAre(HasSubstr("must be 1 or 2")));
   EXPECT_THAT(faults("*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n"),

@@ -106,6 +106,7 @@ const std::vector<Style> styles{
     {"Time (s),Accel (G's)\n0,1\n0.002,3\n", {}},
     {"Time,Acceleration\nSEC,G'S\n0,1\n0.002,3\n", {}},
     {"TIME (MSEC);HEAD ACC (GS)\n0;1\n2;3\n", {}},
+    {"t_ms,acc (Gs)\n0,1\n2,3\n", {}},
     {"Timestamp [milliseconds];a_g\n0;1\n2;3\n", {}},
     {"\"Time (ms)\",\"Acc (g)\"\n\"0,0\",\"1,0\"\n\"2,0\",\"3,0\"\n", {"decimal commas were read as points"}},
     {"t_ms,a_g\n-1,NaN\n0,1\n2,3\n", {"the first row has no value and was left out"}},
@@ -252,6 +253,7 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
   }
   EXPECT_THAT(read("time [ms],a_g\n0,1\n0,3\n", {.interval = 2e-3}).remarks,
               ElementsAre("the times of column 1, time [ms], were not read: --interval was given"));
+  EXPECT_THAT(read("count,a_g\n7,NaN\n8,1\n9,3\n", {.interval = 2e-3}).pulse.time, ElementsAre(2e-3, 4e-3));
   EXPECT_THAT(read("1,5\n3,5\n-2,5\n", {.acceleration_unit = "g", .interval = 2e-3}).pulse.acceleration,
               Pointwise(DoubleEq(), {1.5 * g, 3.5 * g, -2.5 * g}));
   EXPECT_THAT(read("ax [g],ay [g]\n3,4\n6,8\n", {.resultant = true, .interval = 2e-3}).pulse.acceleration,
@@ -388,6 +390,9 @@ TEST(pulse_csv, labview_files_say_their_units_and_times) {
   }
   EXPECT_THAT(said(lvm("No", "X_Value\tF\tA\n\t5\t1\n\t5\t3\n") + lvm("No", "X_Value\tF\tA\n\t5\t1\n")),
               HasSubstr("holds 3 measurements; put each into a file of its own"));
+  EXPECT_THAT(said(lvm("Multi", "X_Value\tA\tX_Value\tB\n0\t5\t0\t1\n1\t5\t1\t3\n"),
+                   {.time = "1", .acceleration = {"A", "B"}, .acceleration_unit = "g", .resultant = true}),
+              HasSubstr("X_Columns = Multi: each channel has times of its own"));
   EXPECT_THAT(said("LabVIEW Measurement\nSeparator\tTab\n"), HasSubstr("has no line ***End_of_Header***"));
 }
 

@@ -21,6 +21,8 @@ namespace {
 
 constexpr double assumed_strain_of_fit = 0.8;  // of coefficients, whose range is not stated
 constexpr std::size_t max_rows_of_abaqus = 100'000;
+constexpr const char* no_loss =
+    "There is no unloading curve; the foam unloads along its slowest curve, without loss on it.";
 
 struct AbaqusKeyword {
   std::string name;  ///< in capitals, single blanks: "LOW DENSITY FOAM"
@@ -58,6 +60,10 @@ class AbaqusReader {
     } else if (name == "UNIAXIAL TEST DATA" && foam_) {
       const auto direction = keyword.parameters.find("DIRECTION");
       is_read_ = direction == keyword.parameters.end() || upper_case(direction->second) != "TENSION";
+    } else if (foam_ && (name == "MULLINS EFFECT" || name == "VISCOELASTIC" || name == "HYSTERESIS")) {
+      foam_->differences.push_back(fmt::format(
+          "*{} is left out, and the energy that it loses with it: set unloading_factor and unloading_shape.",
+          name));
     } else if (name.ends_with(" TEST DATA") && foam_) {
       foam_->differences.push_back(
           fmt::format("*{} is left out: a pad is compressed in one direction.", name));
@@ -150,6 +156,7 @@ class AbaqusReader {
                     coefficients_.begin() + static_cast<std::ptrdiff_t>(needed),
                     [](double nu) { return nu != 0; }))
       foam_->differences.emplace_back("nu is not 0: the pad does not widen; 0 is used.");
+    foam_->assumptions.emplace_back(no_loss);
     foam_->loading.push_back({0, foam_->line, {"coefficients", coefficient_line_}});
     return true;
   }
@@ -176,9 +183,7 @@ class AbaqusReader {
     }
     if (std::ranges::count_if(curves_, [](const auto& each) { return each.first < 0; }) > 1)
       foam_->differences.emplace_back("Of the unloading curves that at the slowest rate is used.");
-    if (!foam_->unloading)
-      foam_->assumptions.emplace_back(
-          "There is no unloading curve; the foam unloads along its slowest curve, without loss on it.");
+    if (!foam_->unloading) foam_->assumptions.emplace_back(no_loss);
     return true;
   }
 

@@ -138,7 +138,8 @@ double pulse_unit_factor(ColumnKind kind, const std::string& unit) {
 
 bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
   const std::string text = standard_unit(unit);
-  if (kind == ColumnKind::acceleration && (is_name_of_g(text) || is_name_of_milli_g(text))) return true;
+  if (is_name_of_g(text) || is_name_of_milli_g(text))
+    return kind == ColumnKind::acceleration;  // no gigasecond
   return is_unit_of(text, si_unit_of(kind));
 }
 

@@ -348,6 +348,9 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
   if (table.labview && table.labview->x_columns == LabViewHeader::XColumns::each && time.empty() &&
       columns.acceleration.size() == 1 && columns.acceleration.front().number > 1)
     time = {std::to_string(columns.acceleration.front().number - 1)};
+  if (table.labview && table.labview->x_columns == LabViewHeader::XColumns::each && options.resultant)
+    faults.add(table.labview->end, "X_Columns", "Multi",
+               "each channel has times of its own; a resultant needs common ones");
   const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
   const std::size_t count = columns.acceleration.size();
   if (options.resultant ? count == 1 || count > 3 : count > 1)

@@ -88,7 +88,7 @@ class NumberReader {
     std::array<double, 4> sample{};
     const std::size_t times = interval_ ? 0 : 1;  // columns
     bool has_time = true, complete = true;
-    if (interval_) sample[0] = *interval_ * static_cast<double>(pulse.time.size());
+    if (interval_) sample[0] = *interval_ * static_cast<double>(findings.missing_before + pulse.time.size());
     if (!interval_) has_time = read(row, columns_.front(), sample[0]);
     const std::size_t faults = faults_.count();
     for (std::size_t i = times; i < columns_.size(); ++i)
