@@ -114,9 +114,6 @@ struct MeasuredCurves {
 /// points.
 MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vector<std::string>& differences);
 
-/// The stress on straight lines from the origin through the points, Pa; constant beyond the last.
-double stress_on(const DeckCurve& curve, double strain);
-
 /// Raises a curve to that of a slower test where it lies below; adds by how much to `differences`.
 void raise_to(const DeckCurve& slower, DeckCurve& curve, std::vector<std::string>& differences);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "input/material_deck/deck_foam.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -202,7 +203,9 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
   without_slack(back);
   std::size_t above = 0;
   for (std::size_t i = 0; i < back.strain.size(); ++i)
-    if (const double loading = stress_on(curves.loading, back.strain[i]); back.stress[i] > loading) {
+    if (const double loading =
+            on_straight_lines(curves.loading.strain, curves.loading.stress, back.strain[i]);
+        back.stress[i] > loading) {
       back.stress[i] = loading;
       ++above;
     }
@@ -216,18 +219,12 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
   return curves;
 }
 
-double stress_on(const DeckCurve& curve, double strain) {
-  const auto next =
-      static_cast<std::size_t>(std::ranges::lower_bound(curve.strain, strain) - curve.strain.begin());
-  if (next == curve.strain.size()) return curve.stress.back();
-  const double e0 = next == 0 ? 0 : curve.strain[next - 1], s0 = next == 0 ? 0 : curve.stress[next - 1];
-  return s0 + (curve.stress[next] - s0) * (strain - e0) / (curve.strain[next] - e0);
-}
-
 void raise_to(const DeckCurve& slower, DeckCurve& curve, std::vector<std::string>& differences) {
   double largest = 0, at = 0;
   for (std::size_t i = 0; i < curve.strain.size() && curve.strain[i] <= slower.strain.back(); ++i)
-    if (const double below = stress_on(slower, curve.strain[i]) - curve.stress[i]; below > 0) {
+    if (const double below =
+            on_straight_lines(slower.strain, slower.stress, curve.strain[i]) - curve.stress[i];
+        below > 0) {
       curve.stress[i] += below;
       if (below > largest) {
         largest = below;

@@ -108,6 +108,21 @@ std::optional<ExactTime> time_of_day(std::string_view text) {
                    exact->part};
 }
 
+bool RunningClock::read(std::string_view text) {
+  std::optional<ExactTime> time = time_of_day(text);
+  if (!time) return false;
+  const std::int64_t round = std::ranges::count(text, ':') == 1 ? seconds_of_hour : seconds_of_day;
+  const bool has_date = time->whole >= 2 * seconds_of_day;
+  time->whole += rounds_ * round;
+  if (!has_date && has_begun_ && time->whole + round / 2 < time_.whole) {
+    ++rounds_;
+    time->whole += round;
+  }
+  has_begun_ = true;
+  time_ = *time;
+  return true;
+}
+
 std::optional<ExactTime> exact_time(std::string_view number) {
   number = without_blanks(number);
   const bool is_negative = number.starts_with('-');

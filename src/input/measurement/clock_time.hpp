@@ -29,6 +29,21 @@ std::optional<ExactTime> exact_time(std::string_view number);
 /// used. Absent for other text.
 std::optional<ExactTime> time_of_day(std::string_view text);
 
+/// Times of day, row by row. Without a date, the clock begins anew at midnight, and one of minutes and
+/// seconds at the full hour.
+class RunningClock {
+ public:
+  /// False for a text that is no time of day.
+  bool read(std::string_view text);
+  /// The latest time, with the rounds of the clock since the first.
+  [[nodiscard]] const ExactTime& time() const { return time_; }
+
+ private:
+  ExactTime time_ = {};
+  std::int64_t rounds_ = 0;
+  bool has_begun_ = false;
+};
+
 /// Whether times count from the first sample: the clock's zero is further away than a thousand times
 /// `length`, s, of the record.
 bool counts_from_first(double first, double length);

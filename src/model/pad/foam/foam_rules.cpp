@@ -108,15 +108,6 @@ bool check_rate(double rate, double before, const std::string& key, Violations& 
   return rate > before && rate <= highest_rate;
 }
 
-/// The stress on straight lines from the origin through the points, up to the last strain.
-double on_straight_lines(const TableCurve& table, double strain) {
-  const auto next =
-      static_cast<std::size_t>(std::ranges::lower_bound(table.strain, strain) - table.strain.begin());
-  const std::size_t i = std::min(next, table.strain.size() - 1);
-  const double e0 = i == 0 ? 0 : table.strain[i - 1], s0 = i == 0 ? 0 : table.stress[i - 1];
-  return s0 + (table.stress[i] - s0) * (strain - e0) / (table.strain[i] - e0);
-}
-
 /// Checks that a curve does not fall below that of the slower rate, as cubics and, if both are tables
 /// (`slow_table`), also on the straight lines between their points: what lies between points is not measured.
 void check_crossing(const TableCurve& fast_table, const MonotoneCurve& fast, double fast_rate,
@@ -126,8 +117,8 @@ void check_crossing(const TableCurve& fast_table, const MonotoneCurve& fast, dou
     const double e = last * i / places;
     const double stress = fast.stress(e);
     if (stress >= (1 - max_crossing) * slow(e)) continue;
-    if (slow_table &&
-        on_straight_lines(fast_table, e) >= (1 - max_crossing) * on_straight_lines(*slow_table, e))
+    if (slow_table && on_straight_lines(fast_table.strain, fast_table.stress, e) >=
+                          (1 - max_crossing) * on_straight_lines(slow_table->strain, slow_table->stress, e))
       continue;
     broken.push_back(
         {key, stress,
@@ -222,6 +213,13 @@ void check_continuation(const Law& law, Violations& broken) {
 }
 
 }  // namespace
+
+double on_straight_lines(const std::vector<double>& strain, const std::vector<double>& stress, double at) {
+  const auto i = static_cast<std::size_t>(std::ranges::lower_bound(strain, at) - strain.begin());
+  if (i == strain.size()) return stress.back();
+  const double e0 = i == 0 ? 0 : strain[i - 1], s0 = i == 0 ? 0 : stress[i - 1];
+  return s0 + (stress[i] - s0) * (at - e0) / (strain[i] - e0);
+}
 
 void check_rules(const Foam& law, Violations& broken) {
   check_continuation(law, broken);

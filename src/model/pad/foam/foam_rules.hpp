@@ -18,6 +18,9 @@ inline constexpr double max_softening = 0.1;
 /// Share by which curves may cross, as an error of plotting or digitising; they are then taken to touch.
 inline constexpr double max_crossing = 0.02;
 
+/// The stress at a strain on straight lines from the origin through the points, Pa; constant beyond the last.
+double on_straight_lines(const std::vector<double>& strain, const std::vector<double>& stress, double at);
+
 /// Rates of the tests, 1/s, increasing; the first is that of the base curve.
 std::vector<double> tested_rates(const FoamCurves& curves);
 
