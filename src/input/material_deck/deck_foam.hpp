@@ -19,6 +19,8 @@
 
 namespace dashpad::input {
 
+inline constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
+
 /// The values of a deck's parameters, by their names in lower case.
 using DeckParameters = std::map<std::string, double, std::less<>>;
 

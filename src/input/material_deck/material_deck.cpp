@@ -10,8 +10,6 @@
 namespace dashpad::input {
 namespace {
 
-constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
-
 enum class Solver { abaqus, ls_dyna, radioss, unknown };
 
 /// Decides by the first line that begins a keyword.

@@ -127,7 +127,7 @@ std::vector<DeckRateCurve> tests_in(const std::vector<std::filesystem::path>& fi
 bool is_stress_table(const std::filesystem::path& file) {
   const std::string extension = lower_case(file.extension().string());
   const bool is_csv = extension == ".csv" || extension == ".tsv";
-  constexpr std::size_t beginning = std::size_t{1} << 16, largest_deck = std::size_t{64} << 20;  // bytes
+  constexpr std::size_t beginning = std::size_t{1} << 16;  // bytes
   const auto content = reading_of([&] { return read_measurement(file, largest_deck); });
   if (!content) return is_csv;
   LineReader lines(std::string_view(*content).substr(0, beginning));
