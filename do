@@ -16,26 +16,27 @@ Usage: ./do TASK [arguments]
   bench [--record]         build and run the benchmarks; results, plots and a page go to build/bench (--record also
                            writes two tables to bench/results and updates those in bench/README.md)
   bench PROGRAM [arguments]
-                           only impact, injury, work-precision, study or report, with its own arguments
+                           run only impact, injury, work-precision, study or report, with its own arguments
   bench --check            check that the tables in bench/README.md match bench/results
-  pictures                 redraw the pictures in README and docs, except one that was drawn by hand
+  pictures                 redraw the pictures in README and docs, except the one that was drawn by hand
   format                   format the C++ code with clang-format
   check-layout             check the format of the code with clang-format, and the scripts with shellcheck
-  lint                     check-layout, clang-tidy and cppcheck; changes nothing
+  lint                     run check-layout, clang-tidy and cppcheck; changes nothing
   coverage                 run the tests and report the lines that they cover
-  fuzz [TARGET] [SECONDS]  fuzz the readers of files, each for SECONDS (default: 300), or one of
-                           them (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
-  wasm                     compile the solver, the injury metrics and the text readers for WebAssembly, and solve a case there
+  fuzz [TARGET] [SECONDS]  fuzz the file readers, each for SECONDS (default: 300), or only TARGET
+                           (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
+  wasm                     compile the solver, the injury metrics and the text readers for WebAssembly, and solve a case
+                           there
   compile COMPILER         build everything with clang-14 or clang-19, with warnings as errors; runs nothing
-  nightly                  tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random cases compared
-                           with more accurate solutions and 200 with a second solver, both clangs, WebAssembly, the
-                           tests under sanitizers, a minute of fuzzing for each reader, lint
+  nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
+                           cases compared with more accurate solutions and 200 with a second solver, both clangs,
+                           WebAssembly, the tests under sanitizers, a minute of fuzzing for each reader, and lint
   clean                    remove build/
   install-packages [GROUP...]
-                           install the Debian packages of packages.txt (default: all groups)
+                           install the Debian packages in packages.txt (default: all groups)
 
-A task first installs any missing packages that it needs. Build output goes to build/do.log and is shown if a
-build fails.
+A task first installs any missing packages that it needs. The output of a build goes to build/do.log and is
+shown if the build fails.
 TEXT
 }
 
@@ -65,7 +66,7 @@ is_installed() {
 # Installs what is missing of the given groups. Without a missing package it leaves apt alone.
 need_packages() {
   if ! command -v dpkg-query >/dev/null; then
-    say "Not a Debian system: assuming that the packages of packages.txt are installed."
+    say "Not a Debian system: assuming that the packages in packages.txt are installed."
     return
   fi
   local package missing=()
@@ -76,7 +77,7 @@ need_packages() {
 
   local as_root=()
   if [[ "$(id -u)" -ne 0 ]]; then
-    command -v sudo >/dev/null || fail "these packages are missing and need root to install: ${missing[*]}"
+    command -v sudo >/dev/null || fail "these packages are missing and can only be installed as root: ${missing[*]}"
     as_root=(sudo)
   fi
   say "Installing ${missing[*]} ..."

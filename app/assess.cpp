@@ -25,28 +25,28 @@ constexpr const char* assess_footer = R"(Examples:
   dashpad assess examples/helmet*.toml --standard en-1078 --standard cpsc-1203 --report ./my-plan.html
   dashpad assess examples/helmet-struck-by-a-ram.toml --standard fmvss-201u --keep-nose --keep-speed
 
-The impactor (mass, radius, speed) is that of the standard unless you give your own; pad, support and solver
-are those of the case. Replaced values are listed. Values that a standard leaves open are taken from the case.
---keep-nose and --keep-speed keep the nose and the speed of the case. If the other choice of nose or speed
-would give a pass or a fail instead, the reservation OTHER NOSE or OTHER SPEED says so.
-Several variants may follow the name, each after a colon. dashpad standards lists names and variants.
-Several cases or several standards make a test plan: one row per case, one column per standard, the worst first.
---all and the page add each assessment in full; --json writes them as an array. --set applies to every case.
+The impactor (mass, radius, speed) is that of the standard unless you give other values; the pad, the support
+and the solver settings are those of the case. Replaced values are listed. Values that a standard does not
+specify are taken from the case. --keep-nose and --keep-speed keep the nose and the speed of the case. If the
+other choice of nose or speed would change the verdict to a pass or a fail, the reservation OTHER NOSE or OTHER
+SPEED says so. Several variants may follow the name, each preceded by a colon; dashpad standards lists them.
+Several cases or several standards make a test plan: one row per case, with the worst case first, and one column
+per standard. --all and --report add each assessment in full; --json writes an array of assessments. --set applies to every case.
 
 Every figure has a 95 % interval for the uncertainty of the foam and the model; see docs/theory.md, section 6.2.
-Verdicts: pass if every interval lies within its limit, fail if a whole interval lies above its limit, undecided
-if a limit lies within an interval. A pad that bottomed out on a rigid support fails. A pulse that ends before
-contact is lost (PULSE CUT: a foam that does not unload, on a rigid support, or the time limit) gives lower
-bounds: above a limit they fail, below it they are undecided. If the impactor comes to rest on the
-pad, only the peak is fully assessed. A pass is "with reservations" if the result has a flag (EXTRAPOLATED STRAIN, BOTTOMED, PULSE
-CUT, ...), if a source of uncertainty has NO INTERVAL, if the material has an UNKNOWN RANGE, if a value of the
-standard is UNVERIFIED or from a SECONDARY SOURCE, or if you REPLACED one. An assessment is a computation with
-one rigid nose on a flat pad; it is neither a test to the standard nor a certification.
+Verdicts: pass if every interval lies within its limit, fail if any interval lies entirely above its limit,
+undecided if a limit lies within an interval. A pad that bottomed out on a rigid support fails. A pulse that ends
+before contact is lost (PULSE CUT: the foam does not unload on a rigid support, or the time limit was reached)
+gives only lower bounds, which fail above a limit and are undecided below it. If the impactor comes to rest on the
+pad, only the peak is assessed in full. A pass is "with reservations" if the result has a flag (EXTRAPOLATED
+STRAIN, BOTTOMED, PULSE CUT, ...), if a source of uncertainty has NO INTERVAL, if the material has an UNKNOWN
+RANGE, if a value in the standard is UNVERIFIED or from a SECONDARY SOURCE, or if you REPLACED one. An assessment
+is a computation with one rigid nose on a flat pad; it is neither a test to the standard nor a certification.
 
-Exit codes: 0 pass, with or without reservations; 4 fail, even if the tolerance is missed;
-3 no verdict (undecided), or not reliable (the result misses the tolerance); 1 a result could not be written;
-2 invalid input or command line, nothing was run. For a test plan: 4 if any combination fails, else 3 if any is
-undecided.)";
+Exit codes: 0 pass, with or without reservations; 4 fail, even if the tolerance is not met; 3 no verdict
+(undecided), or not reliable (the result does not meet the tolerance); 1 a result could not be written; 2 invalid
+input or command line (nothing was run). For a test plan: 4 if any combination fails, otherwise 3 if any is
+undecided or not reliable.)";
 
 struct AssessRequest {
   std::vector<std::string> cases;
@@ -81,11 +81,11 @@ using Complaints = std::vector<std::string>;
 
 injury::UserValues read_user_values(const AssessRequest& request, Complaints& errors) {
   if (request.speed && request.drop_height)
-    errors.emplace_back("--drop-height: give --speed or --drop-height, not both");
+    errors.emplace_back("--drop-height: give either --speed or --drop-height, not both");
   if (request.kept.nose && request.radius)
-    errors.emplace_back("--keep-nose: give --keep-nose or --radius, not both");
+    errors.emplace_back("--keep-nose: give either --keep-nose or --radius, not both");
   if (request.kept.speed && (request.speed || request.drop_height))
-    errors.push_back(fmt::format("--keep-speed: give --keep-speed or {}, not both",
+    errors.push_back(fmt::format("--keep-speed: give either --keep-speed or {}, not both",
                                  request.speed ? "--speed" : "--drop-height"));
   return {.mass = positive_quantity_of("--mass", request.mass, "kg", errors),
           .radius = positive_quantity_of("--radius", request.radius, "m", errors),
@@ -197,15 +197,15 @@ void add_assess(CLI::App& app, Action& action) {
   add_option(sub, "CASE", request.cases, "Case files (TOML)")->required();
   add_settings(sub, request.settings);
   add_option(sub, "--standard NAME[:VARIANT]", request.standards,
-             "Preset, with its variants if any (dashpad standards lists them); may be repeated")
+             "Standard, with any variants (see dashpad standards); may be repeated")
       ->required()
       ->take_all();
   add_option(sub, "--speed V", request.speed, "Impact speed, such as \"15 mph\"");
-  add_option(sub, "--drop-height H", request.drop_height, "Height of free fall, instead of the speed");
+  add_option(sub, "--drop-height H", request.drop_height, "Free-fall height, instead of the speed");
   add_option(sub, "--mass M", request.mass, "Mass of the impactor, such as \"6.8 kg\"");
   add_option(sub, "--radius R", request.radius, "Radius of the sphere, such as \"82.5 mm\"");
-  add_flag(sub, "--keep-nose", request.kept.nose, "Keep the nose of the case instead of the standard's");
-  add_flag(sub, "--keep-speed", request.kept.speed, "Keep the speed of the case instead of the standard's");
+  add_flag(sub, "--keep-nose", request.kept.nose, "Use the nose of the case, not that of the standard");
+  add_flag(sub, "--keep-speed", request.kept.speed, "Use the speed of the case, not that of the standard");
   add_file(sub, request.files, "--json",
            "Write the assessment as JSON, in SI units and g (- for standard output)");
   add_documents(sub, request.files);

@@ -22,14 +22,14 @@ void add_units(CLI::App& app, std::string& units) {
   std::vector<std::string> names;
   for (const UnitSystem& system : unit_systems()) names.push_back(system.name);
   units = names.front();
-  add_option(app, "--units SYSTEM", units, "Units to show: si (default), us, or engineering-metric")
+  add_option(app, "--units SYSTEM", units, "Units of the output: si (default), us or engineering-metric")
       ->check(CLI::IsMember(names));
 }
 
 void add_all(CLI::App& app, output::Detail& detail) {
   app.add_flag_callback(
       "--all", [&detail] { detail = output::Detail::all; },
-      "Show every figure, to five digits and with its error");
+      "Show every figure to five digits, with its error");
 }
 
 CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const std::string& help) {
@@ -38,7 +38,7 @@ CLI::Option* add_flag(CLI::App& app, const std::string& name, bool& flag, const 
 
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
   add_option(app, "--tolerance X", tolerance,
-             "Largest relative error, from 1e-8 to 1e-2 (default: the case's, else 1e-4)");
+             "Relative error allowed, from 1e-8 to 1e-2 (default: as in the case, otherwise 1e-4)");
 }
 
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
@@ -105,17 +105,17 @@ std::optional<double> positive_quantity_of(const char* option, const std::option
 
 void add_material_folder(CLI::App& app, std::string& folder) {
   add_option(app, "--materials DIR", folder,
-             "Folder of material cards (default: $DASHPAD_MATERIALS or dashpad's own)");
+             "Folder of material cards (default: $DASHPAD_MATERIALS, or the cards supplied)");
 }
 
 void add_standard_folder(CLI::App& app, std::string& folder) {
   add_option(app, "--standards DIR", folder,
-             "Folder of presets (default: $DASHPAD_STANDARDS or dashpad's own)");
+             "Folder of presets (default: $DASHPAD_STANDARDS, or the presets supplied)");
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {
   add_option(app, "--set KEY=VALUE", settings,
-             "Replace a value of the case, such as pad.thickness=\"30 mm\"; may be repeated");
+             "Replace a value in the case, as in pad.thickness=\"30 mm\"; may be repeated");
 }
 
 CLI::Option* add_case(CLI::App& app, GivenCase& given) {
@@ -154,12 +154,12 @@ std::vector<Blow> solve_blows_with_progress(const ImpactCase& impact, const Opti
 
 void add_no_intervals(CLI::App& app, bool& no_intervals) {
   add_flag(app, "--no-intervals", no_intervals,
-           "Omit the uncertainty intervals and the impacts solved for them");
+           "Omit the uncertainty intervals, which require solving further impacts");
 }
 
 void add_intervals_with_progress(const ImpactCase& impact, const Options& options, Solution& solution,
                                  std::span<const double> dwell_levels) {
-  const ProgressLine line{"Solving for the intervals"};
+  const ProgressLine line{"Computing the intervals"};
   uncertainty::add_intervals(impact, options, solution, dwell_levels);
 }
 
@@ -175,11 +175,11 @@ std::string version_text() {
       "  build type  {}\n"
       "  system      {}\n"
       "  libraries   CLI11 {}, fmt {}.{}.{}, nlohmann-json {}.{}.{}\n"
-      "  ranks       {}",
+      "  MPI         {}",
       facts.version, facts.git_commit, facts.compiler, facts.compiler_flags, facts.build_type, facts.system,
       CLI11_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
       NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH,
-      has_mpi ? "with MPI" : "none: built without MPI");
+      has_mpi ? "supported" : "not supported by this build");
 }
 
 std::vector<std::string> lines(const std::vector<input::Fault>& faults) {

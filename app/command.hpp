@@ -77,6 +77,7 @@ void add_post_impact(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_fit(CLI::App& app, Action& action);
 void add_study(CLI::App& app, Action& action);
+void add_batch(CLI::App& app, Action& action);
 
 /// The subcommands of `dashpad material`.
 void add_material_import(CLI::App& material, Action& action);

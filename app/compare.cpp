@@ -34,21 +34,21 @@ constexpr const char* compare_footer = R"(Examples:
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --zero auto --filter CFC1000
   dashpad compare examples/helmet-pad-10fps.toml --pulse my-drop.csv --report comparison.html
 
-Without --pulse, the table has a row for the accurate solver (with exact units, and with the 1984 constants)
-and for the 1984 program in the arithmetic of its machine, in single and in double precision, and with its
-defects corrected. docs/spit1984.md explains how far to trust each. --picture draws force and penetration over
-time; the format follows from the name of FILE: .svg, .png or .pdf.
+Without --pulse, the table has rows for the accurate solver (with exact unit conversions, and with the constants
+of 1984) and for the 1984 program (in the arithmetic of its machine, in single precision, in double precision,
+and with its defects corrected). docs/spit1984.md explains how far to trust each. --picture draws force and
+penetration against time; the extension of FILE sets the format: .svg, .png or .pdf.
 
-With --pulse FILE, the computed deceleration is compared with a measured pulse in peak, time to peak, width (total
-time above half the peak), velocity change over contact, HIC15 and restitution. FILE is any file that dashpad pulse
-reads, with the same options. --align selects what coincides: the onset (default: where each pulse first reaches
-5 % of its own peak), the peak, or nothing. --filter also applies to the computed pulse. The restitution of the
-measured pulse is relative to the case's speed unless --speed or --drop-height is given. A pulse without
-acceleration is rejected, and so is one without an onset, whose first sample is already above 5 % of its peak.
-docs/pulses.md gives the rules and explains the flags of a pulse.
+With --pulse FILE, the computed deceleration is compared with a measured pulse in terms of peak, time to peak,
+width (total time above half the peak), velocity change during contact, HIC15 and restitution. FILE can be any file
+that dashpad pulse reads, with the same options for reading and processing. --align selects where the two pulses
+coincide: at their onsets (default; where each first reaches 5 % of its own peak), at their peaks, or nowhere.
+--filter also applies to the computed pulse. The restitution of the measured pulse is based on the speed of the
+case unless --speed or --drop-height is given. A pulse without acceleration is rejected, as is one that has no
+onset to align because its first sample is already above 5 % of its peak. docs/pulses.md explains the rules and flags.
 
 Exit codes: 0 success (whatever the outcome of the 1984 runs), 1 a result could not be written, 2 invalid
-input and nothing was run, 3 the accurate solver missed the tolerance.)";
+input (nothing was run), 3 the accurate solver did not meet the tolerance.)";
 
 struct CompareRequest {
   GivenCase given;
@@ -141,7 +141,7 @@ int compare(const CompareRequest& request) {
 /// Adds --pulse and its options as a group of the help.
 void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time_step) {
   CLI::Option* pulse = add_option(sub, "--pulse FILE", request.pulse.file,
-                                  "Measured pulse to compare with: a table, or a test in ISO-MME")
+                                  "Measured pulse to compare with: a table or an ISO-MME test")
                            ->excludes(time_step);
   const std::vector<CLI::Option*> before = sub.get_options();
   std::vector<std::string> names;
@@ -162,12 +162,12 @@ void add_compare(CLI::App& app, Action& action) {
       app, action, "compare", "Compare a case with a measured pulse, or with the 1984 program",
       compare_footer, compare);
   add_case(sub, request.given);
-  add_file(sub, request.files, "--picture", "Draw the curves over time (.svg, .png, .pdf)");
+  add_file(sub, request.files, "--picture", "Draw the curves against time (.svg, .png, .pdf)");
   add_file(sub, request.files, "--json", "Write the table as JSON, in SI units (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
   CLI::Option* time_step = add_option(sub, "--time-step MS", request.time_step_ms,
-                                      "Time step of the 1984 program, ms (default 0.1)")
+                                      "Time step of the 1984 program, in ms (default: 0.1)")
                                ->check(CLI::Range(1e-6, 1e3));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);

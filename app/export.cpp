@@ -27,23 +27,23 @@ constexpr const char* export_footer = R"(Examples:
   dashpad export examples/dashboard-20mph.toml --format iso-mme --out test.zip
 
 Formats: ls-dyna writes *DEFINE_CURVE keywords for *INCLUDE; radioss writes /FUNCT blocks for #include; csv
-writes one curve as two columns below comment lines that begin with #; iso-mme writes the curves over time as a
-test in that format, zipped, in SI and sampled at 100 kHz.
+writes one curve in two columns, after comment lines that begin with #; iso-mme writes the curves over time as a
+zipped ISO-MME test, in SI units and sampled at 100 kHz.
 
-Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading
-are the pad's force against its penetration, up to the largest penetration and back to release. The curves are
-numbered in the order in which they are named.
+Curves (default: all): force, acceleration, velocity, motion and penetration over time; loading and unloading are
+the force of the pad against its penetration, up to the greatest penetration and from there to release. The curves
+are numbered in the order in which they are named.
 
 Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), lbf-s2/in-in-s (lbf, psi).
-Compression is positive; the acceleration is negative while the pad pushes. See docs/exports.md.
+Compression is positive; the acceleration is negative while the pad slows the impactor. See docs/exports.md.
 
-Files: - as FILE is standard output; messages about the curves then go to standard error. An existing file is not
-overwritten unless --force is given. A file is written completely or not at all, and contains the flags of the
-result (TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE) as comments.
+Files: - as FILE means standard output; messages about the curves then go to standard error. An existing file is
+not overwritten unless --force is given. A file is written completely or not at all; its comments contain any flags
+(TOLERANCE NOT MET, TIME LIMIT, PULSE CUT, BOTTOMED, ENERGY GAINED, SERIES CUT, EXTRAPOLATED STRAIN or RATE).
 
-Exit codes: 0 success (even if the pad bottomed out or the time limit was reached), 1 the file could not be
-written or none of the curves exists, 2 invalid input and nothing was run, 3 not reliable: the file was written but
-the result misses the tolerance.)";
+Exit codes: 0 success (even if the pad bottomed out or the time limit was reached), 1 the file could not be written
+or none of the curves exists, 2 invalid input (nothing was run), 3 not reliable: the file was written, but the
+result does not meet the tolerance.)";
 
 struct Format {
   const char* name;
@@ -89,17 +89,17 @@ std::vector<std::string> wrong_curves(const ExportRequest& request) {
       if (!output::is_over_time(name))
         errors.push_back(fmt::format("--curves {}: {} accepts only curves over time", name, request.format));
     if (!request.system.empty())
-      errors.push_back(fmt::format("--system {}: {} is in SI", request.system, request.format));
+      errors.push_back(fmt::format("--system {}: {} is always in SI units", request.system, request.format));
   }
   for (auto name = request.curves.begin(); name != request.curves.end(); ++name)
     if (std::find(request.curves.begin(), name, *name) != name)
       errors.push_back(fmt::format("--curves: {} is given twice", *name));
   if (format_of(request).holds_one_curve && curves_of(request).size() != 1)
-    errors.push_back(fmt::format(
-        "--format {}: a file of this format holds one curve; name it, as in --curves force", request.format));
+    errors.push_back(fmt::format("--format {}: a file holds only one curve; name it, as in --curves force",
+                                 request.format));
   const int highest_first = output::highest_curve_id - static_cast<int>(curves_of(request).size()) + 1;
   if (request.first_id > highest_first)
-    errors.push_back(fmt::format("--first-id {}: must be at most {}, to number all curves up to {}",
+    errors.push_back(fmt::format("--first-id {}: must be at most {}, so that no curve has a number above {}",
                                  request.first_id, highest_first, output::highest_curve_id));
   return errors;
 }
@@ -157,11 +157,11 @@ void add_options(CLI::App& sub, ExportRequest& request) {
       ->check(CLI::IsMember(output::curve_names()));
   add_option(sub, "--system SYSTEM", request.system, "Units of the deck (default: kg-mm-ms)")
       ->check(CLI::IsMember(system_names));
-  add_flag(sub, "--acceleration-in-g", request.in_g, "Accelerations in g, not in the system's length/time^2");
+  add_flag(sub, "--acceleration-in-g", request.in_g, "Give accelerations in g, whatever the system of units");
   add_option(sub, "--first-id N", request.first_id, "Number of the first curve (default: 1)")
       ->check(CLI::Range(1, output::highest_curve_id));
   add_option(sub, "--points N", request.points,
-             "Keep at most N points of each curve; the deviation is reported")
+             "Reduce each curve to at most N points; the resulting deviation is reported")
       ->check(CLI::Range(2, max_points));
   add_tolerance(sub, request.tolerance);
   add_flag(sub, "--force", request.force, "Overwrite an existing file");
@@ -172,7 +172,7 @@ void add_options(CLI::App& sub, ExportRequest& request) {
 
 void add_export(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ExportRequest>(
-      app, action, "export", "Write the curves of a case for other solvers' decks", export_footer,
+      app, action, "export", "Write the curves of a case for use in other solvers", export_footer,
       export_curves);
   add_options(sub, request);
 }

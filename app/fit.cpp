@@ -20,14 +20,14 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* fit_footer = R"(Examples:
-  dashpad fit examples/fits/vn600.toml                         fitted values, and what the data leave open
-  dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, with its origin
+  dashpad fit examples/fits/vn600.toml                         the fitted values, and what the data leave open
+  dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, which states its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
-  dashpad fit my-fit.toml --report fit.html                    a page: model against data, intervals, open unknowns
+  dashpad fit my-fit.toml --report fit.html                    a page: model and data, intervals, unknowns left open
   dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
-  dashpad fit my-fit.toml --state my-fit.state                 saves finished parts; run it again to resume
+  dashpad fit my-fit.toml --state my-fit.state                 saves the fit's progress; repeat the command to resume
 
-A fit file names the law with its starting values, the unknowns with their bounds, and the measurements:
+A fit file states the law with its starting values, the unknowns with their bounds, and the measurements:
 
   [pad]
   law = "foam"
@@ -45,33 +45,33 @@ A fit file names the law with its starting values, the unknowns with their bound
   "pad.curve.first_modulus" = {bounds = ["1 kPa", "1 MPa"]}
   "pad.parameters.friction" = {bounds = [0, 0.4], prior = {mean = 0.05, deviation = 0.02}}
   [[tests]]
-  file = "loop.csv"                # columns strain and stress_kPa
+  file = "loop.csv"                # with columns strain and stress_kPa
   strain_unit = "fraction"
   rate = "0.01 1/s"
   noise = "1 %"
 
-[[impacts]] fits the law to impacts, using figures or whole measured pulses:
+[[impacts]] fits the law to impacts, using individual figures or whole measured pulses:
 
   [[impacts]]
   case = "drop.toml"
   peak_force = {value = "1.8 kN", deviation = "5 %"}
-  hic15 = {value = 640, deviation = "5 %"}          # likewise hic36, hic_unlimited, clip_3ms, rebound_speed, ...
-  pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or a share of its peak, "5 %"
+  hic15 = {value = 640, deviation = "5 %"}          # also hic36, hic_unlimited, clip_3ms, rebound_speed, ...
+  pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or relative to its peak, "5 %"
 
-docs/fits.md describes every key and the meaning of the numbers.
+docs/fits.md describes every key and what the results mean.
 
-The recoil of a foam is fitted too if it is not stated and impacts depend on it; give it in [pad.parameters] to keep
-it fixed. The card states the tested range in [fitted], and what is not known in its reservations and [uncertainty].
+If the recoil of a foam is not given and the impacts depend on it, it is fitted too; to keep it fixed, give it in
+[pad.parameters]. The card gives the tested range in [fitted], and what is not known in reservations and [uncertainty].
 
 An unbounded interval means that the data do not determine the unknown: keep it fixed, give it a prior, or test more.
 
-Files: - as FILE is standard output. An existing file is not overwritten unless --force is given. A file is written
-completely or not at all. A fit that did not converge writes no card.
+Files: - as FILE means standard output. An existing file is not overwritten unless --force is given. A file is
+written completely or not at all. If the fit does not converge, no card is written.
 
-If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but --state FILE contains the finished searches
-and intervals, and the same command continues from there. The state of a different fit is rejected.
+If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but the file given with --state contains the
+finished searches and intervals, and the same command resumes from there. The state of a different fit is rejected.
 
-Exit codes: 0 success, 1 a result could not be written, 2 the fit file or its data have faults and nothing was written,
+Exit codes: 0 success, 1 a result could not be written, 2 errors in the fit file or its data (nothing was written),
 3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
 
 struct FitRequest {
@@ -92,8 +92,8 @@ std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors
       !text.empty() && text.size() < 8 && text.find_first_not_of("0123456789") == std::string::npos;
   const std::size_t count = digits ? std::stoul(text) : 0;
   if (count >= 1 && count <= max_draws) return count;
-  errors.push_back(
-      fmt::format("--posterior {}: must be a whole number of draws, 1 to {}, then a file", text, max_draws));
+  errors.push_back(fmt::format(
+      "--posterior {}: must be a whole number of draws from 1 to {}, followed by a file", text, max_draws));
   return 0;
 }
 
@@ -144,15 +144,15 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
 int stopped(const FitRequest& request, std::size_t kept) {
   if (kept > 0) {
     write_error(
-        fmt::format("Stopped; nothing was written except {}, with {} finished searches and interval limits. "
-                    "The same command continues from there.\n",
+        fmt::format("Stopped; nothing was written except {} (finished searches and interval limits: {}). "
+                    "Run the same command again to resume.\n",
                     *request.state, kept));
   } else if (request.state) {
-    write_error("Stopped before a search was finished; nothing was written.\n");
+    write_error("Stopped before any search was finished; nothing was written.\n");
   } else {
     write_error(
-        "Stopped; nothing was written. With --state FILE finished searches and intervals are saved, and the "
-        "same command continues from them.\n");
+        "Stopped; nothing was written. With --state FILE, finished searches and intervals are saved, and the "
+        "same command resumes from them.\n");
   }
   return StopSignal::exit_code();
 }
@@ -164,7 +164,7 @@ std::string kept_by_case(const FitRequest& request, const fit::FitReport& report
   for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
     if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
       keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
-  return keys + " cannot be part of a card; --case FILE writes it, with the foam.\n";
+  return "Fitted but not part of a card: " + keys + "; --case FILE writes the whole fitted case.\n";
 }
 
 int fit_material(const FitRequest& request) {
@@ -181,8 +181,8 @@ int fit_material(const FitRequest& request) {
   if (const std::string& file = request.files.of("--case");
       !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
     errors.push_back(
-        fmt::format("--case {}: no unknown of this fit belongs to the case, such as support.stiffness; a "
-                    "card holds all fitted values (--output)",
+        fmt::format("--case {}: this fit has no unknown outside the card "
+                    "(support.stiffness would be one); use --output, which writes all fitted values",
                     file));
   fit::RunOptions options{.posterior = draws};
   if (request.state && input) {
@@ -215,7 +215,7 @@ int fit_material(const FitRequest& request) {
   account += kept_by_case(request, report);
   if (!report.posterior.empty())
     account +=
-        "The draws are from the Laplace approximation: normal in the coordinates of the search, truncated at "
+        "The draws are from the Laplace approximation: normal in the search coordinates, and truncated at "
         "the bounds.\n";
   publish(targets, request.files.force, text_of, account);
   return report.converged ? exit_done : exit_not_trusted;
@@ -225,7 +225,7 @@ int fit_material(const FitRequest& request) {
 
 void add_fit(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<FitRequest>(
-      app, action, "fit", "Fit a material card to measurements, with its uncertainty", fit_footer,
+      app, action, "fit", "Fit a material card to measurements, with uncertainties", fit_footer,
       fit_material);
   add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
@@ -238,7 +238,7 @@ void add_fit(CLI::App& app, Action& action) {
       ->type_name("N FILE");
   add_documents(sub, request.files);
   add_option(sub, "--state FILE", request.state,
-             "Save finished searches and intervals in this file, and continue from them");
+             "Save finished searches and intervals in this file, and resume from it");
   add_units(sub, request.files.units);
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);

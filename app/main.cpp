@@ -26,31 +26,31 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* description =
-    "dashpad: the impact of a rigid nose on a foam pad and its support.\nFrom a case file it computes peak "
-    "force, peak acceleration, penetration, rebound and energy.";
+    "dashpad simulates the impact of a rigid nose on a foam pad and its support.\nFrom a case file, "
+    "it computes peak force, peak acceleration, penetration, rebound and energy.";
 
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case read as you intended?
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
   dashpad materials                              list the foams
-  dashpad material-test ensolite-aac-9           test one of them in the laboratory
+  dashpad material-test ensolite-aac-9           simulate a laboratory test of one of them
   dashpad material --help                        import and export other solvers' decks
   dashpad fit --help                             fit a card to measurements
   dashpad run --help                             files, units, tolerance
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
-  dashpad compare CASE --pulse FILE              compare with a measured pulse
+  dashpad compare CASE --pulse FILE              compare a case with a measured pulse
   dashpad compare examples/dashboard-20mph.toml  the solver and the 1984 program side by side
-  dashpad validate                               compare both with the validation tests of that report
+  dashpad validate                               compare both with the tests in the 1986 report
   dashpad study --help                           many impacts: curves, maps, probabilities
 
-Input files may be - (standard input) or a pipe, up to 16 MiB.
+An input file may be - (standard input) or a pipe, of up to 16 MiB.
 
 Exit codes:
-  0  success; bottoming out and reaching the time limit also count as results
-  1  a result could not be written (full disk, ...), or the program failed
+  0  success, even if the pad bottomed out or the time limit was reached
+  1  a result could not be written (to a full disk, for example), or the program failed
   2  invalid input or command line; nothing was run or written
-  3  not reliable or no verdict: the results miss the tolerance, or assess cannot decide
-  4  assess: a limit of a standard is exceeded, whether or not other results are missing;
+  3  not reliable or no verdict: the results do not meet the tolerance, or assess cannot decide
+  4  assess: a limit of the standard is exceeded, even if other results are missing;
      validate --strict: a rule is not met)";
 
 struct Command {
@@ -74,6 +74,7 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Foams", "material-test", add_material_test},
                              {"Foams", "fit", add_fit},
                              {"Many impacts", "study", add_study},
+                             {"Many impacts", "batch", add_batch},
                              {"The 1986 report", "spit1984", add_spit1984},
                              {"The 1986 report", "validate", add_validate}};
 
@@ -94,7 +95,7 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
   const std::vector<std::string> lines = input::abridged(complaints);
   for (std::size_t i = 0; i < lines.size() && i < max_lines; ++i) text += shown(lines[i]) + "\n";
   if (lines.size() > max_lines) text += "...\n";
-  text += plural(count, "fault");
+  text += plural(count, "error");
   const bool would_run = std::ranges::none_of(app.get_subcommands(), [](const CLI::App* sub) {
     const auto* const named = std::ranges::find(commands, sub->get_name(), &Command::name);
     return named != std::end(commands) && named->only_looks;
@@ -104,12 +105,12 @@ int refuse(const std::vector<std::string>& complaints, const CLI::App& app) {
 }
 
 /// Takes streams among the files named on the command line: positional arguments, and the pulse of a
-/// comparison. Stores are no such files.
+/// comparison. Stores are no such files, and a batch reads its stream line by line.
 void take_streams(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
     for (const CLI::Option* option : sub->get_options()) {
       const bool is_read = option->get_positional() || option->check_lname("pulse");
-      if (is_read && sub->get_parent()->get_name() != "study")
+      if (is_read && sub->get_parent()->get_name() != "study" && sub->get_name() != "batch")
         for (const std::string& name : option->results()) input::take_given_stream(name);
     }
     take_streams(*sub);
@@ -118,8 +119,7 @@ void take_streams(const CLI::App& app) {
 
 /// Messages of libraries do not help a user.
 constexpr const char* library_failed =
-    "dashpad: a number went out of range; this is a bug in the program: please report it, with the input "
-    "files\n";
+    "dashpad: a number went out of range; this is a bug, so please report it and include the input files\n";
 
 int perform(const Action& action, const CLI::App& app) {
   try {
@@ -138,11 +138,11 @@ int perform(const Action& action, const CLI::App& app) {
 std::string advice_on(const std::vector<std::string>& words, const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  if (words.empty()) return "a command is missing; available: " + input::listing(names);
+  if (words.empty()) return "no command given; available: " + input::listing(names);
   const std::string& word = words.front();
-  if (word.ends_with(".toml")) return word + ": which command? To solve a case: dashpad run " + word;
+  if (word.ends_with(".toml")) return word + ": is not a command; to solve this case: dashpad run " + word;
   if (word.starts_with('-'))
-    return word + ": no such option before a command; the commands are " + input::listing(names);
+    return word + ": is not accepted before a command; the commands are " + input::listing(names);
   return word + ": no such command" + input::meant_or_listed(word, names);
 }
 
@@ -207,7 +207,7 @@ int main(int argument_count, char** arguments) {
     prepare_streams();
     return command(argument_count, arguments);
   } catch (const std::bad_alloc&) {
-    write_error("dashpad: there is not enough memory for this\n");
+    write_error("dashpad: out of memory\n");
   } catch (const std::filesystem::filesystem_error& error) {
     write_error(
         dashpad::without_endless_words("dashpad: " + error.path1().string() + ": " + error.code().message()) +

@@ -22,7 +22,7 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* material_test_footer = R"(Examples:
-  dashpad material-test ensolite-aac-9                    up and down at constant rate, 1 and 100 per second
+  dashpad material-test ensolite-aac-9                    loading and unloading at 1 and 100 per second
   dashpad material-test ensolite-aac-9 --test parabolic --explicit-1984 --picture figure-2-9.svg
   dashpad material-test ensolite-aac-21 --rate 1,10,100 --stress-limit "50 kPa,100 kPa"
   dashpad material-test ensolite-aac-21 --test relaxation --strain 0.5 --hold "2 s"
@@ -30,17 +30,17 @@ constexpr const char* material_test_footer = R"(Examples:
   dashpad material-test ensolite-aac-9 --test cyclic --strain 0.6 --low 0.2 --cycles 3 --csv cycles.csv
   dashpad material-test ./my-foam.toml --test history --history my-strains.csv --report my-foam.html
 
-A single column of the pad is driven through the test; its stress is exact up to quadrature. Results: peak stress,
-energy per volume, hysteresis, efficiency and ideality, and with --stress-limit the energy absorbed up to a stress.
---explicit-1984 adds the result of the 1984 program. docs/laboratory.md explains all of them.
+The test is applied to a single column of the pad, whose stress is exact apart from quadrature errors. Results: peak
+stress, energy per volume, hysteresis, efficiency and ideality; with --stress-limit, also the energy absorbed up to
+a given stress. --explicit-1984 adds the result of the 1984 program. docs/laboratory.md explains all of these.
 
-MATERIAL is the name of a card as listed by dashpad materials, or a file that ends in .toml. A history is a table
-with a header line that names its units: time_s,strain or "time [ms];strain [%]".
+MATERIAL is the name of a card as listed by dashpad materials, or a file whose name ends in .toml. A history is a
+table with a header line that names the columns and their units: time_s,strain or "time [ms];strain [%]".
 
-Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
+Files: - as FILE of --json or --csv means standard output; the text then goes to standard error. An existing file is
 not overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input (nothing was run).)";
 
 /// The options as given.
 struct MaterialTestRequest {
@@ -104,7 +104,8 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
     std::string names;
     for (const laboratory::TestKind each : kinds)
       names += fmt::format("{}{}", names.empty() ? "" : ", ", to_string(each));
-    errors.push_back(fmt::format("{}: applies to --test {}, not to {}", option, names, to_string(kind)));
+    errors.push_back(
+        fmt::format("{}: does not apply to --test {}, only to {}", option, to_string(kind), names));
   };
   using enum laboratory::TestKind;
   only_for(!request.rates.empty(), "--rate", {constant_rate, parabolic, relaxation, creep, cyclic});
@@ -117,8 +118,8 @@ void judge_options(const MaterialTestRequest& request, laboratory::TestKind kind
   only_for(request.history.has_value(), "--history", {history});
   if (request.explicit_1984 && kind == creep)
     errors.emplace_back(
-        "--explicit-1984: does not apply to --test creep; the 1984 update is driven by strains, "
-        "and creep by a stress");
+        "--explicit-1984: does not apply to --test creep; the 1984 update needs prescribed strains, "
+        "whereas creep prescribes the stress");
   if (request.steps && !request.explicit_1984)
     errors.emplace_back("--steps: applies only to the 1984 update; add --explicit-1984");
   if (kind == creep && !request.stress)
@@ -186,7 +187,7 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
   add_option(sub, "--rate LIST", request.rates,
              "Loading strain rates, comma-separated, in 1/s unless given with a unit (default: 1 and 100)")
       ->delimiter(',');
-  add_option(sub, "--strain X", request.strain, "Largest strain, below 1 (default: 0.95)");
+  add_option(sub, "--strain X", request.strain, "Largest strain, less than 1 (default: 0.95)");
   add_option(sub, "--hold TIME", request.hold,
              "Hold time, such as \"1 s\" (relaxation, creep; default: 1 s)");
   add_option(sub, "--stress STRESS", request.stress, "Stress to hold, such as \"50 kPa\" (creep)");
@@ -195,12 +196,12 @@ void add_test_options(CLI::App& sub, MaterialTestRequest& request) {
       ->check(CLI::Range(1, 1000));
   add_option(sub, "--history FILE", request.history, "Table of times and strains or displacements (history)");
   add_option(sub, "--thickness LENGTH", request.thickness,
-             "Thickness of the specimen, for displacements (history)");
+             "Specimen thickness, needed for displacements (history)");
   add_option(sub, "--stress-limit LIST", request.stress_limits,
-             "Stresses at which to give energy and efficiency, such as \"100 kPa\", separated by commas")
+             "Stresses at which to give energy and efficiency, comma-separated, such as \"50 kPa,100 kPa\"")
       ->delimiter(',');
   add_flag(sub, "--explicit-1984", request.explicit_1984,
-           "Add the explicit 1984 update to the exact stress (not creep)");
+           "Add the stress from the explicit 1984 update (not for creep)");
   add_option(sub, "--steps N", request.steps, "Steps of the 1984 update in the first loading (default: 20)")
       ->check(CLI::Range(1, 10000));
 }
@@ -245,7 +246,7 @@ void add_material_test(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<MaterialTestRequest>(
       app, action, "material-test", "Simulate a laboratory test of a pad material", material_test_footer,
       show);
-  add_option(sub, "MATERIAL", request.material, "Name of a card, or a file")->required();
+  add_option(sub, "MATERIAL", request.material, "Name of a card, or a card file (.toml)")->required();
   add_test_options(sub, request);
   add_file(sub, request.files, "--json", "Write everything as JSON, in SI units (- for standard output)");
   add_file(sub, request.files, "--csv", "Write the stresses as CSV (- for standard output)");

@@ -24,13 +24,13 @@ constexpr const char* materials_footer = R"(Examples:
   dashpad materials vn600                  one card: source, reservations, law, curves, stresses, tested range
   dashpad materials vn600 --report card.html
   dashpad materials ensolite-aac-9 --units us
-  dashpad materials ./my-foam.toml         a card anywhere: a name that ends in .toml is a file
+  dashpad materials ./my-foam.toml         a card from anywhere: a name that ends in .toml is read as a file
 
-The table gives the tested strain and rates (1/s), and the first reservation with the number of the others;
-docs/materials.md describes the origin of each card. A picture is .svg, .png or .pdf; an existing file is not
-overwritten unless --force is given.
+The table gives the tested strain and strain rates (1/s), the first reservation, and the number of further
+reservations; docs/materials.md describes the origin of each card. A picture can be .svg, .png or .pdf. An existing
+file is not overwritten unless --force is given.
 
-Exit codes: 0 success, 1 the picture could not be written, 2 no such card, or a card with faults (the other cards
+Exit codes: 0 success, 1 the picture could not be written, 2 no such card, or a card with errors (the other cards
 are still listed, but not drawn).)";
 
 struct MaterialsRequest {
@@ -87,7 +87,7 @@ int list_all_materials(const MaterialsRequest& request, const fs::path& folder) 
     throw Refused(std::move(faults));
   }
   if (materials.empty() && !request.files.of("--picture").empty())
-    throw Refused({fmt::format("--picture: there is no material in {}", folder.string())});
+    throw Refused({fmt::format("--picture: there are no materials in {}", folder.string())});
   publish(request, materials, heading, document);
   return exit_done;
 }

@@ -56,13 +56,13 @@ const char* stream_into(const fs::path& file) {
 std::string complaint(const Target& target, bool force) {
   const fs::path path{target.file};
   std::error_code error;
-  if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; name a file";
+  if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; give the name of a file";
   if (is_device(path)) return "";
-  if (is_taken(path) && !force) return "exists already; choose another name, or --force to overwrite it";
+  if (is_taken(path) && !force) return "already exists; choose another name, or use --force to overwrite it";
   const fs::path folder = folder_of(fs::is_symlink(path, error) ? place_of(path) : path);
   if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    return "no file can be created in " + folder.string() + ": " + reason(errno);
+    return "cannot create a file in " + folder.string() + ": " + reason(errno);
   return "";
 }
 
@@ -129,15 +129,15 @@ void judge_targets(const std::vector<Target>& targets, const std::vector<input::
       else if (target->is_standard_output() || earlier->is_standard_output())
         continue;
       else if (is_same_file(target->file, earlier->file))
-        say("is also the file of " + earlier->option + "; choose another");
+        say("is also given for " + earlier->option + "; choose another name");
     }
     if (target->is_standard_output()) continue;
     const auto input = std::ranges::find_if(
         inputs, [&](const input::InputFile& read) { return is_same_file(target->file, read.file); });
     if (input != inputs.end())
-      say("is " + input->kind + "; choose another");
+      say("is " + input->kind + "; choose another name");
     else if (const char* stream = stream_into(target->file))
-      say(std::string{"is where "} + stream + " goes; choose another");
+      say(std::string{"is where "} + stream + " is redirected; choose another name");
     else if (const std::string what = complaint(*target, force); !what.empty())
       say(what);
   }

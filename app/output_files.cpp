@@ -23,7 +23,7 @@ CLI::Option* add_file(CLI::App& app, OutputFiles& files, const std::string& opti
 }
 
 std::vector<CLI::Option*> add_documents(CLI::App& app, OutputFiles& files) {
-  return {add_file(app, files, "--report", "Write a page for the browser, as a single HTML file"),
+  return {add_file(app, files, "--report", "Write a page for a web browser, as a single HTML file"),
           add_file(app, files, "--markdown",
                    "Write the text of the page as Markdown, without pictures (- for standard output)")};
 }

@@ -19,13 +19,13 @@ constexpr const char* post_impact_footer = R"(Examples:
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "1500 kg" --units us
   dashpad post-impact examples/dashboard-20mph.toml --other-mass "3000 lb" --other-velocity "-10 mph" --json -
 
-Computes the velocities after the impact by Eqs. 1 to 4 of the report, for a simulation of the subsequent motion.
-The impactor's mass and velocity are those of the case; the other body carries the pad's support and is held in
-place unless --other-mass is given. All velocities have the same positive direction: that of the impactor, in which
-the other body moves away. The energy absorbed by the pad is computed for the relative motion of the two bodies.
+Computes the velocities after the impact from Eqs. 1 to 4 of the 1986 report, as input to a simulation of the motion
+that follows. The mass and velocity of the impactor are those of the case; the other body carries the support of the
+pad and is held in place unless --other-mass is given. All velocities are positive in the impactor's direction, so the
+other body moves away if its velocity is positive. The energy absorbed by the pad is computed for the relative motion.
 
-Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the results miss
-the tolerance or there is no rebound.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input (nothing was run), 3 the results do not
+meet the tolerance, or there is no rebound.)";
 
 struct PostImpactRequest {
   GivenCase given;
@@ -49,12 +49,12 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
   if (file) {
     input.file = *std::move(file);
     if (input.file.impact.blows)
-      errors.push_back(request.given.file + ": blows: the two bodies collide only once; leave the table out");
+      errors.push_back(request.given.file + ": blows: the two bodies collide only once; remove this table");
     if (input.file.impact.backing != Backing{} || input.file.impact.impactor.gravity != 0)
       errors.push_back(
           request.given.file +
-          ": post-impact allows no gravity, and of a support its force curve alone; instead give the "
-          "other body as support.body_mass to dashpad run, which computes both velocities");
+          ": post-impact allows no gravity and no property of the support except its force curve; to obtain "
+          "the velocities of both bodies, use dashpad run with the other body as support.body_mass");
     const Impactor& impactor = input.file.impact.impactor;
     input.first = {impactor.mass, impactor.speed};
     if (!(impactor.speed > input.second.velocity))
@@ -65,8 +65,8 @@ PostImpactInput read_and_check(const PostImpactRequest& request) {
   if (errors.empty()) {
     input.file.impact = relative_motion(input.file.impact, input.first, input.second);
     for (const Violation& violation : violations(input.file.impact))
-      errors.push_back(fmt::format("the motion of the two bodies towards each other: {} = {}: {}",
-                                   violation.key, violation.value, violation.rule));
+      errors.push_back(fmt::format("the relative motion of the two bodies: {} = {}: {}", violation.key,
+                                   violation.value, violation.rule));
   }
   if (!errors.empty()) throw Refused(std::move(errors));
   return input;
@@ -101,7 +101,7 @@ void add_post_impact(CLI::App& app, Action& action) {
   add_case(sub, request.given);
   add_option(sub, "--other-mass MASS", request.other_mass, "Mass of the other body (default: held in place)");
   add_option(sub, "--other-velocity SPEED", request.other_velocity,
-             "Its velocity before the impact (default: 0)");
+             "Velocity of the other body before the impact (default: 0)");
   add_file(sub, request.files, "--json", "Write the result as JSON, in SI units (- for standard output)");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

@@ -12,7 +12,7 @@ void add_result_files(CLI::App& app, OutputFiles& files) {
   add_file(app, files, "--csv",
            "Write the history (of the last blow, if there are several) as CSV (- for standard output)");
   add_documents(app, files);
-  add_file(app, files, "--png", "Draw acceleration and hysteresis (.png)");
+  add_file(app, files, "--png", "Draw the acceleration and hysteresis curves (.png)");
   add_file(app, files, "--drawing",
            "Draw nose, pad and support to scale, at first contact and at greatest penetration (.svg, "
            ".png, .pdf)");

@@ -23,22 +23,22 @@ constexpr const char* run_footer = R"(Examples:
   dashpad run examples/dashboard-20mph.toml --tolerance 1e-6 --json - | jq .peak_force_N
 
 Units: si shows mm, kg, ms, m/s, N, J; us shows in, lb, ms, mph, lbf, in-lbf; engineering-metric shows
-mm, kg, ms, km/h, kN, J. Accelerations are in g everywhere. The JSON summary is in SI and g, and its keys
-name the units; the CSV history is in SI (m, s, N, m/s, g) or, with --units us or engineering-metric, in
-those units, which its header names. Case files take any unit.
+mm, kg, ms, km/h, kN, J. Accelerations are always in g. The JSON summary is in SI units and g, and its keys
+name the units; the CSV history is in SI units (m, s, N, m/s, g) or, with --units us or engineering-metric, in
+those units, which its header names. Case files accept any unit.
 
-For a case with repeated blows ([blows]) the text has a row for each blow, followed by the figures of the last;
-CSV history, page, picture and drawing are those of the last blow.
+For a case with repeated blows ([blows]), the text has a row for each blow, followed by the figures for the last;
+the CSV history, page, picture and drawing are for the last blow.
 
 The text shows the main figures to four digits, since the law of a foam is rarely known to three. --all shows
-every figure with its estimated error; files have all digits.
+every figure with its estimated error; files contain all digits.
 
-Files: - as FILE is standard output; the text then goes to standard error. An existing file is not overwritten
+Files: - as FILE means standard output; the text then goes to standard error. An existing file is not overwritten
 unless --force is given. A file is written completely or not at all.
 
 Exit codes: 0 success (even if the pad bottomed out or the time limit was reached), 1 a result could not be
-written, 2 invalid input or command line and nothing was run, 3 not reliable: the results of a pad that did not
-bottom out miss the tolerance.)";
+written, 2 invalid input or command line (nothing was run), 3 not reliable: the pad did not bottom out, and the
+results do not meet the tolerance.)";
 
 struct RunRequest {
   GivenCase given;

@@ -28,18 +28,18 @@ constexpr const char* spit1984_footer = R"(Examples:
   dashpad spit1984 examples/dashboard-20mph.toml --repair all --arithmetic binary64
   dashpad spit1984 --interactive --listing for21.txt
 
-Runs subroutines SPIT and PAD Version 2 (December 1984) and prints what they printed: the terminal output or,
+Runs the subroutines SPIT and PAD, Version 2 (December 1984), and prints what they printed: the terminal output or,
 with --listing, the line-printer output, 132 columns wide. Lengths are in inches, forces in lbf, the impact speed
-in mph; forces are negative in compression. See docs/spit1984.md before relying on them: for the published example
-the scheme is 1 to 6 % off in peak force, and the numbers depend on the arithmetic.
+in mph; forces are negative in compression. Read docs/spit1984.md before relying on the results: for the published
+example, the peak force is wrong by 1 to 6 %, and the numbers depend on the arithmetic.
 
 Arithmetic: pdp10 (default) is that of the 36-bit computer that produced the results in the report; binary32 and
 binary64 are today's single and double precision.
 
 --interactive runs the 1984 main program ENSOL, which asks for all input at the terminal.
 
-Exit codes: 0 success, 1 a result could not be written, 2 invalid input and nothing was run, 3 the run ended in an
-ABEND; the output may have become meaningless some time before it.
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input (nothing was run), 3 the run ended in an
+ABEND (the output may have become meaningless some time before it).
 
 Defects in the listing that --repair corrects (may be repeated; "all" for all of them):
 )";
@@ -91,8 +91,8 @@ std::ostream& terminal(const Spit1984Request& request) {
 Deck deck_for(const Spit1984Request& request) {
   std::vector<std::string> errors;
   if (request.interactive == !request.given.file.empty())
-    errors.emplace_back(request.interactive ? "--interactive: asks for everything itself; leave CASE out"
-                                            : "CASE is missing; --interactive asks at the terminal instead");
+    errors.emplace_back(request.interactive ? "--interactive: asks for all input; leave out CASE"
+                                            : "CASE is missing; use --interactive to type the input");
   std::ranges::move(what_is_no_number(request), std::back_inserter(errors));
   std::optional<input::CaseFile> input;
   if (!request.given.file.empty()) input = read_case(request.given, errors);
@@ -125,14 +125,13 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
     if (!(settings.defects.*defect.present)) text += fmt::format(", {} corrected", defect.name);
   text += "\n";
   if (deck.pad_parameters == std::array<double, 21>{})
-    text += "NO PARAMETERS: ENSOL never asked for those of models 1 to 3; they are zero. Use a case file\n";
+    text += "NO PARAMETERS: ENSOL never asked for those of models 1 to 3, so they are 0; use a case file\n";
   if (const double longest = longest_time_step_ms(deck); deck.time_step_ms > longest)
-    text += fmt::format("TIME STEP of {:.3g} ms: the report advises at most {:.3g} ms for this support\n",
+    text += fmt::format("TIME STEP of {:.3g} ms: the report recommends at most {:.3g} ms for this support\n",
                         deck.time_step_ms, longest);
   if (!run.precision_stops.empty())
-    text +=
-        fmt::format("PRECISION LIMIT: {} of {} steps out of equilibrium by more than {:.3g} of the force\n",
-                    run.precision_stops.size(), run.history.size(), settings.equilibrium_tolerance);
+    text += fmt::format("PRECISION LIMIT: {} of {} steps miss equilibrium by more than {:.3g} of the force\n",
+                        run.precision_stops.size(), run.history.size(), settings.equilibrium_tolerance);
   if (run.abend != Abend::none) {
     const AbendText abend = text_of(run.abend);
     text += fmt::format("ABEND {}, {}: {}\n", static_cast<int>(run.abend), abend.message, abend.advice);
@@ -142,7 +141,7 @@ std::string remarks(const Deck& deck, const Settings& settings, const Run& run) 
 
 Run run_with_progress(const Deck& deck, const Settings& settings) {
   // The number of steps is not known in advance.
-  ProgressLine line{fmt::format("Running the 1984 program, at most {} time steps,", settings.max_steps)};
+  ProgressLine line{fmt::format("Running the 1984 program (at most {} time steps)", settings.max_steps)};
   return run(deck, settings, [&](int step) {
     line.show(static_cast<std::size_t>(step), static_cast<std::size_t>(settings.max_steps));
   });
@@ -176,32 +175,32 @@ void add_spit1984(CLI::App& app, Action& action) {
       add_flag(sub, "--interactive", request.interactive, "Ask for the input at the terminal, as ENSOL did");
   add_option(sub, "--arithmetic A", request.arithmetic, "pdp10 (default), binary32 or binary64")
       ->check(CLI::IsMember({"pdp10", "binary32", "binary64"}));
-  add_option(sub, "--repair DEFECT", request.repair, "Correct a defect in the listing, or all of them")
+  add_option(sub, "--repair DEFECT", request.repair, "Correct this defect in the listing (see below), or all")
       ->check(CLI::IsMember(repairs));
   add_file(sub, request.files, "--listing", "Write the line-printer output (- for standard output)");
   add_file(sub, request.files, "--json", "Write input and results as JSON (- for standard output)");
-  add_file(sub, request.files, "--csv", "Write the history as CSV, in, lbf and ms (- for standard output)");
-  add_option(sub, "--time-step MS", request.time_step_ms, "DELT, ms (default 0.1)")
+  add_file(sub, request.files, "--csv", "Write the history as CSV (in, lbf, ms; - for standard output)");
+  add_option(sub, "--time-step MS", request.time_step_ms, "DELT: time step, in ms (default: 0.1)")
       ->check(CLI::Range(1e-6, 1e3))
       ->excludes(interactive);
   add_option(sub, "--print-interval N", request.print_interval,
-             "NDEL, time steps per printed row (default 10)")
+             "NDEL: time steps per printed row (default: 10)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(interactive);
   add_option(sub, "--equilibrium-tolerance X", request.settings.equilibrium_tolerance,
-             "TOLMAX, of the force (default 0.02)")
+             "TOLMAX, as a fraction of the force (default: 0.02)")
       ->check(CLI::Range(0.0, 1.0));
   add_option(sub, "--precision-tolerance X", request.settings.precision_tolerance,
-             "TOL, of the penetration (default 1e-5)")
+             "TOL, as a fraction of the penetration (default: 1e-5)")
       ->check(CLI::Range(0.0, 1.0));
   add_option(sub, "--most-steps N", request.settings.max_steps,
-             "Dimension of the time history (default 1000)")
+             "Dimension of the time-history arrays (default: 1000)")
       ->check(CLI::Range(4, 1'000'000));
   add_option(sub, "--most-stations N", request.settings.max_stations,
-             "Dimension of the contact field (default 1000)")
+             "Dimension of the contact arrays (default: 1000)")
       ->check(CLI::Range(2, 1'000'000));
   add_option(sub, "--most-iterations N", request.settings.max_iterations,
-             "Largest number of trials per step (default 100)")
+             "Maximum number of trials per step (default: 100)")
       ->check(CLI::Range(1, 100'000));
   add_force(sub, request.files.force);
   add_material_folder(sub, request.given.materials);

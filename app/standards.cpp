@@ -20,12 +20,12 @@ constexpr const char* standards_footer = R"(Examples:
   dashpad standards                              all presets, one per line
   dashpad standards fmvss-201-instrument-panel   one preset: impactor, limits, variants, sources
   dashpad standards en-1078:kerbstone            with a variant
-  dashpad standards ./my-standard.toml           a preset anywhere: a name that ends in .toml is a file
+  dashpad standards ./my-standard.toml           a preset from anywhere: a name that ends in .toml is read as a file
 
 A value marked UNVERIFIED was found neither in the standard nor in a source that quotes it. dashpad assess applies a
-preset to a case. docs/standards.md explains how to write one.
+preset to a case. docs/standards.md explains how to write a preset.
 
-Exit codes: 0 success, 1 a page could not be written, 2 no such preset, or a preset with faults (the others are
+Exit codes: 0 success, 1 a page could not be written, 2 no such preset, or a preset with errors (the others are
 still listed).)";
 
 struct StandardsRequest {
@@ -69,7 +69,7 @@ int show_standards(const StandardsRequest& request) {
   const fs::path folder = chosen_standards(request.folder);
   if (!request.name.empty()) return show_one(request, folder);
   if (!request.files.targets().empty())
-    throw Refused({"--report, --markdown: apply to one preset; give its NAME"});
+    throw Refused({"--report, --markdown: apply to a single preset; give its NAME"});
   return list_all_standards(folder);
 }
 

@@ -25,17 +25,17 @@ constexpr const char* validate_footer = R"(Examples:
   dashpad validate --report validation.html --json validation.json --figures figures
   dashpad validate --strict --data my-readings
 
-Compares the 33 validation tests of Crash Padding Research, Volume III (1986) with the accurate solver and the
-1984 program: errors test by test, verdicts by rules that were fixed before the first run, refitted trend
-lines, the report's own statements, and the nose radius that the readings favour. Everything is in the report's
-units: lb, in, mph, ms. docs/validation.md gives the results and what remains uncertain.
+Compares the accurate solver and the 1984 program with the 33 validation tests of Crash Padding Research,
+Volume III (1986): errors test by test, verdicts based on rules fixed before the first run, refitted trend
+lines, the report's own statements, and the nose radius that the readings favour. All values are in the units of
+the report: lb, in, mph, ms. docs/validation.md gives the results and states what remains uncertain.
 
 Files: the report is a single HTML file; the figures are image files in a folder that is created if necessary.
-- as FILE is standard output; the summary then goes to standard error. Existing files are not overwritten unless
---force is given. All files are written at the end, or none.
+- as FILE means standard output; the summary then goes to standard error. Existing files are not overwritten unless
+--force is given. The files are written all together at the end, or not at all.
 
 Exit codes: 0 success, whether or not the predictions pass; 4 with --strict, if the accurate solver does not meet
-a rule; 1 a result could not be written; 2 invalid input and nothing was run.)";
+a rule; 1 a result could not be written; 2 invalid input (nothing was run).)";
 
 constexpr const char* material = "ensolite-aac-9.toml";
 
@@ -157,18 +157,18 @@ int run_validation(const ValidateRequest& request) {
 
 void add_validate(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ValidateRequest>(
-      app, action, "validate", "Compare with the validation tests of the 1986 report", validate_footer,
-      run_validation);
+      app, action, "validate", "Compare the model with the validation tests of the 1986 report",
+      validate_footer, run_validation);
   add_documents(sub, request.files);
   add_file(sub, request.files, "--json", "Write everything as JSON (- for standard output)");
   CLI::Option* figures =
-      add_option(sub, "--figures DIR", request.figures, "Draw the figures into this folder");
+      add_option(sub, "--figures DIR", request.figures, "Write the figures to this folder");
   add_option(sub, "--format FORMAT", request.format, "Format of the figures: svg (default), png or pdf")
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->needs(figures);
   add_option(sub, "--data DIR", request.data,
-             "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA or dashpad's own)");
-  add_flag(sub, "--strict", request.strict, "Exit with 4 if the accurate solver does not meet a rule");
+             "Folder of the measured tests (default: $DASHPAD_VALIDATION_DATA, or those supplied)");
+  add_flag(sub, "--strict", request.strict, "Exit with code 4 if the accurate solver does not meet a rule");
   add_force(sub, request.files.force);
   add_material_folder(sub, request.materials);
 }

@@ -26,9 +26,9 @@ constexpr const char* material_footer = R"(Examples:
 See also dashpad material import --help and dashpad material export --help. To list or show cards: dashpad materials.)";
 
 constexpr const char* import_footer = R"(Examples:
-  dashpad material import foam.k --units t-mm-s                   the card on the screen
-  dashpad material import foam.k --units mm-t-s -o my-foam.toml   into a file
-  dashpad material import car.k --units t-mm-s -o cards/          each foam of a deck into a folder
+  dashpad material import foam.k --units t-mm-s                   show the card on the screen
+  dashpad material import foam.k --units mm-t-s -o my-foam.toml   write it to a file
+  dashpad material import car.k --units t-mm-s -o cards/          write each foam of a deck to a folder
   dashpad material import car.k --units t-mm-s --material 12      one foam of several, by number or name
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
   dashpad material import slow.csv fast.csv --rate "0.01 1/s" --rate "40 1/s" -o my-foam.toml
@@ -36,22 +36,23 @@ constexpr const char* import_footer = R"(Examples:
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
 (MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
-and LAW90 with their /FUNCT. A deck does not state its units; give them with --units.
+and LAW90 with their /FUNCT; Abaqus *LOW DENSITY FOAM and *HYPERFOAM. A deck does not state its units; give them with
+--units. Files that a deck includes from its folder are read with --allow-includes.
 
-Tables of compression tests (CSV, text): a column of strain, a fraction or in %, and one of stress, with units in the
-header, such as strain_percent,stress_kPa; or of displacement and force, with --thickness and --area of the specimen.
-Names in German, French, Spanish and Italian are known; --strain and --stress name others. The strain rate is given by
---rate; or several columns state theirs: "stress_kPa @ 10 1/s". Several files make one foam, each with its --rate.
-The loading follows the largest strain so far and is made to rise within its noise; how far it moved is stated. The
-way back of the slowest test becomes the unloading curve. dashpad fit uses whole cycles, relaxation and noise.
+Tables of compression tests (CSV, text): strain (as a fraction or in %) and stress, with units in the header, such
+as strain_percent,stress_kPa; or displacement and force, with --thickness and --area of the specimen. German, French,
+Spanish and Italian column names are recognised; --strain and --stress name others. Give the strain rate with --rate,
+or in the headings of several columns: "stress_kPa @ 10 1/s". Several files make one foam; give a --rate for each. The
+loading curve follows the largest strain so far and is made to rise within the noise; the change is reported. The
+unloading in the slowest test becomes the unloading curve. For whole cycles, relaxation and noise, use dashpad fit.
 
 Values that the file does not give are assumed, and properties that a card cannot express are left out. Both are
-listed and kept in the card as reservations. See docs/material-decks.md.
+listed, and kept in the card as reservations. See docs/material-decks.md.
 
-Files: without -o the card goes to standard output and messages go to standard error. An existing file is not
+Files: without -o, the card goes to standard output and messages go to standard error. An existing file is not
 overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 success, 1 the card could not be written, 2 the file has faults, and nothing was written.)";
+Exit codes: 0 success, 1 the card could not be written, 2 invalid input (nothing was written).)";
 
 struct ImportRequest {
   std::vector<std::string> files;
@@ -61,6 +62,7 @@ struct ImportRequest {
   input::StressStrainColumns columns;  ///< as given
   std::string out = "-";
   bool force = false;
+  bool allows_includes = false;
 };
 
 using Wrong = std::vector<std::string>;
@@ -78,7 +80,7 @@ TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
     settings.rates.push_back(positive_quantity_of("--rate", text, "1/s", errors).value_or(1));
   if (settings.rates.size() > request.files.size())
     errors.push_back(
-        fmt::format("--rate: {} rates for {} files", settings.rates.size(), request.files.size()));
+        fmt::format("--rate: more rates ({}) than files ({})", settings.rates.size(), request.files.size()));
   settings.columns.thickness = positive_quantity_of("--thickness", request.thickness, "m", errors);
   settings.columns.area = positive_quantity_of("--area", request.area, "m2", errors);
   return settings;
@@ -87,20 +89,23 @@ TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
 /// Checks the options that depend on the kind of file.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_tables, Wrong& errors) {
   if (are_tables) {
-    if (!request.units.empty()) errors.emplace_back("--units: a table states its units in its header");
+    if (request.allows_includes) errors.emplace_back("--allow-includes: applies only to decks");
+    if (!request.units.empty())
+      errors.emplace_back("--units: applies only to decks; a table states its units");
     return std::nullopt;
   }
   const input::StressStrainColumns& columns = request.columns;
   const bool has_columns =
       !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit).empty();
-  if (!request.rates.empty()) errors.emplace_back("--rate: applies only to tables; a deck has its own rates");
+  if (!request.rates.empty()) errors.emplace_back("--rate: applies only to tables; a deck states its rates");
   if (has_columns || request.thickness || request.area)
     errors.emplace_back(
         "--strain, --stress, --strain-unit, --stress-unit, --thickness, --area: apply only to tables");
   if (request.files.size() > 1)
-    errors.emplace_back("FILE: several files must be tables of tests; give one deck");
+    errors.emplace_back(
+        "FILE: only one deck can be given; if there are several files, all must be tables of tests");
   if (request.units.empty()) {
-    errors.emplace_back("--units: is required, such as --units t-mm-s: a deck does not state its units");
+    errors.emplace_back("--units: is required, as in --units t-mm-s; a deck does not state its units");
     return std::nullopt;
   }
   return deck_units_of(request.units, errors);
@@ -127,7 +132,7 @@ std::vector<Target> targets_of(const ImportRequest& request, const Found& found,
     targets.push_back({"-o", into_folder ? (fs::path(request.out) / (each.material.name + ".toml")).string()
                                          : request.out});
   if (!into_folder && found.size() > 1) {
-    errors.push_back(fmt::format("{}: has {} foams; give a folder with -o, or choose one with --material",
+    errors.push_back(fmt::format("{}: has {} foams; give a folder with -o, or select one with --material",
                                  request.files.front(), found.size()));
     targets.resize(1);
   }
@@ -142,21 +147,21 @@ std::string understood(const input::DeckMaterial& found) {
         if constexpr (SharesSlip<Law>) {
           const auto* const base = std::get_if<TableCurve>(&law.curves.base);
           const auto* const rates = std::get_if<CurvesRateEffect>(&law.curves.rate_effect);
-          text += base ? fmt::format("  law {}, {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
+          text += base ? fmt::format("  law {}, {} points up to a strain of {:g} ({:g} kPa) at {:g} 1/s\n",
                                      Law::name, base->strain.size(), base->strain.back(),
                                      base->stress.back() / 1000, law.curves.slowest_rate)
-                       : fmt::format("  law {}, a curve by coefficients at {:g} 1/s\n", Law::name,
+                       : fmt::format("  law {}, a curve given by coefficients, at {:g} 1/s\n", Law::name,
                                      law.curves.slowest_rate);
           if (rates)
             for (const auto& [rate, curve] : rates->curves)
-              text += fmt::format("  {} points up to a strain of {:g} and {:g} kPa at {:g} 1/s\n",
+              text += fmt::format("  {} points up to a strain of {:g} ({:g} kPa) at {:g} 1/s\n",
                                   curve.strain.size(), curve.strain.back(), curve.stress.back() / 1000, rate);
           if constexpr (std::is_same_v<Law, CrushableFoam>)
             text += fmt::format("  unloads with a modulus of {:g} MPa\n", law.unloading_modulus / 1e6);
           else if (law.unloading_curve)
             text += fmt::format("  unloads along a curve of {} points\n", law.unloading_curve->strain.size());
           else
-            text += fmt::format("  unloads with factor {:g} and shape {:g}\n", law.unloading_factor,
+            text += fmt::format("  unloads with a factor of {:g} and a shape of {:g}\n", law.unloading_factor,
                                 law.unloading_shape);
         } else if constexpr (std::is_same_v<Law, ViscoelasticFoam>) {
           text += fmt::format("  law {}, moduli {:g} and {:g} kPa, exponents {:g} and {:g}\n", Law::name,
@@ -187,7 +192,9 @@ int import_material(const ImportRequest& request) {
     if (auto table = taken(input::read_stress_tables(files, settings.rates, settings.columns), errors))
       found.push_back(*std::move(table));
   } else if (units) {
-    found = taken(input::read_material_deck(request.files.front(), *units), errors).value_or(Found());
+    const auto includes = request.allows_includes ? input::Includes::allowed : input::Includes::ignored;
+    found =
+        taken(input::read_material_deck(request.files.front(), *units, includes), errors).value_or(Found());
   }
   if (request.material && !found.empty()) keep_only(*request.material, found, errors);
   const std::vector<Target> targets = targets_of(request, found, errors);
@@ -236,20 +243,24 @@ void add_material(CLI::App& app, Action& action) {
 
 void add_material_import(CLI::App& material, Action& action) {
   const auto [sub, request] = add_subcommand<ImportRequest>(
-      material, action, "import", "Make a card from a solver's deck or a table of tests", import_footer,
-      import_material);
-  add_option(sub, "FILE", request.files, "LS-DYNA or Radioss deck, or tables of compression tests")
+      material, action, "import", "Make a card from another solver's deck or from tables of tests",
+      import_footer, import_material);
+  add_option(sub, "FILE", request.files, "LS-DYNA, Radioss or Abaqus deck, or tables of compression tests")
       ->required();
   add_deck_units(sub, request.units);
   add_option(sub, "--rate RATE", request.rates,
-             "Strain rate of a table with one test, such as \"0.01 1/s\"; for several tables, one for each");
-  add_option(sub, "--strain COLUMN", request.columns.strain, "Column of a table's strain or displacement");
-  add_option(sub, "--stress COLUMN", request.columns.stress, "Column of a table's stress or force");
-  add_option(sub, "--strain-unit UNIT", request.columns.strain_unit, "fraction, percent, or mm, ...");
-  add_option(sub, "--stress-unit UNIT", request.columns.stress_unit, "kPa, MPa, ..., or N, kN, ...");
-  add_option(sub, "--thickness LENGTH", request.thickness, "Thickness of the specimen, for a displacement");
-  add_option(sub, "--area AREA", request.area, "Area of the specimen, such as \"25 cm2\", for a force");
-  add_option(sub, "--material NAME", request.material, "One foam of a deck, by its number or name");
+             "Strain rate, such as \"0.01 1/s\", of a table with one test; one for each of several tables");
+  add_option(sub, "--strain COLUMN", request.columns.strain, "Strain or displacement column of a table");
+  add_option(sub, "--stress COLUMN", request.columns.stress, "Stress or force column of a table");
+  add_option(sub, "--strain-unit UNIT", request.columns.strain_unit,
+             "Strain or displacement unit, such as fraction, percent or mm");
+  add_option(sub, "--stress-unit UNIT", request.columns.stress_unit,
+             "Stress or force unit, such as kPa or N");
+  add_option(sub, "--thickness LENGTH", request.thickness, "Specimen thickness, needed for displacements");
+  add_option(sub, "--area AREA", request.area, "Specimen area, such as \"25 cm2\", needed for forces");
+  add_flag(sub, "--allow-includes", request.allows_includes,
+           "Also read the files that a deck includes from its own folder");
+  add_option(sub, "--material NAME", request.material, "Only this foam of a deck, by number or name");
   add_option(sub, "-o,--out FILE", request.out, "Output file or folder (default: standard output)");
   add_force(sub, request.force);
 }

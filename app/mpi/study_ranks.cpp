@@ -190,7 +190,7 @@ std::vector<std::string> differences(const Ranks& ranks, const study::Study& stu
   };
   const bool one_program = same(fmt::format("{} {}", version(), build_facts().git_commit));
   const bool one_text = same(study.text), one_study = same(study::resolved_text(study));
-  if (!one_program) return {"dashpad: its version or commit differs between ranks"};
+  if (!one_program) return {"dashpad: the version or commit differs between ranks"};
   if (!one_text) return {study_file + ": differs between ranks"};
   if (one_study) return {};
   return {study_file + ": its base case, or a card or a data file that it names, differs between ranks"};
@@ -236,7 +236,7 @@ int run_on_ranks(const StudyRequest& request) {
   std::optional<study::Store> store;
   const auto read = [&] {
     if (request.threads > 1)
-      throw Refused({"--threads: under mpirun each rank computes on one core; choose the number of ranks"});
+      throw Refused({"--threads: under mpirun, each rank computes on one core; set the number of ranks"});
     study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
   };
   // Other ranks end with 0, because mpirun ends all at the first other exit code, before the message is out.

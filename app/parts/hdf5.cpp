@@ -20,7 +20,7 @@ class Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close closed_by) : id_(id), close_(closed_by) {
-    if (id < 0) throw std::runtime_error("HDF5 cannot write");
+    if (id < 0) throw std::runtime_error("HDF5 reported an error");
   }
   ~Handle() {
     if (id_ >= 0) close_(id_);
@@ -33,7 +33,7 @@ class Handle {
   /// Closes now, so that a failure is noticed.
   void close() { check(close_(std::exchange(id_, -1))); }
   static void check(herr_t result) {
-    if (result < 0) throw std::runtime_error("HDF5 cannot write to the disk");
+    if (result < 0) throw std::runtime_error("HDF5 could not write to the disk");
   }
 
  private:
@@ -111,11 +111,11 @@ class Columns {
     const auto add = [&](const char* name, const char* meaning, hid_t type) {
       columns_.emplace_back(about, study::StoredColumn{name, "", meaning}, type, rows);
     };
-    add("row", "number of the row", H5T_STD_I64LE);
-    add("status", "outcome; its names are in status_names", H5T_STD_U8LE);
+    add("row", "row number", H5T_STD_I64LE);
+    add("status", "outcome; the names are in status_names", H5T_STD_U8LE);
     add("extrapolated", "beyond the range of the fit: 0 or 1", H5T_STD_U8LE);
     add("extrapolated_strain", "extrapolated in strain, where the stress is a guess: 0 or 1", H5T_STD_U8LE);
-    add("extrapolated_rate", "extrapolated in rate, where the stress follows from the law alone: 0 or 1",
+    add("extrapolated_rate", "extrapolated in rate, where the stress rests on the law alone: 0 or 1",
         H5T_STD_U8LE);
     add("bottomed", "pad fully compressed: 0 or 1", H5T_STD_U8LE);
     add("error", "largest relative error estimate", H5T_IEEE_F64LE);

@@ -36,7 +36,7 @@ const Part& part() {
     if (library == nullptr)
       throw std::runtime_error("this needs " + file.string() + ", which cannot be loaded: " + ::dlerror());
     const auto entry = reinterpret_cast<const Part* (*)()>(::dlsym(library, "dashpad_part"));
-    if (entry == nullptr) throw std::runtime_error(file.string() + " is not part of dashpad");
+    if (entry == nullptr) throw std::runtime_error(file.string() + " is not a part of dashpad");
     return entry();
   }();
   return *loaded;

@@ -24,7 +24,7 @@ int run_on_ranks(const StudyRequest&) {
   ::execv(running_executable().replace_filename("dashpad-mpi").c_str(), arguments.data());
   if (errno != ENOENT) throw std::system_error(errno, std::generic_category(), "dashpad-mpi");
   throw Refused(
-      {"this dashpad was built without MPI and cannot run under mpirun; build it where an MPI is "
+      {"this dashpad was built without MPI and cannot run under mpirun; build it where MPI is "
        "installed (Debian: libopenmpi-dev)"});
 }
 

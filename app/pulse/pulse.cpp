@@ -25,47 +25,48 @@ constexpr const char* pulse_footer = R"(Examples:
   dashpad pulse drop.csv --time 1 --acceleration 3 --time-unit ms --acceleration-unit g
   dashpad pulse head.csv --resultant --filter CFC1000     x, y and z each filtered, then combined
   dashpad pulse drop.csv --zero auto --drop-height "1.5 m"
-                                                          subtract the offset; restitution, and a check
+                                                          subtract the offset, find the restitution, check the pulse
   dashpad pulse logger.csv --interval "0.1 ms" --sensitivity "10 mV/g"
                                                           one column, in mV
   dashpad pulse drop.csv --report drop.html               a page: figures, curve, basis
   dashpad pulse drop.csv --drop-height "1.5 m" --standard en-1177 --position centre --report drop.html
                                                           compare with the limits of a standard
   dashpad pulse drop1.csv drop2.csv drop3.csv --report drops.html
-                                                          several drops: mean, deviation, overlaid curves
-  dashpad pulse test.zip --list                           the channels of a test in ISO-MME
+                                                          several drops: mean, standard deviation, overlaid curves
+  dashpad pulse test.zip --list                           the channels of an ISO-MME test
   dashpad pulse test.zip --channel "11HEAD0000??AC?A" --resultant --picture head.svg
   dashpad run examples/dashboard-20mph.toml --csv - > run.csv && dashpad pulse run.csv
 
-FILE is a table (CSV: commas, semicolons, tabs or blanks), or a test in ISO-MME: its folder, its .mme file, or a zip
-or tar of it. Units are taken from the file or the command line and never guessed; g is standard gravity. Repairs
-are reported as REMARK; gaps, text and times that run backwards are rejected; --bridge-gaps interpolates linearly
-where times are missing; --from and --to select a part. LabVIEW files (.lvm), reports of Abaqus (.rpt) and times of
-day are tables as well. docs/pulses.md gives the rules.
+FILE is a table (CSV, separated by commas, semicolons, tabs or blanks) or an ISO-MME test (its folder, its .mme file,
+or a zip or tar archive of it). Units are taken from the file or the command line and never guessed; g is standard
+gravity. Repairs are reported as remarks (REMARK); gaps, text and times that run backwards are rejected; --bridge-gaps
+interpolates linearly where times are missing; --from and --to select a part of the record. LabVIEW files (.lvm),
+Abaqus reports (.rpt) and tables with times of day can also be read. docs/pulses.md gives the rules.
 
-Offset: the reading of the sensor in the quiet part before the impact is reported, with its effect on HIC15.
---zero subtracts it, for each direction separately and before any filter: "--zero auto" subtracts the mean of the
-quiet part, "--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
+Offset: the sensor reading in the quiet part before the impact is reported, with its effect on HIC15. --zero subtracts
+it, for each direction separately and before any filtering: "--zero auto" subtracts the mean of the quiet part,
+"--zero '0 ms,5 ms'" the mean from 0 to 5 ms.
 
-Checks: PULSE CUT means that the pulse starts or ends above 1 % of its peak; its HIC and clips are then lower
-bounds. With --speed or --drop-height the velocity change must lie between v and 2v, otherwise the pulse is flagged
-IMPOSSIBLE VELOCITY CHANGE; the restitution is (velocity change - v) / v. With --drop-height the contribution of
-gravity during contact is subtracted first.
+Checks: PULSE CUT means that the pulse starts or ends above 1 % of its peak; its HIC and clips are then lower bounds.
+With --speed or --drop-height, the velocity change must lie between v and 2v, where v is the impact speed; otherwise,
+the pulse is flagged IMPOSSIBLE VELOCITY CHANGE. The restitution is (velocity change - v) / v. With --drop-height, the
+contribution of gravity during contact is subtracted first.
 
-Uncertainty: given for peak, HIC and similar figures, k = 2. It includes the effect of the sample interval, that of
-the filter compared with the next higher class, and that of the sensor's calibration (--calibration "2 %").
+Uncertainty: given for the peak, HIC and similar figures, with coverage factor k = 2. It includes the effects of the
+sample interval, the filter (compared with the next higher class) and the sensor calibration (--calibration "2 %").
 
-Figures: the peak; HIC15, HIC36, unlimited HIC, and those of --window; HIC(d); the 3 ms clip,
-uninterrupted and cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or the levels of --dwell; the
-velocity change over contact. They are those of the pulse as measured, or as filtered by --filter. The directions of
-a resultant are filtered separately, then combined. A filter needs evenly spaced samples; others are resampled by
-linear interpolation, at their shorter intervals or at that of --resample.
+Figures: the peak; HIC15, HIC36, unlimited HIC, and HIC for the windows of --window; HIC(d); the 3 ms clip,
+uninterrupted and cumulative; Gadd's severity index; the time above 80, 150 and 200 g, or above the levels of --dwell;
+the velocity change during contact. They are computed from the pulse as measured or, with --filter, as filtered. The
+directions of a resultant are filtered separately, then combined. A filter needs evenly spaced samples; uneven samples
+are first resampled by linear interpolation, at the interval of --resample (default: the 5th percentile of their own
+intervals).
 
-Files: - as FILE of --json or --csv is standard output; the text then goes to standard error. An existing file is
+Files: - as FILE of --json or --csv means standard output; the text then goes to standard error. An existing file is
 not overwritten unless --force is given. A file is written completely or not at all.
 
-Exit codes: 0 success, 1 a result could not be written, 2 invalid input or command line and nothing was written.
-With --standard: 4 if a limit is exceeded, else 3 if one lies within the uncertainty of the measurement.)";
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input or command line (nothing was written). With
+--standard: 4 if a limit is exceeded, otherwise 3 if a limit lies within the uncertainty of the measurement.)";
 
 /// The request for all files.
 struct PulsesRequest {
@@ -170,20 +171,20 @@ void add_pulse(CLI::App& app, Action& action) {
       app, action, "pulse", "Compute injury metrics from a measured acceleration pulse (CSV, ISO-MME)",
       pulse_footer, show_pulses);
   PulseRequest& each = request.each;
-  add_option(sub, "FILE", request.files, "Tables, or tests in ISO-MME")->required();
+  add_option(sub, "FILE", request.files, "Tables or ISO-MME tests")->required();
   add_source_options(sub, each);
-  CLI::Option* list = add_flag(sub, "--list", each.list, "List the columns or channels, and do nothing else");
+  CLI::Option* list = add_flag(sub, "--list", each.list, "List the columns or channels, and exit");
   add_processing_options(sub, each);
   add_figure_options(sub, each);
   add_option(sub, "--standard NAME[:VARIANT]", request.standard,
-             "Compare the figures with the limits of a preset (dashpad standards lists them)")
+             "Compare the figures with the limits of this standard (see dashpad standards)")
       ->excludes(list);
   add_standard_folder(sub, request.standard_folder);
   OutputFiles& written = request.written;
-  add_file(sub, written, "--json", "Write figures and processing as JSON (- for standard output)")
+  add_file(sub, written, "--json", "Write the figures and the processing as JSON (- for standard output)")
       ->excludes(list);
   add_file(sub, written, "--csv",
-           "Write the pulse that the figures are computed from as CSV (- for standard output)")
+           "Write the pulse from which the figures are computed, as CSV (- for standard output)")
       ->excludes(list);
   add_file(sub, written, "--picture", "Draw the pulse (.svg, .png, .pdf)")->excludes(list);
   for (CLI::Option* document : add_documents(sub, written)) document->excludes(list);

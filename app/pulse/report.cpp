@@ -85,7 +85,7 @@ injury::PulseReport pulse_report(
   }
   judge(files, errors);
   if (!errors.empty()) throw Refused(std::move(errors));
-  waiting.now(fmt::format("Computing figures of {} samples", report.measured.pulse.time.size()));
+  waiting.now(fmt::format("Computing figures from {} samples", report.measured.pulse.time.size()));
   const std::optional<injury::SensorOffset> offset = offset_of(request, settings, report.measured, errors);
   if (report.filter && !settings.interval)
     report.resampled_to = settings.interval = injury::resampling_for_filter(report.measured);

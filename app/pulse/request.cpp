@@ -66,7 +66,7 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
   input::CutTimes& cut = settings.source.cut;
   cut = {quantity_of("--from", request.from, "s", errors), quantity_of("--to", request.to, "s", errors)};
   if (cut.from && cut.to && !(*cut.from < *cut.to))
-    errors.push_back(fmt::format("--to {}: must be later than --from, {}", *request.to, *request.from));
+    errors.push_back(fmt::format("--to {}: must be later than --from {}", *request.to, *request.from));
   if (request.zero) try {
       settings.zero_interval = input::interval_of_zero(*request.zero);
     } catch (const UnitError& error) {
@@ -93,9 +93,9 @@ PulseSettings settings_of(const PulseRequest& request, std::vector<std::string>&
     try {
       settings.levels.push_back(level_of(text));
       if (!(settings.levels.back() >= 0))
-        errors.push_back(fmt::format("--dwell {}: must not be less than 0", text));
+        errors.push_back(fmt::format("--dwell {}: must be at least 0", text));
     } catch (const UnitError& error) {
-      errors.push_back(fmt::format("--dwell {}: {}; a number alone is in g", text, error.what()));
+      errors.push_back(fmt::format("--dwell {}: {}; a number without a unit is in g", text, error.what()));
     }
   }
   if (request.dwells.empty())
@@ -109,19 +109,18 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
     if (given) errors.push_back(option + ": " + rule);
   };
   if (is_test) {
-    const std::string rule =
-        "applies only to tables; a test in ISO-MME has channels, see --list and --channel";
+    const std::string rule = "applies only to tables; an ISO-MME test has channels: see --list and --channel";
     say(!request.source.time.empty(), "--time", rule);
     say(!request.source.acceleration.empty(), "--acceleration", rule);
     say(!request.source.time_unit.empty(), "--time-unit",
-        "applies only to tables; in ISO-MME times are in s");
+        "applies only to tables; in ISO-MME, times are in s");
     say(request.interval.has_value(), "--interval",
-        "applies only to tables; a test in ISO-MME states its times");
+        "applies only to tables; an ISO-MME test states its times");
   } else {
-    const std::string only_tests = "applies only to ISO-MME; a table has columns, see --acceleration";
+    const std::string only_tests = "applies only to ISO-MME; a table has columns: see --acceleration";
     say(!request.source.channel.empty(), "--channel", only_tests);
     say(!request.source.test.empty(), "--test", only_tests);
-    const std::string rule = "applies only to a table with times; with --interval no times are read";
+    const std::string rule = "applies only to a table with times; with --interval, no times are read";
     say(request.interval && !request.source.time.empty(), "--time", rule);
     say(request.interval && !request.source.time_unit.empty(), "--time-unit", rule);
     say(request.interval && request.source.bridge_gaps, "--bridge-gaps", rule);
@@ -135,7 +134,7 @@ void add_source_options(CLI::App& sub, PulseRequest& request) {
   add_option(sub, "--time COLUMN", request.source.time,
              "Time column: its name, or its number, counting from 1");
   add_option(sub, "--acceleration COLUMN", request.source.acceleration,
-             "Column of the acceleration; up to three with --resultant");
+             "Acceleration column: its name or number; up to three with --resultant");
   add_option(sub, "--time-unit UNIT", request.source.time_unit, "Unit of the times, such as ms");
   add_option(sub, "--acceleration-unit UNIT", request.source.acceleration_unit,
              "Unit of the acceleration, such as g or m/s2");
@@ -144,48 +143,48 @@ void add_source_options(CLI::App& sub, PulseRequest& request) {
   add_flag(sub, "--bridge-gaps", request.source.bridge_gaps,
            "Interpolate linearly where the times show that samples are missing");
   add_option(sub, "--interval TIME", request.interval,
-             "Time between two samples of a table without times, such as \"0.1 ms\"");
+             "Time between samples, such as \"0.1 ms\", for a table without times");
   add_option(sub, "--sensitivity VALUE", request.sensitivities,
-             "Sensor sensitivity, for columns in V or mV, such as \"10 mV/g\"; one for all directions, or "
+             "Sensor sensitivity, such as \"10 mV/g\", for columns in V or mV; one for all directions, or "
              "one for each");
-  add_option(sub, "--from TIME", request.from, "Use only the samples from this time on, such as \"300 ms\"");
-  add_option(sub, "--to TIME", request.to, "Use only the samples up to this time");
+  add_option(sub, "--from TIME", request.from, "First time to use, such as \"300 ms\"");
+  add_option(sub, "--to TIME", request.to, "Last time to use");
   add_option(sub, "--test NAME", request.source.test,
-             "Test in a folder or archive with several ISO-MME tests");
+             "Name of the test, if a folder or archive contains several ISO-MME tests");
   add_option(sub, "--channel CODE", request.source.channel,
              "Channel of an ISO-MME test: its number, or its code with ? for any character");
 }
 
 void add_processing_options(CLI::App& sub, PulseRequest& request) {
   add_option(sub, "--zero BEGIN,END", request.zero,
-             "Subtract the sensor's offset first: the mean from BEGIN to END, such as \"0 ms,5 ms\", or "
-             "\"auto\" for the quiet part before the impact");
+             "Subtract the sensor's offset first: its mean over an interval, such as \"0 ms,5 ms\", or "
+             "\"auto\" for the mean over the quiet part before the impact");
   add_option(sub, "--filter CLASS", request.filter, "CFC60, CFC180, CFC600 or CFC1000 (default: none)")
       ->check(CLI::IsMember({"CFC60", "CFC180", "CFC600", "CFC1000"}));
   add_option(sub, "--corner NAME", request.corner,
-             "Corner frequency of the filter: sae (J211, default) or iso (6487)")
+             "Corner frequency of the filter: sae (SAE J211, default) or iso (ISO 6487)")
       ->check(CLI::IsMember({"sae", "iso"}));
   add_option(
       sub, "--ends NAME", request.ends,
-      "Pulse beyond its ends, for the filter: mirrored (default), held, mirrored-from-mean, negated-before")
+      "Extension of the pulse for the filter: mirrored (default), held, mirrored-from-mean, negated-before")
       ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}));
   add_option(sub, "--resample INTERVAL", request.resample,
-             "Resample at this interval first, such as \"0.1 ms\"");
+             "Interval, such as \"0.1 ms\", at which the pulse is first resampled");
   add_option(sub, "--speed SPEED", request.speed,
              "Impact speed, such as \"5 m/s\", for the restitution and a check of the pulse");
   add_option(sub, "--drop-height LENGTH", request.drop_height,
-             "Height of free fall instead of the speed, such as \"1.5 m\"");
+             "Free-fall height, such as \"1.5 m\", instead of the speed");
 }
 
 void add_figure_options(CLI::App& sub, PulseRequest& request) {
-  add_option(
-      sub, "--calibration SHARE", request.calibration,
-      "Uncertainty of the sensor's calibration, k = 2, such as \"2 %\", for the uncertainty of the figures");
-  add_option(sub, "--position TEXT", request.position, "Place of the impact on the pad, as free text");
+  add_option(sub, "--calibration SHARE", request.calibration,
+             "Calibration uncertainty of the sensor (k = 2), such as \"2 %\"; included in the uncertainty of "
+             "the figures");
+  add_option(sub, "--position TEXT", request.position, "Location of the impact on the pad, as free text");
   add_option(sub, "--date TEXT", request.date, "Date of the measurement, as free text");
   add_option(sub, "--note TEXT", request.note,
-             "Further remarks for the page: surface, temperature, operator");
-  add_option(sub, "--window MS", request.windows_ms, "Add the HIC with windows of at most MS");
+             "Further remarks for the page, such as surface, temperature or operator");
+  add_option(sub, "--window MS", request.windows_ms, "Add the HIC for windows of at most MS milliseconds");
   add_option(sub, "--dwell LEVEL", request.dwells,
              "Give the time above LEVEL, in g (default: 80, 150 and 200)");
 }

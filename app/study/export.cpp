@@ -26,14 +26,14 @@ constexpr const char* study_export_footer = R"(Examples:
   dashpad study export rows.db --hdf5 rows.h5
   dashpad study export rows.db --csv - | head
 
-Writes all computed rows in the order of their numbers: status, error, factors and responses, in SI with
-accelerations in g; the names include the unit. Values that an impact does not have are empty in CSV and NaN in
-HDF5. Memory use does not depend on the number of rows.
+Writes all computed rows in order of row number: status, error, factors and responses, in SI units with accelerations
+in g; the column names include the units. Values that an impact does not have are empty in CSV and NaN in HDF5. Memory
+use does not depend on the number of rows.
 
-Files: - as the FILE of --csv is standard output. An existing file is not overwritten unless --force is given. A
-file is written completely or not at all.
+Files: - as FILE of --csv means standard output. An existing file is not overwritten unless --force is given. A file
+is written completely or not at all.
 
-Exit codes: 0 success, 1 a file could not be written, 2 invalid input and nothing was written.)";
+Exit codes: 0 success, 1 a file could not be written, 2 invalid input (nothing was written).)";
 
 struct StudyExportRequest {
   std::string store_file;
@@ -84,7 +84,7 @@ int run_export(const StudyExportRequest& request) {
   const study::Store store = open_stored(request.store_file);
   std::vector<std::string> errors;
   judge_files(request.files, files_of_store(request.store_file), errors);
-  if (request.files.targets().empty()) errors.emplace_back("--csv or --hdf5: one of them is needed");
+  if (request.files.targets().empty()) errors.emplace_back("--csv or --hdf5: at least one is required");
   if (const std::string& file = request.files.of("--hdf5"); file == "-" || is_device(file))
     errors.push_back(fmt::format("--hdf5 {}: needs the name of a file", file));
   if (!errors.empty()) throw Refused(std::move(errors));

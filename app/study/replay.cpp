@@ -22,11 +22,11 @@ constexpr const char* study_replay_footer = R"(Examples:
   dashpad study replay replayed.db 17 --units us --csv row-17.csv --png row-17.png
   dashpad study replay replayed.db 17 --report row-17.html
 
-Rows are numbered from 0. The store contains everything that the row depends on; neither the study file nor
-material cards are needed. The row is solved again, and its responses are compared with the stored ones.
+Rows are numbered from 0. The store contains everything that the row depends on; neither the study file nor any
+material card is needed. The row is solved again, and its responses are compared with the stored ones.
 
-Exit codes: 0 success, the stored responses were reproduced; 1 a result could not be written; 2 invalid input,
-nothing was run; 3 the row misses the tolerance, or its stored responses were not reproduced.)";
+Exit codes: 0 success, the stored responses were reproduced; 1 a result could not be written; 2 invalid input
+(nothing was run); 3 the row does not meet the tolerance, or its stored responses were not reproduced.)";
 
 struct StudyReplayRequest {
   std::string store_file;
@@ -111,8 +111,8 @@ std::string heading(const Replay& replay, const study::Store& store, const UnitS
 
 std::string verdict(const std::vector<std::string>& differences, const study::Store& store) {
   if (differences.empty()) return "\nThe stored responses were reproduced to the last bit.\n";
-  std::string text = fmt::format("\nDIFFERENT: the stored responses, of Dashpad {}, were not reproduced:\n",
-                                 store.program());
+  std::string text =
+      fmt::format("\nDIFFERENT: the responses stored by Dashpad {} were not reproduced:\n", store.program());
   for (const std::string& line : differences) text += "  " + line + "\n";
   return text;
 }
@@ -135,7 +135,7 @@ void add_study_replay(CLI::App& study, Action& action) {
   const auto [sub, request] = add_subcommand<StudyReplayRequest>(
       study, action, "replay", "Solve one row again, with its full history", study_replay_footer, run_replay);
   add_option(sub, "FILE", request.store_file, "The store of a study")->required();
-  add_option(sub, "ROW", request.row, "Number of the row, from 0")->required();
+  add_option(sub, "ROW", request.row, "Row number, counting from 0")->required();
   add_result_files(sub, request.files);
   add_force(sub, request.files.force);
 }

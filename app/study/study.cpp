@@ -41,13 +41,13 @@ constexpr const char* study_footer = R"(Examples:
 A study file names a base case, factors that vary (lists, ranges, distributions) and the responses to keep. The
 same study gives the same rows on any number of cores or machines. The store is an SQLite file.
 
-After an interruption (Ctrl-C, SIGTERM, a crash, a full disk) the same command continues where it stopped; no row
-is lost and none is computed twice. While it runs, summary, export and any SQLite tool can read the completed rows.
-Under mpirun each rank computes on one core. See docs/studies.md.
+To resume after an interruption (Ctrl-C, SIGTERM, a crash, a full disk), run the same command again; no row is lost
+and none is computed twice. During the run, summary, export and any SQLite tool can read the completed rows. Under
+mpirun, each rank computes on one core. See docs/studies.md.
 
-Exit codes: 0 all rows are complete, 1 a result could not be written, 2 invalid input and nothing was run, 3 all
-rows are complete but some are doubtful (tolerance missed, no valid case, a figure missing), 130 or 143 stopped by
-Ctrl-C or SIGTERM: the same command continues.)";
+Exit codes: 0 all rows are complete, 1 a result could not be written, 2 invalid input (nothing was run), 3 all rows
+are complete but some are doubtful (tolerance not met, no valid case, or a figure missing), 130 or 143 stopped by
+Ctrl-C or SIGTERM (run the same command again to resume).)";
 
 /// Whether mpirun or a batch system started this process as one of several ranks. Asks the environment, so
 /// that a plain command never loads MPI.
@@ -102,7 +102,7 @@ int finish_study(const study::Store& store, const StudyRequest& request, std::ui
   const std::uint64_t rows = store.rows_done();
   const auto computed = static_cast<double>(rows - rows_before);
   if (!complete) {
-    write_error(fmt::format("Stopped with {} rows in {}. The same command continues from there.\n", rows,
+    write_error(fmt::format("Stopped with {} rows in {}. Run the same command again to resume.\n", rows,
                             request.store_file));
     return StopSignal::exit_code();
   }
@@ -128,7 +128,7 @@ void add_study(CLI::App& app, Action& action) {
   add_option(*sub, "--threads N", request->threads, "Number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
   add_flag(*sub, "--extend", request->extend,
-           "Take up the store of this study with fewer draws, and compute only those that it lacks");
+           "Extend this study's store, made with fewer draws, by computing only the missing draws");
   add_flag(*sub, "--quiet", request->quiet, "Do not show progress");
   add_material_folder(*sub, request->materials);
   sub->require_subcommand(0, 1);

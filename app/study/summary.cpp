@@ -44,9 +44,9 @@ constexpr const char* study_summary_footer = R"(Examples:
 
 Gives means, quantiles and the probability of exceeding a limit, all with 95 % intervals; Sobol' indices if the
 study has indices = true; cushion curves if it varies mass, speed and thickness. Combinations of levels are kept
-separate. Rows in which the pad bottomed out on a rigid support count as above every limit on force, clips and
-HIC. An interrupted study is summarised as far as it has been computed. docs/studies.md explains how far to trust
-the results.
+separate. Rows in which the pad bottomed out on a rigid support are treated as exceeding every limit on force,
+clips and HIC. The summary of an interrupted study covers the rows computed so far. docs/studies.md explains how
+far to trust the results.
 
 Exit codes: 0 success, 1 a result could not be written, 2 invalid input.)";
 
@@ -62,7 +62,7 @@ std::string response_rule(const std::string& name, const study::Store& store) {
   if (response_of(name, store) != nullptr) return "";
   std::vector<std::string> names;
   for (const study::StoredColumn& response : store.responses()) names.push_back(response.name);
-  return "is not a response of this study; it has " + input::listing(names);
+  return "is not a response of this study; available: " + input::listing(names);
 }
 
 /// A limit such as "hic15 > 1000" or "peak_force = 5 kN"; absent after an error.
@@ -73,7 +73,8 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
     return std::nullopt;
   };
   const std::size_t sign = text.find_first_of(">=");
-  if (sign == std::string::npos) return refuse("must be a response, > and a value, such as \"hic15 > 1000\"");
+  if (sign == std::string::npos)
+    return refuse("must consist of a response, > and a value, as in \"hic15 > 1000\"");
   const std::string name = std::string(input::without_blanks(text.substr(0, sign)));
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   const std::string value = text.substr(sign + 1);
@@ -108,8 +109,8 @@ std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answ
     return output::picture(output::study_plot(answers, unit_system(files.units)),
                            *output::picture_format(file));
   } catch (const std::invalid_argument&) {
-    throw Refused(
-        {fmt::format("--picture {}: there is nothing to draw; --report has all figures of the study", file)});
+    throw Refused({fmt::format(
+        "--picture {}: there is nothing to draw; --report shows all figures of the study", file)});
   }
 }
 
@@ -138,12 +139,12 @@ int summarise(const StudySummaryRequest& request) {
 
 void add_study_summary(CLI::App& study, Action& action) {
   const auto [sub, request] = add_subcommand<StudySummaryRequest>(
-      study, action, "summary", "Distributions, probabilities, sensitivities, cushion curves",
+      study, action, "summary", "Show distributions, probabilities, sensitivities and cushion curves",
       study_summary_footer, summarise);
   add_option(sub, "FILE", request.store_file, "The store of a study")->required();
   add_option(sub, "--response NAME", request.responses, "Only this response; may be repeated")->take_all();
   add_option(sub, "--limit LIMIT", request.limits,
-             "Probability of exceeding this limit: \"hic15 > 1000\" or hic15=1000; may be repeated")
+             "Give the probability of exceeding this limit, \"hic15 > 1000\" or hic15=1000; may be repeated")
       ->take_all();
   add_documents(sub, request.files);
   add_file(sub, request.files, "--json",

@@ -162,7 +162,7 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
      .bounds = in_words(0, infinite, "more than 0", false),
      .instead_of = "impactor.speed",
      .meaning = "drop height",
-     .what_follows = "the speed of the fall",
+     .what_follows = "the speed after the fall",
      .get =
          [](const ImpactCase& impact) {
            return std::pow(impact.impactor.speed, 2) / (2 * gravity_of_fall(impact));
@@ -173,6 +173,26 @@ constexpr std::array<OtherWay, 2> all_other_ways{{
                std::copysign(std::sqrt(2 * gravity_of_fall(impact) * std::abs(value)), value);
          }},
 }};
+
+/// The area that a flat nose loads, m2: its tip, or the pad if that is smaller; 0 for other noses.
+double loaded_area(const ImpactCase& impact) {
+  const double tip = sections_of(impact).tip;
+  return impact.pad.area ? std::min(tip, *impact.pad.area) : tip;
+}
+
+/// Adds the static stress, M g / A, in place of the mass, for a flat nose: A is the area that it loads.
+void add_static_stress(const ImpactCase& base, std::vector<CaseQuantity>& into) {
+  if (!(loaded_area(base) > 0)) return;
+  into.push_back(
+      {.key = static_stress,
+       .unit = "Pa",
+       .get =
+           [](const ImpactCase& impact) {
+             return impact.impactor.mass * standard_gravity / loaded_area(impact);
+           },
+       .set = [](ImpactCase& impact,
+                 double value) { impact.impactor.mass = value * loaded_area(impact) / standard_gravity; }});
+}
 
 template <class Owner>
 void add_fields(const std::string& table, std::vector<CaseField>& into) {
@@ -190,6 +210,7 @@ CaseQuantities quantities_of(const ImpactCase& base) {
   add_parameters<Impactor>(
       base, "impactor.", [](auto& impact) -> auto& { return impact.impactor; }, none, all);
   for (const OtherWay& way : other_ways()) all.push_back({way.key, way.unit, way.get, way.set});
+  add_static_stress(base, all);
   add_alternative(
       base, "impactor.", [](auto& impact) -> auto& { return impact.impactor.nose; }, all);
   add_pad(base, all);

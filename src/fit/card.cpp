@@ -31,7 +31,7 @@ std::string impact_words(const ImpactMeasurement& impact, const FitReport& repor
   words += fmt::format("{}pulse {}", words.empty() ? "" : "; ", impact.pulse->file);
   for (const MetPulse& met : report.pulses)
     if (met.file == impact.file && met.pulse_file == impact.pulse->file && met.rms) {
-      words += fmt::format(", rms {:.2g} % of its peak", 100 * *met.rms / met.measured_peak);
+      words += fmt::format(", rms deviation {:.2g} % of its peak", 100 * *met.rms / met.measured_peak);
       break;
     }
   return words;
@@ -47,10 +47,10 @@ std::string origin_of(const Fit& fit, const FitReport& report) {
   std::string origin =
       fmt::format("dashpad fit to {}; misfit {:.3g} per degree of freedom{}", fmt::join(parts, "; "),
                   report.misfit_per_degree(),
-                  report.noise_is_stated ? "" : ", by construction: the noise was not stated");
+                  report.noise_is_stated ? "" : " by construction, since the noise was not stated");
   const Material& base = fit.base.pad.material;
   if (is_stated(base) && !base.source.empty() && !base.name.empty())
-    origin += fmt::format("; the rest from {}: {}", base.name, base.source);
+    origin += fmt::format("; all other values from {}: {}", base.name, base.source);
   return origin;
 }
 

@@ -149,7 +149,7 @@ Minimum search(const Fit& fit, const Problem& problem, const LeastSquares& resid
                FitReport& report) {
   const std::vector<std::vector<double>> starts = starts_of(fit, problem, residuals);
   std::vector<Minimum> found(starts.size());
-  session.begin("Searching from several starts", starts.size());
+  session.begin("Searching from several starting points", starts.size());
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     found[i] =
         session.piece(fmt::format("start {}", i), [&] { return minimise(residuals, starts[i], coarse); });

@@ -98,7 +98,7 @@ std::vector<PredictedFigure> predicted_figures(const Fit& fit, const Problem& pr
     else
       fitted.push_back(i);
   const std::size_t groups = fitted.size() < 2 ? 0 : std::min(fitted.size(), max_left_out);
-  session.begin("Leaving out each impact", groups);
+  session.begin("Leaving out one impact at a time", groups);
   tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t group) {
     Fit rest = fit;
     for (std::size_t k = group; k < fitted.size(); k += groups) rest.impacts[fitted[k]].is_held_out = true;

@@ -28,7 +28,7 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   if (!has(fit.base)) {
     broken.push_back({key, no_value,
                       unknown.key == "pad.material"
-                          ? "is not a number; its entries are, such as pad.curve.modulus"
+                          ? "is not a number; fit one of its entries, such as pad.curve.modulus"
                           : study::rule_for_unknown(unknown.key, fit.base)});
     return;
   }
@@ -36,15 +36,14 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
     broken.push_back({key, no_value, "is given twice"});
   if (!study::is_of_law(unknown.key) && !has_fitted(fit.impacts))
     broken.push_back({key, no_value,
-                      "is not a parameter of the pad's law; material tests determine only those, so it needs "
-                      "[[impacts]]"});
+                      "is not a parameter of the pad's law, and material tests determine only those; it "
+                      "needs [[impacts]]"});
   for (const ImpactMeasurement& impact : fit.impacts) {
     ImpactCase impact_case = impact.impact;
     impact_case.pad.material = fit.base.pad.material;
     if (!has(impact_case))
       broken.push_back(
-          {key, no_value,
-           impact.file + " has no such quantity: " + study::rule_for_unknown(unknown.key, impact_case)});
+          {key, no_value, study::rule_for_unknown(unknown.key, impact_case) + " (in " + impact.file + ")"});
   }
 }
 
@@ -69,21 +68,22 @@ void check_numbers_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
   if (!(std::isfinite(unknown.lowest) && std::isfinite(unknown.highest) && unknown.lowest < unknown.highest))
     return add(".bounds", unknown.lowest, "must be two values, the lower one first");
   if (unknown.is_logarithmic && !(unknown.lowest > 0))
-    return add(".scale", no_value, "needs bounds above 0 for \"log\"");
+    return add(".scale", no_value, "\"log\" needs bounds above 0");
   for (const double bound : {unknown.lowest, unknown.highest})
     if (const std::string rule = rule_at(fit, unknown, bound); !rule.empty())
       add(".bounds", bound,
-          fmt::format("the {} bound {:.6g}: {}", bound == unknown.lowest ? "lower" : "upper", bound, rule));
+          fmt::format("the {} bound, {:.6g}, is not allowed: {}", bound == unknown.lowest ? "lower" : "upper",
+                      bound, rule));
   const auto inside = [&](double value) { return value >= unknown.lowest && value <= unknown.highest; };
   if (!inside(unknown.start))
     add(".start", unknown.start,
-        fmt::format("the starting value {:.6g} must lie within the bounds, {:.6g} to {:.6g}", unknown.start,
+        fmt::format("the starting value, {:.6g}, must lie within the bounds, {:.6g} to {:.6g}", unknown.start,
                     unknown.lowest, unknown.highest));
   if (!unknown.prior) return;
   if (!(unknown.prior->deviation > 0)) add(".prior", unknown.prior->deviation, "needs a deviation above 0");
   if (!inside(unknown.prior->mean))
     add(".prior", unknown.prior->mean,
-        fmt::format("its mean {:.6g} must lie within the bounds, {:.6g} to {:.6g}", unknown.prior->mean,
+        fmt::format("its mean, {:.6g}, must lie within the bounds, {:.6g} to {:.6g}", unknown.prior->mean,
                     unknown.lowest, unknown.highest));
 }
 
@@ -101,15 +101,15 @@ void check_amount(const Fit& fit, Broken& broken) {
     if (!impact.is_held_out) data += impact.figures.size() + (impact.pulse ? impact.pulse->time.size() : 0);
   if (data == 0) {
     broken.push_back(
-        {"tests", no_value, "there is nothing to fit: give [[tests]] or [[impacts]] that are not held out"});
+        {"tests", no_value, "there are no data to fit: give [[tests]] or [[impacts]] that are not held out"});
     return;
   }
   for (const Unknown& unknown : fit.unknowns) data += unknown.prior ? 1 : 0;
   if (data < unknowns)
     broken.push_back({"unknowns", no_value,
-                      fmt::format("there are {}, including offsets and shifts, but only {} measured "
-                                  "numbers and priors: at least as many data are needed",
-                                  unknowns, data)});
+                      fmt::format("the number of measured values and priors, {}, must be at least the number "
+                                  "of unknowns, {}, offsets and shifts included",
+                                  data, unknowns)});
 }
 
 bool is_of_the_rate(const std::string& key) {
@@ -132,8 +132,8 @@ void check_rates(const Fit& fit, Broken& broken) {
     if (is_of_the_rate(unknown.key) && !unknown.prior)
       broken.push_back(
           {"unknowns." + unknown.key, no_value,
-           fmt::format("all tests have the same rate, {:.3g} 1/s: they contain no information on its effect; "
-                       "leave the unknown fixed, give a prior, or add a test at a different rate",
+           fmt::format("all tests have the same strain rate, {:.3g} 1/s, and do not show its effect; keep "
+                       "the value fixed, give a prior, or add a test at a different rate",
                        highest)});
 }
 
@@ -143,7 +143,7 @@ void check_deviation(const std::string& key, double deviation, double whole, Bro
   const double share = deviation / std::abs(whole);
   if (whole != 0 && deviation > 0 && !(share >= least && share <= most))
     broken.push_back({key, deviation,
-                      fmt::format("must be between {:g} and {:g} times the largest value measured, {:.3g}",
+                      fmt::format("must be between {:g} and {:g} times the largest measured value, {:.3g}",
                                   least, most, std::abs(whole))});
 }
 
@@ -155,7 +155,7 @@ void check_test(const MaterialMeasurement& test, std::size_t i, Broken& broken) 
     broken.push_back({key + ".noise", *test.noise, "must be more than 0"});
   if (test.strain.size() < 2 || test.strain.size() != test.stress.size() ||
       test.strain.size() != test.time.size())
-    broken.push_back({key + ".file", no_value, "needs at least two points, each with its time"});
+    broken.push_back({key + ".file", no_value, "needs at least two points, each with a time"});
   else if (points_of(test) < 2)
     broken.push_back({key + ".range", no_value,
                       fmt::format("fewer than two points have a strain from {:g} to {:g}", test.lowest_strain,
@@ -168,7 +168,7 @@ void check_pulse(const MeasuredDeceleration& pulse, const std::string& key, Brok
   check_deviation(key + ".deviation", pulse.deviation, pulse.peak, broken);
   if (pulse.time.size() < 2 || pulse.time.size() != pulse.deceleration.size() ||
       !(pulse.half_peak_width > 0) || !(pulse.peak > 0))
-    broken.push_back({key, no_value, "needs samples with their times, a peak and a width"});
+    broken.push_back({key, no_value, "needs samples with times, a peak and a width"});
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ std::vector<Violation> violations(const Fit& fit) {
   for (std::size_t i = 0; i < fit.impacts.size(); ++i) {
     const std::string key = fmt::format("impacts[{}]", i + 1);
     if (fit.impacts[i].figures.empty() && !fit.impacts[i].pulse)
-      broken.push_back({key, no_value, "gives neither a measured figure, such as peak_force, nor a pulse"});
+      broken.push_back({key, no_value, "needs a measured figure, such as peak_force, or a pulse"});
     if (fit.impacts[i].pulse) check_pulse(*fit.impacts[i].pulse, key + ".pulse", broken);
     for (const MeasuredFigure& figure : fit.impacts[i].figures) {
       check_deviation(key, figure.deviation, figure.value, broken);

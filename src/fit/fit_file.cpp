@@ -185,7 +185,7 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
       const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
       if (!on_trust) top.faults().add(*node, path, study::rule_for_unknown(key, fit.base));
     } else if (node->kind != TomlNode::Kind::table) {
-      top.faults().add(*node, path, "must be a table: {bounds = [..., ...]}");
+      top.faults().add(*node, path, "must be a table, such as {bounds = [..., ...]}");
     } else {
       TableReader reader(*node, path, top.faults());
       fit.unknowns.push_back(read_unknown(reader, *found, fit.base));
@@ -213,7 +213,7 @@ input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::f
   read_each(top, "tests", lines,
             [&](TableReader& table) { fit.tests.push_back(read_test(table, folders, result.files)); });
   read_each(top, "impacts", lines,
-            [&](TableReader& table) { fit.impacts.push_back(read_impact(table, folders, result.files)); });
+            [&](TableReader& table) { read_impacts(table, folders, result.files, fit.impacts); });
   read_search(top, fit);
   leave_neighbours_to_law(fit);
   top.refuse_others();

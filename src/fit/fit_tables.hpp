@@ -10,11 +10,17 @@
 
 namespace dashpad::fit {
 
-/// Read one of [[tests]] or [[impacts]], and add the files that it names to `files`.
+/// Reads one of [[tests]], and adds the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
-ImpactMeasurement read_impact(input::TableReader& table, const input::Folders& folders,
-                              std::vector<input::InputFile>& files);
+/// An entry of [[impacts]] is one impact, or with rows = "drops.csv" one for each row of that table: the case
+/// with the numbers of the row, and the measured figures of the row with the deviation of the entry.
+void read_impacts(input::TableReader& table, const input::Folders& folders,
+                  std::vector<input::InputFile>& files, std::vector<ImpactMeasurement>& into);
+
+/// The impacts of such a table, made from `stem`, which has the case. Empty after a fault.
+std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input::Folders& folders,
+                                          const ImpactMeasurement& stem);
 
 // Values. SI; NaN after a fault.
 

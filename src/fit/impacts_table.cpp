@@ -62,7 +62,7 @@ std::vector<std::string> read_texts(TableReader& table, const std::string& key) 
     for (const TomlNode& each : node->children)
       if (each.kind == TomlNode::Kind::text) texts.push_back(each.text);
   if (texts.empty() || texts.size() != node->children.size())
-    table.fault(key, "must be a text, or an array of texts");
+    table.fault(key, "must be text in quotes, or an array of such texts");
   return texts;
 }
 
@@ -121,7 +121,7 @@ input::PulseOptions read_source(TableReader& table) {
   if (options.interval && *options.interval <= 0) table.fault("interval", "must be more than 0");
   options.cut = {time("from"), time("to")};
   if (options.cut.from && options.cut.to && *options.cut.from >= *options.cut.to)
-    table.fault("to", "must be later than from");
+    table.fault("to", "must be later than \"from\"");
   return options;
 }
 
@@ -150,7 +150,7 @@ MeasuredFigure read_figure(TableReader& table, const ImpactFigureName& name) {
   MeasuredFigure figure{name.figure, 0, 0};
   figure.value = value_in(table, "value", name.quantity->si_unit);
   if (figure.value < 0)
-    table.fault("value", "must not be below 0: all figures are magnitudes");
+    table.fault("value", "must not be negative: all figures are magnitudes");
   else if (std::isfinite(figure.value))
     if (std::string rule =
             rule_of(measured_magnitudes(name.quantity->si_unit), figure.value, name.quantity->si_unit);
@@ -261,7 +261,7 @@ MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
       injury::pulse_shape(measured, std::nullopt, injury::contact_of(processed.along(), quiet));
   if (!shape.onset)
     throw std::invalid_argument(fmt::format(
-        "its first sample is already above {:.0f} % of its peak, so the onset is not in the record",
+        "the first sample is already above {:.0f} % of the peak, so the record does not include the onset",
         100 * injury::onset_share));
   MeasuredDeceleration result;
   result.peak = shape.peak.magnitude;
@@ -273,8 +273,8 @@ MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
   for (std::size_t i = 0; i < measured.time.size(); ++i)
     if (measured.time[i] >= *shape.onset && measured.time[i] <= shape.contact.end) kept.push_back(i);
   if (kept.size() < fewest_samples)
-    throw std::invalid_argument(fmt::format(
-        "has {} samples from its onset to its end; a fit needs at least {}", kept.size(), fewest_samples));
+    throw std::invalid_argument(fmt::format("has {} samples from onset to end; a fit needs at least {}",
+                                            kept.size(), fewest_samples));
   result.samples = kept.size();
   Pulse between;
   for (const std::size_t i : kept) {
@@ -292,12 +292,41 @@ MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
   return result;
 }
 
-ImpactMeasurement read_impact(TableReader& table, const input::Folders& folders,
-                              std::vector<input::InputFile>& files) {
+namespace {
+
+/// The entries of `set` as settings, "impactor.mass=6 kg"; tables are opened.
+void add_settings(const TomlNode& table, const std::string& prefix, std::vector<std::string>& into) {
+  for (const TomlNode& child : table.children)
+    if (child.kind == TomlNode::Kind::table)
+      add_settings(child, prefix + child.key + ".", into);
+    else
+      into.push_back(prefix + child.key + "=" + child.text);
+}
+
+/// The case of an impact with the numbers of `set`; their faults are those of the entry.
+std::optional<input::CaseFile> read_case_of(TableReader& table, const std::string& name,
+                                            const input::Folders& folders) {
+  std::vector<std::string> settings;
+  const auto set = table.table("set", Presence::optional);
+  if (set) add_settings(set->node(), "", settings);
+  auto read = input::read_case(folders.of_file / name, folders.materials, settings);
+  if (read) return *std::move(read);
+  for (input::Fault fault : read.faults())
+    if (set && fault.file == "--set")
+      table.faults().add(set->node().line, table.full_key("set") + "." + fault.key, fault.value, fault.rule);
+    else
+      table.faults().add({std::move(fault)});
+  return std::nullopt;
+}
+
+}  // namespace
+
+void read_impacts(TableReader& table, const input::Folders& folders, std::vector<input::InputFile>& files,
+                  std::vector<ImpactMeasurement>& into) {
   ImpactMeasurement impact;
   impact.file = table.text("case");
   if (!impact.file.empty()) {
-    if (auto read = table.faults().take(input::read_case(folders.of_file / impact.file, folders.materials))) {
+    if (auto read = read_case_of(table, impact.file, folders)) {
       impact.impact = std::move(read->impact);
       impact.options = read->options;
       impact.states_neighbours = read->states_neighbours;
@@ -310,8 +339,14 @@ ImpactMeasurement read_impact(TableReader& table, const input::Folders& folders,
   if (auto pulse = table.table("pulse", Presence::optional))
     impact.pulse = read_pulse(*pulse, folders, files);
   impact.is_held_out = table.flag("hold_out");
+  const bool has_case = impact.impact.impactor.mass > 0;  // else there was a fault
+  if (!table.has("rows"))
+    into.push_back(std::move(impact));
+  else if (has_case)
+    std::ranges::move(read_drops(table, folders, impact), std::back_inserter(into));
+  else
+    (void)table.has("deviation");
   table.refuse_others();
-  return impact;
 }
 
 MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
@@ -324,10 +359,10 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
     rate = table.quantity("rate", "1/s");
     if (*rate <= 0) table.fault("rate", "must be more than 0; the direction follows from the strains");
   }
-  if (rate && !columns.time.empty()) table.fault("rate", "give a rate or a column of times, not both");
+  if (rate && !columns.time.empty()) table.fault("rate", "give a rate or a time column, not both");
   if (!rate && columns.time.empty())
     table.fault("rate",
-                "is missing; give the rate of the test, such as \"0.01 1/s\", or name a column of times: "
+                "is missing; give the strain rate of the test, such as \"0.01 1/s\", or name a time column: "
                 "columns = {time = \"time\"}");
   read_range(table, test);
   test.has_offset = table.flag("offset");

@@ -100,8 +100,8 @@ class Search {
   void run(int iterations) {
     if (!residuals_at(minimum_.x, residuals_)) {
       minimum_.why_not =
-          "the model cannot be evaluated at the starting values: they do not give a valid material, or an "
-          "impact lacks the measured figure, for example because the pad bottoms out";
+          "the model cannot be evaluated at the starting values: they do not give a valid material, or a "
+          "simulated impact lacks a figure that was measured, for example because the pad bottoms out";
       return;
     }
     minimum_.misfit = residuals_.squaredNorm();
@@ -159,7 +159,7 @@ class Search {
       if (minimum_.misfit - expected.squaredNorm() <= tolerance_ * minimum_.misfit && is_sound)
         return refresh_or_converge();
     }
-    stop("no step from the best values gives a material that can be tested");
+    stop("no step from the best values gives a material for which the model can be evaluated");
   }
 
   void take(std::vector<double> x, const Vector& step, Vector residuals, const Vector& expected,

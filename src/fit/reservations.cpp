@@ -107,14 +107,14 @@ void add_speeds(const Fit& fit, std::span<const double> values, Sentences& all) 
     if (!impact.pulse) continue;
     const Impactor impactor = impact_with(fit, impact, values).impactor;
     if (impact.pulse->impact && injury::unlike_speeds(*impact.pulse->impact, {.speed = impactor.speed}))
-      all.push_back(fmt::format("{} strikes at {} m/s, but the impact recorded in {} was at {} m/s.",
-                                impact.file, brief(impactor.speed, 4), impact.pulse->file,
-                                brief(impact.pulse->impact->speed, 4)));
+      all.push_back(fmt::format(
+          "{} has an impact speed of {} m/s, but the impact recorded in {} was at {} m/s.", impact.file,
+          brief(impactor.speed, 4), impact.pulse->file, brief(impact.pulse->impact->speed, 4)));
     const double change = impact.pulse->velocity_change - impactor.gravity * impact.pulse->time.back();
     if (change < (1 - worth_saying) * impactor.speed || change > (1 + worth_saying) * 2 * impactor.speed)
       all.push_back(fmt::format(
-          "The pulse {} changes the velocity by {} m/s, which an impact at the {} m/s of {} cannot do; "
-          "the drop height differs, the scale is wrong or the sensor has an offset.",
+          "The pulse {} has a velocity change of {} m/s, which is impossible for an impact at {} m/s, the "
+          "speed in {}: the drop height differs, the scale is wrong, or the sensor has an offset.",
           impact.pulse->file, brief(change, 4), brief(impactor.speed, 4), impact.file));
   }
 }
@@ -126,7 +126,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
     if (unknown.is_nuisance) continue;
     is_scaled = is_scaled || unknown.key == "pad.scale";
     if (!is_of_card(unknown.key))
-      all.push_back(fmt::format("Fitted together with {} = {}, which a card does not contain.", unknown.key,
+      all.push_back(fmt::format("Fitted together with {} = {}, which is not part of the card.", unknown.key,
                                 value_words(unknown, unknown.value)));
   }
   if (is_scaled && has_fitted(fit.tests))
@@ -134,7 +134,7 @@ void add_company(const Fit& fit, const FitReport& report, Sentences& all) {
         "All stresses include the scale found from the impacts; the tests were fitted without it.");
   for (const MetTest& test : report.tests)
     if (test.offset)
-      all.push_back(fmt::format("An offset of {:.3g} kPa was fitted to the stress of {}.",
+      all.push_back(fmt::format("An offset of {:.3g} kPa was fitted to the stress in {}.",
                                 *test.offset / 1000, test.file));
 }
 
@@ -145,9 +145,9 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
   if (!has_tests && !is_stated(base)) {
     all.emplace_back(
         has_curves(base.law)
-            ? "No compression test is among the data: the strain up to which the foam counts as "
-              "tested is that of the curve in the fit file."
-            : "No compression test is among the data: the strain up to which the law is valid is not known.");
+            ? "The data include no compression test: the foam is treated as tested up to the end of the "
+              "curve in the fit file."
+            : "The data include no compression test: the strain up to which the law is valid is unknown.");
     return;
   }
   double tested = 0, reached = 0;
@@ -161,9 +161,9 @@ void add_range(const Fit& fit, std::span<const double> values, Sentences& all) {
     reached = std::max(reached, rate);
   }
   if (reached > tested)
-    all.push_back(
-        fmt::format("Rates above {:.3g} per second, up to {:.3g}, rest on impacts alone, such as {}.", tested,
-                    reached, file));
+    all.push_back(fmt::format(
+        "For strain rates from {:.3g} to {:.3g} per second, the only data are impacts, such as {}.", tested,
+        reached, file));
 }
 
 }  // namespace
@@ -211,8 +211,8 @@ Sentences reservations_of(const Fit& fit, std::span<const double> values, const 
   if (!shows_way_back(fit, report)) all.emplace_back("Fitted to loading only: the unloading is assumed.");
   if (assumes_recoil(fit))
     all.emplace_back(
-        "How much of the rate-dependent stress resists the recovery (recoil) was not tested: 1 is assumed, "
-        "the largest loss; values from 0 to 1 are possible.");
+        "The fraction of the rate-dependent stress that resists recovery (recoil) was not tested: 1, the "
+        "largest loss, is assumed; values from 0 to 1 are possible.");
   add_range(fit, values, all);
   for (const std::string& old : fit.base.pad.material.reservations) {
     const auto is_about = [&](const Unknown& unknown) { return old.find(unknown.key) != std::string::npos; };

@@ -131,7 +131,7 @@ void judge_card(FitReport& report) {
   const std::vector<Violation> broken = violations(report.material);
   if (broken.empty()) return;
   report.converged = false;
-  report.why_not = fmt::format("the best values do not give a valid card: {} = {:.6g}: {}",
+  report.why_not = fmt::format("the best values do not give a valid card ({} = {:.6g}: {})",
                                broken.front().key, broken.front().value, broken.front().rule);
 }
 

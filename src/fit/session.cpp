@@ -52,13 +52,13 @@ bool flag_in(const json& in, const char* key) {
 /// A coordinate of a search, which runs from 0 to 1 between the bounds of its unknown.
 double place_in(const json& place) {
   if (!place.is_number() || !(place.get<double>() >= 0 && place.get<double>() <= 1))
-    throw Damage("x must be a number from 0 to 1, between the bounds of its unknown");
+    throw Damage("x must be a number from 0 (lower bound of its unknown) to 1 (upper bound)");
   return place.get<double>();
 }
 
 /// `fewest` and `most` unknowns.
 void take(const json& from, std::size_t fewest, std::size_t most, Minimum& result) {
-  if (!from.is_object()) throw Damage("a search must be a table");
+  if (!from.is_object()) throw Damage("a search must be an object");
   result.converged = flag_in(from, "converged");
   result.is_sound = flag_in(from, "is_sound");
   const json why = from.value("why_not", json()), x = from.value("x", json()),
@@ -76,7 +76,7 @@ void take(const json& from, std::size_t fewest, std::size_t most, Minimum& resul
 
 void take(const json& from, std::size_t, std::size_t unknowns, ProfileEnd& result) {
   if (!from.is_object() || !from.contains("x") || !from.contains("better"))
-    throw Damage("an end of an interval must be a table with x and better");
+    throw Damage("an interval end must be an object with x and better");
   result.is_rough = flag_in(from, "is_rough");
   if (!from["x"].is_null()) result.x = place_in(from["x"]);
   if (!from["better"].is_null()) take(from["better"], unknowns, unknowns, result.better.emplace());
@@ -100,19 +100,19 @@ std::map<std::string, std::string> read_state(const Fit& fit, const RunOptions& 
     return {};
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(
-        fmt::format("{}: {}; give another name, or remove it", options.state.string(), why));
+        fmt::format("{}: {}; give another name, or remove the file", options.state.string(), why));
   };
-  const auto is_none = [&](const std::string& why) { refuse("is not the state of a fit: " + why); };
+  const auto is_none = [&](const std::string& why) { refuse("is not a valid fit state: " + why); };
   const json state = json::parse(input::read_measurement(options.state, largest_state), nullptr, false);
   const json format = state.is_object() ? state.value("format", json()) : json();
   if (format == "dashpad fit state 1" || format == "dashpad fit state 2")
-    refuse("is the state of a fit by an earlier version of dashpad");
+    refuse("is a fit state from an earlier version of dashpad");
   if (format != format_of_state) is_none("it is not marked as one");
   if (!state.contains("fit") || !state.contains("pieces") || !state["pieces"].is_object())
     is_none("parts of it are missing");
   if (state["fit"] != options.fingerprint)
     refuse(
-        "is the state of a different fit: the fit file, a file that it names, or the version of dashpad has "
+        "is the state of a different fit: the fit file, a file named in it, or the version of dashpad has "
         "changed");
   const std::size_t unknowns = coordinate_count(fit);
   std::map<std::string, std::string> pieces;
@@ -141,7 +141,7 @@ void write_state(const RunOptions& options, const std::map<std::string, std::str
   std::error_code error;
   if (file) std::filesystem::rename(draft, options.state, error);
   if (!file || error) {
-    const std::string reason = error ? error.message() : "it cannot be written";
+    const std::string reason = error ? error.message() : "cannot be written";
     std::filesystem::remove(draft, error);
     throw std::runtime_error(fmt::format("{}: {}", options.state.string(), reason));
   }

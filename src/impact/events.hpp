@@ -1,6 +1,5 @@
 #pragma once
-/// The table of events (theory.md, section 4): the phases in which each may happen, its indicator in a trial,
-/// and on which side of it a step ends.
+/// Table of events (theory.md, section 4): the phases of each, its indicator, and the side where a step ends.
 
 #include <algorithm>
 #include <array>

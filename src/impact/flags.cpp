@@ -50,17 +50,17 @@ constexpr std::array all_flags{
 };
 
 std::string missed_tolerance(const Summary& summary) {
-  const std::string asked =
-      std::isfinite(summary.tolerance) ? fmt::format("{:.2g} %", 100 * summary.tolerance) : "unknown";
-  return fmt::format("a tolerance of {} was required; the errors may be larger than estimated", asked);
+  const std::string asked = std::isfinite(summary.tolerance)
+                                ? fmt::format("a tolerance of {:.2g} %", 100 * summary.tolerance)
+                                : "an unknown tolerance";
+  return asked + " was required; the errors may be larger than estimated";
 }
 
 std::string bottoming(const Summary& summary) {
-  return fmt::format(
-      "BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
-      !bottomed_on_rigid_support(summary) ? "for a while, during which only the support yielded"
-      : summary.support ? "against the mass behind it, so that the force has no finite value there"
-                        : "on its rigid support, so that the force has no finite value there");
+  return fmt::format("BOTTOMED at {:.5g} ms: the pad was fully compressed {}", 1e3 * summary.bottomed->time,
+                     !bottomed_on_rigid_support(summary) ? "for a time, during which only the support yielded"
+                     : summary.support ? "against the mass behind it, so the force then has no finite value"
+                                       : "on its rigid support, so the force then has no finite value");
 }
 
 /// Share of the impact energy that counts as rounding even if the estimate is smaller.
@@ -70,26 +70,26 @@ double energy_gained(const Summary& summary) { return -summary.energy_absorbed_f
 
 std::string gain(const Summary& summary) {
   return fmt::format(
-      "the pad returned {:.2g} % of the impact energy more than it received, which no foam does; the law "
-      "does not exclude it",
+      "the pad returned more energy than it received, by {:.2g} % of the impact energy, which no real foam "
+      "does; the law does not rule it out",
       100 * energy_gained(summary));
 }
 
 std::string pushing_back(const Summary& summary) {
   return fmt::format(
-      "while the nose advanced, the force reached {:.4g} N; then the pad expanded with a force that grew "
-      "with its rate of expansion, which no foam does: the law depends on the magnitude of the strain "
-      "rate, not its sign",
+      "while the nose advanced, the force reached only {:.4g} N; the pad then pushed back with a force that "
+      "grew with its rate of expansion, which no real foam does: the law depends on the magnitude of the "
+      "strain rate, not its sign",
       summary.force_on_way_in);
 }
 
 /// The reason why no blow follows this one.
 std::string series_cut(const Summary& summary) {
-  const char* const why = !summary.trustworthy()                 ? "misses the tolerance"
+  const char* const why = !summary.trustworthy()                 ? "missed the tolerance"
                           : summary.status == Status::time_limit ? "had not ended by the time limit"
                                                                  : "compressed the pad fully";
   return fmt::format(
-      "blow {} of {} {}, so that the state of the pad after it is not known; no further blow was computed",
+      "blow {} of {} {}, so the state of the pad after it is not known; no further blow was computed",
       summary.blow, summary.blows, why);
 }
 
@@ -98,8 +98,8 @@ std::optional<Flag> striking_through(const Summary& summary) {
   const char* const name = "STRUCK THROUGH";
   if (summary.layers.empty() && !summary.bottomed && is_struck_through(summary.peak_strain, 1))
     return flag_of(name,
-                   "less than a thousandth of the thickness was left, which no foam test reaches; do not "
-                   "rely on forces and accelerations",
+                   "less than a thousandth of the pad thickness was left, a compression that no foam test "
+                   "reaches; do not rely on the forces and accelerations",
                    {{"peak_strain", summary.peak_strain}});
   std::vector<std::pair<double, std::size_t>> layers;
   for (std::size_t i = 0; i < summary.layers.size(); ++i)
@@ -112,13 +112,13 @@ std::optional<Flag> striking_through(const Summary& summary) {
     figures.push_back({fmt::format("layer_{}_s", layer), time});
     text += fmt::format("{}layer {} at {:.4g} ms", text.empty() ? "" : ", then ", layer, 1e3 * time);
   }
-  return flag_of(name, text + "; from then on only the others were compressed", std::move(figures));
+  return flag_of(name, text + "; from then on, only the rest of the pad was compressed", std::move(figures));
 }
 
 std::string softening(const Summary& summary) {
   return fmt::format(
       "the curve at {} per second falls after its yield point; a real foam may then crush layer by layer, "
-      "which a column of uniform strain does not show",
+      "which a column with uniform strain cannot show",
       plain_number(summary.softening_rates.front()));
 }
 
@@ -160,7 +160,7 @@ std::string words_of(const std::string& key) {
 std::string words_of(const Effect& effect) {
   const auto percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
   const std::string what = words_of(effect.key) + " may be ";
-  if (!std::isfinite(effect.up)) return what + "without limit";
+  if (!std::isfinite(effect.up)) return what + "arbitrarily high";
   if (effect.down < worth_saying / 10) return what + percent(effect.up) + " higher";
   if (effect.up < worth_saying / 10) return what + percent(effect.down) + " lower";
   return what + "anywhere from " + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
@@ -177,9 +177,10 @@ std::optional<Flag> extrapolation_flag(const Summary& summary, const Extrapolati
     return flag_of(name, extrapolation.text);
   const Effect effect = effect_of(source, *intervals, decisive);
   if (effect.largest() <= worth_saying) return std::nullopt;
-  const std::string text = extrapolation.beyond == Beyond::strain
-                               ? "depending on the extrapolation, which is a guess, " + words_of(effect)
-                               : words_of(effect) + " if the stress depends on the rate differently there";
+  const std::string text =
+      extrapolation.beyond == Beyond::strain
+          ? "depending on the extrapolation, which is a guess, " + words_of(effect)
+          : words_of(effect) + " if the rate dependence of the stress is different there";
   return flag_of(name, extrapolation.text + "; " + text,
                  {{effect.key + lower, effect.down}, {effect.key + higher, effect.up}});
 }
@@ -258,13 +259,13 @@ std::vector<Flag> flags(const Summary& summary, const std::vector<std::string>& 
   if (summary.speed_to_sheet > 0)
     add("SHEET STRUCK FLAT",
         fmt::format("the flat nose loses {:.2g} m/s to the sheet at first contact, in a collision that does "
-                    "not appear in forces and accelerations",
+                    "not appear in the forces and accelerations",
                     summary.speed_to_sheet),
         {{"speed_lost_m_per_s", summary.speed_to_sheet}});
   if (summary.still_sinking)
     add("STILL SINKING",
-        fmt::format("the pad is still creeping; at {:.2g} mm/s the impactor is considered at rest, and its "
-                    "penetration and displacement are those reached so far",
+        fmt::format("the pad is still creeping; at {:.2g} mm/s the impactor is treated as being at rest, and "
+                    "its penetration and displacement are the values reached by then",
                     1e3 * summary.rest->velocity),
         {{"velocity_m_per_s", summary.rest->velocity}});
   if (gained_energy(summary))

@@ -40,7 +40,7 @@ void check_rules(const Cone& cone, std::vector<Violation>& broken) {
 
 void check_rules(const Rod& rod, std::vector<Violation>& broken) {
   if (rod.tip_radius < rod.radius)
-    broken.push_back({"impactor.tip_radius", rod.tip_radius, "must not be below radius"});
+    broken.push_back({"impactor.tip_radius", rod.tip_radius, "must be at least radius"});
 }
 
 void check_rules(const Profile& profile, std::vector<Violation>& broken) {
@@ -55,7 +55,7 @@ void check_rules(const Profile& profile, std::vector<Violation>& broken) {
   }
   if (!faults.empty() || !Profile::parameters[0].bounds.contain(profile.scale)) return;
   const double widest = profile.sections().radius(infinite);
-  check(broken, list, widest, lengths, "m", "the widest radius must be ");
+  check(broken, list, widest, lengths, "m", "the largest radius must be ");
   check(broken, list, profile.scale * profile.points.back().depth, lengths, "m", "the last depth must be ");
 }
 
@@ -84,7 +84,7 @@ void check_support(std::vector<Violation>& broken, const Support& support) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double stiffness = (points[i].force - before.force) / (points[i].deflection - before.deflection);
     check(broken, points.size() == 1 ? "support.stiffness" : fmt::format("support.points[{}]", i + 1),
-          stiffness, stiffnesses, "N/m", "the stiffness up to here must be ");
+          stiffness, stiffnesses, "N/m", "the stiffness up to this point must be ");
     before = points[i];
   }
 }
@@ -98,8 +98,8 @@ void check_earlier_penetration(std::vector<Violation>& broken, const Pad& pad) {
     broken.push_back({key, earlier, "must be at least 0 and less than pad.thickness"});
   else if (earlier > 0 && blow_memory(pad.material.law) == BlowMemory::none)
     broken.push_back({key, earlier,
-                      "must be 0: a pad of the law " + name_of(pad.material.law) +
-                          " recovers fully, and an earlier blow leaves no trace in it"});
+                      "must be 0: a pad with the " + name_of(pad.material.law) +
+                          " law recovers fully, so earlier blows leave no trace in it"});
 }
 
 void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {
@@ -109,17 +109,17 @@ void check_blows(std::vector<Violation>& broken, const ImpactCase& impact) {
   const PadLaw& law = impact.pad.material.law;
   if (recovery > 0 && recovery <= 1 && blow_memory(law) == BlowMemory::crater)
     broken.push_back(
-        {"blows.recovery", recovery, "must be 0: a pad of the law " + name_of(law) + " does not recover"});
+        {"blows.recovery", recovery, "must be 0: a pad with the " + name_of(law) + " law does not recover"});
 }
 
 void check_sheet(std::vector<Violation>& broken, const ImpactCase& impact) {
   const char* const key = "pad.sheet_mass_per_area";
   if (impact.blows || impact.pad.earlier_penetration != 0)
     broken.push_back({key, impact.pad.sheet,
-                      "must be left out with earlier blows: how a sheet lies after a blow is not known"});
+                      "must be left out for repeated blows: how the sheet lies after one is not known"});
   if (std::holds_alternative<Cylinder>(impact.impactor.nose))
     broken.push_back({key, impact.pad.sheet,
-                      "must be left out with a cylinder: it meets the sheet along a line, and the force of "
+                      "must be left out for a cylinder: it meets the sheet along a line, and the force of "
                       "that collision is unbounded"});
 }
 
@@ -132,16 +132,16 @@ void check_backing(std::vector<Violation>& broken, const Support& support, const
     for (const Parameter<Backing>& parameter : Backing::parameters)
       if (parameter.member != &Backing::body_mass && parameter.of(backing) != 0)
         broken.push_back({std::string("support.") + parameter.key, parameter.of(backing),
-                          "a rigid support has none; it may only have a free body behind it"});
+                          "must be left out: a rigid support can only have a free body behind it"});
     return;
   }
   if (backing.damping > 0 && backing.loss_factor > 0)
     broken.push_back({"support.loss_factor", backing.loss_factor, "give damping or loss_factor, not both"});
   if (backing.gap > 0 && backing.preload > 0)
-    broken.push_back({"support.gap", backing.gap, "a support with a preload has no gap"});
+    broken.push_back({"support.gap", backing.gap, "must be left out: a support with a preload has no gap"});
   if (backing.gap > 0 && !(backing.mass > 0))
     broken.push_back({"support.gap", backing.gap,
-                      "needs the mass of the panel: in the gap only inertia resists its motion"});
+                      "needs the mass of the panel: in the gap, only inertia resists its motion"});
   if (backing.earlier_force > 0 && !(backing.unloading_stiffness > 0))
     broken.push_back({"support.earlier_force", backing.earlier_force,
                       "needs an unloading_stiffness: earlier forces leave no trace in an elastic support"});
@@ -167,12 +167,12 @@ constexpr double min_share = 1e-6;
 
 void check_layers(std::vector<Violation>& broken, const Pad& pad) {
   if (pad.layers.size() > max_layers)
-    broken.push_back(
-        {"pad.layers", double(pad.layers.size()), fmt::format("must be at most {}", max_layers)});
+    broken.push_back({"pad.layers", double(pad.layers.size()),
+                      fmt::format("there must be at most {} layers", max_layers)});
   double sum = 0;
   for (const PadLayer& layer : pad.layers) sum += layer.thickness;
   if (std::abs(sum - pad.thickness) > 1e-9 * sum)
-    broken.push_back({"pad.thickness", pad.thickness, "must be the sum of its layers"});
+    broken.push_back({"pad.thickness", pad.thickness, "must equal the total thickness of the layers"});
   for (std::size_t i = 0; i < pad.layers.size(); ++i) {
     const PadLayer& layer = pad.layers[i];
     const std::string prefix = fmt::format("pad.layers[{}].", i + 1);
@@ -180,8 +180,9 @@ void check_layers(std::vector<Violation>& broken, const Pad& pad) {
     for (const Parameter<PadLayer>& parameter : PadLayer::parameters)
       if (parameter.member != &PadLayer::thickness) check_bounds(layer, parameter, prefix, broken);
     if (!(layer.thickness > 0) || layer.thickness < min_share * sum)
-      broken.push_back({prefix + "thickness", layer.thickness,
-                        fmt::format("must be more than 0 and at least {} of the pad thickness", min_share)});
+      broken.push_back(
+          {prefix + "thickness", layer.thickness,
+           fmt::format("must be more than 0 and at least {} times the pad thickness", min_share)});
     add(broken, violations(layer.material), prefix);
     add(broken, violations(layer.condition, layer.material), prefix);
     if (broken.size() == before) add(broken, violations_as_layer(layer.material.law), prefix);
@@ -211,17 +212,17 @@ std::vector<Violation> violations_with(std::vector<Violation> of_material, const
     check_earlier_penetration(broken, impact.pad);
   else if (impact.pad.earlier_penetration != 0)
     broken.push_back({"pad.earlier_penetration", impact.pad.earlier_penetration,
-                      "must be 0: the state of a pad of layers after earlier blows is not known"});
+                      "must be 0: the state of a layered pad after earlier blows is not known"});
   check_support(broken, impact.support);
   check_backing(broken, impact.support, impact.backing);
   if (impact.impactor.gravity > 0 && impact.backing.body_mass > 0)
     broken.push_back({"impactor.gravity", impact.impactor.gravity,
-                      "must be 0 with a free body behind the support, since it would fall as well"});
+                      "must be 0 with a free body behind the support, because that body would fall too"});
   if (impact.pad.layers.empty())
     check_blows(broken, impact);
   else if (impact.blows)
     broken.push_back({"blows.count", double(impact.blows->count),
-                      "a pad of layers is struck only once: its state after a blow is not known"});
+                      "a layered pad can be struck only once: its state after a blow is not known"});
   return broken;
 }
 

@@ -31,8 +31,8 @@ PostImpact post_impact(Body first, Body second, double absorbed_fraction, double
   if (!(first.velocity > second.velocity))
     throw std::invalid_argument("post impact: the bodies do not approach each other");
   if (!(absorbed_fraction >= 0 && absorbed_fraction <= 1))
-    throw std::invalid_argument("post impact: the absorbed fraction is not in [0, 1]");
-  if (!(error >= 0)) throw std::invalid_argument("post impact: the error is negative");
+    throw std::invalid_argument("post impact: the absorbed fraction is not between 0 and 1");
+  if (!(error >= 0)) throw std::invalid_argument("post impact: the error of the energy is negative");
 
   const double first_share = share(first.mass, second.mass);
   const double second_share = share(second.mass, first.mass);

@@ -9,7 +9,7 @@ namespace dashpad {
 void check(const Pulse& pulse) {
   const std::size_t size = pulse.time.size();
   if (pulse.acceleration.size() != size)
-    throw std::invalid_argument("pulse: " + std::to_string(size) + " times and " +
+    throw std::invalid_argument("pulse: " + std::to_string(size) + " times but " +
                                 std::to_string(pulse.acceleration.size()) + " accelerations");
   if (size < 2) throw std::invalid_argument("pulse: at least two samples are needed");
   // Most pulses are sound, which is checked without a branch for each sample: x - x is 0 if x is finite.

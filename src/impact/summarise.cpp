@@ -70,7 +70,7 @@ std::vector<Extrapolation> layer_extrapolations(const Pad& pad, const std::vecto
   std::vector<Extrapolation> reasons;
   for (const std::size_t i : order) {
     const PadLayer& layer = pad.layers[i];
-    const std::string which = fmt::format("layer {} ({}): ", i + 1, layer.material.name);
+    const std::string which = fmt::format("in layer {} ({}), ", i + 1, layer.material.name);
     for (const auto& [beyond, text] :
          extrapolations(layer.material, layer.condition, layers[i].peak_strain, layers[i].peak_strain_rate))
       reasons.push_back({beyond, which + text});
@@ -89,7 +89,7 @@ std::vector<Extrapolation> extrapolations(const ImpactCase& impact, const Summar
       summary.support ? summary.support->peak_transmitted : summary.peak_force;
   if (points.size() > 1 && force && *force > points.back().force)
     reasons.push_back(
-        {Beyond::other, fmt::format("the support's force reaches {:.4g} N; its curve ends at {:.4g} N",
+        {Beyond::other, fmt::format("the support force reaches {:.4g} N; the support curve ends at {:.4g} N",
                                     *force, points.back().force)});
   return reasons;
 }

@@ -57,7 +57,7 @@ CriterionResult struck_through(const Criterion& criterion) {
   CriterionResult result;
   result.criterion = criterion;
   result.verdict = Verdict::fail;
-  result.reason = "bottomed out on a rigid support: no finite value";
+  result.reason = "bottomed out on a rigid support (no finite value)";
   return result;
 }
 
@@ -65,8 +65,8 @@ std::string reason_of(const CriterionResult& result, const Summary& summary) {
   if (result.verdict != Verdict::undecided) return "";
   if (result.lower_bound)
     return peak_is_final(summary)
-               ? "PULSE CUT: it ends at its peak, since the foam does not unload; the value is a lower bound"
-               : "PULSE CUT: it ends while the impactor is still on the pad; the value is a lower bound";
+               ? "the pulse ends at its peak, since the foam does not unload; the value is a lower bound"
+               : "the pulse ends with the impactor still on the pad; the value is a lower bound";
   if (!std::isfinite(result.error)) return "the error is unknown";
   return result.interval ? "the limit lies within the interval" : "the limit lies within the error estimate";
 }
@@ -109,7 +109,7 @@ void add_reservations_about(const Material& material, std::vector<Flag>& reserva
   if (range_of(material)) return;
   const std::string where = material.name == foam_of_the_case ? "case" : "card";
   reservations.push_back(
-      flag_of("UNKNOWN RANGE", "the " + where + " does not state the range in which its law was fitted"));
+      flag_of("UNKNOWN RANGE", "the " + where + " does not state the range over which its law was fitted"));
 }
 
 /// Collects the names of values and limits that were not verified in the standard.
@@ -124,11 +124,11 @@ struct ReadNames {
   void say(std::vector<Flag>& reservations) const {
     if (!unverified.empty())
       reservations.push_back(flag_of(
-          "UNVERIFIED", "found neither in the standard nor in a source that quotes it: " + unverified));
+          "UNVERIFIED", unverified + " (found neither in the standard nor in a source that quotes it)"));
     if (!secondary.empty())
       reservations.push_back(
           flag_of("SECONDARY SOURCE",
-                  "found in a source that quotes the standard, not in the standard itself: " + secondary));
+                  secondary + " (found in a source that quotes the standard, not in the standard itself)"));
   }
 };
 
@@ -218,7 +218,7 @@ std::string to_string(const Assessment& assessment) {
 }
 
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution) {
-  if (standard.criteria.empty()) throw std::invalid_argument("assess: a standard without criteria");
+  if (standard.criteria.empty()) throw std::invalid_argument("assess: the standard has no criteria");
   if (solution.summary.status == Status::not_run) throw std::invalid_argument("assess: nothing was computed");
   const InjuryFigures figures = injury_figures(solution);
   Assessment assessment;

@@ -35,8 +35,8 @@ std::size_t first_out_of_place(const Pulse& pulse) {
 double even_interval(const Pulse& pulse) {
   const std::size_t uneven = first_out_of_place(pulse);
   if (uneven < pulse.time.size())
-    throw std::invalid_argument("filter: the samples are not evenly spaced: sample " +
-                                std::to_string(uneven + 1));
+    throw std::invalid_argument("filter: the samples must be evenly spaced, but sample " +
+                                std::to_string(uneven + 1) + " is out of place");
   return interval_of(pulse);
 }
 
@@ -172,7 +172,7 @@ Pulse resampled(const Pulse& pulse, double interval) {
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * latest;  // of both times
   const double intervals = (length + rounding) / interval;
   if (!(interval > 0)) throw std::invalid_argument("resampling: the interval must be positive");
-  if (!(intervals < max_samples)) throw std::invalid_argument("resampling: more than 10 million samples");
+  if (!(intervals < max_samples)) throw std::invalid_argument("resampling: the limit is 10 million samples");
   const auto last = static_cast<std::size_t>(intervals);
   if (last == 0) throw std::invalid_argument("resampling: the interval is longer than the pulse");
   Pulse even;

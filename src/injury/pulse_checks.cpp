@@ -40,42 +40,42 @@ double scatter(const PulseReport& report, const Pulse& pulse, double peak) {
 Flag cut(const std::string& where, double acceleration, double peak, const std::string& missing) {
   const double left = std::abs(acceleration), share = left / peak;
   return flag_of("PULSE CUT",
-                 fmt::format("it {} at {} g, {} of its peak: {}, or the sensor has an offset; HIC, clips and "
-                             "velocity change of an incomplete pulse are lower bounds",
+                 fmt::format("the pulse {} at {} g, {} of its peak: either {} or the sensor has an offset; "
+                             "the HIC, clips and velocity change of an incomplete pulse are lower bounds",
                              where, brief(left / standard_gravity), in_percent(share), missing),
                  {{"acceleration_m_per_s2", left}, {"peak_fraction", share}});
 }
 
 std::string shown(double speed) { return brief(speed, 4) + " m/s"; }
 
-/// " (gravity's 0.335 m/s subtracted)": the sensor shows it, but it is no part of the change of motion.
+/// " (after subtracting 0.335 m/s due to gravity)": what the sensor shows without a change of motion.
 std::string less_gravity(const PulseReport& report, const SpeedCheck& check) {
   const double given = report.contact.velocity_change - check.change;
-  return given > 0 ? " (gravity's " + brief(given, 3) + " m/s subtracted)" : "";
+  return given > 0 ? " (after subtracting " + brief(given, 3) + " m/s due to gravity)" : "";
 }
 
-/// "2 % greater" for a factor near 1, else "1.3 times this one".
+/// "2 % greater" for a factor near 1, else "1.3 times the present one".
 std::string other_scale(double factor) {
   constexpr double near = 0.1;
   const double change = std::abs(factor - 1);
   if (change < near) return in_percent(change) + (factor > 1 ? " greater" : " smaller");
-  return brief(factor, 3) + " times this one";
+  return brief(factor, 3) + " times the present one";
 }
 
 /// Possible causes of an impossible velocity change.
 std::string way_out(const SpeedCheck& check, const Contact& contact, const char* stated) {
   const bool is_short = check.shortfall > 0;
   std::string text = fmt::format(
-      "No restitution from 0 to 1 fits this pulse. For a velocity change that agrees with the {}", stated);
+      "No restitution from 0 to 1 fits this pulse. For its velocity change to agree with the {},", stated);
   if (check.min_scale && check.greatest_scale)
     text += fmt::format(
         " the scale (unit, sensitivity) would have to be {}, or the sensor would have to read {:.2g} g too "
         "{} during contact",
         other_scale(is_short ? *check.min_scale : *check.greatest_scale),
         std::abs(check.shortfall) / (contact.end - contact.begin) / standard_gravity,
-        is_short ? "little" : "much");
+        is_short ? "low" : "high");
   else
-    text += " the pulse would have to contain an acceleration";
+    text += " the pulse would have to show an acceleration";
   return text + (is_short ? ", or samples would have to be missing." : ".");
 }
 
@@ -110,7 +110,7 @@ std::vector<Flag> flags(const PulseReport& report, const Pulse& pulse) {
     const bool is_short = check->shortfall > 0;
     all.push_back(
         flag_of("IMPOSSIBLE VELOCITY CHANGE",
-                fmt::format("{} m/s{} is {} the impact speed, {} m/s; likely {}",
+                fmt::format("{} m/s{} is {} the impact speed of {} m/s; most likely, {}",
                             brief(std::max(check->change, 0.0)), less_gravity(report, *check),
                             is_short ? "less than" : "more than twice", brief(report.impact->speed),
                             is_short ? "the pulse is cut, the unit or the sensitivity is wrong, or the "
@@ -137,7 +137,7 @@ std::string in_percent(double fraction) {
 
 std::string change_of_hic15(const OffsetEffect& effect) {
   if (!(effect.hic15_without > 0))
-    return fmt::format("HIC15 is {} with the offset, and 0 without", brief(effect.hic15_with));
+    return fmt::format("HIC15 is {} with the offset and 0 without", brief(effect.hic15_with));
   const double change = effect.hic15_with / effect.hic15_without - 1;
   return fmt::format("HIC15 is {} {} with the offset than without", in_percent(std::abs(change)),
                      change < 0 ? "lower" : "higher");
@@ -152,10 +152,10 @@ std::vector<std::string> offset_remarks(const OffsetEffect& effect, double peak)
   std::vector<std::string> remarks;
   const double change = std::abs(effect.hic15_with - effect.hic15_without);
   if (!effect.taken_off && is_more_than_noise && change > worth_a_remark * effect.hic15_without)
-    remarks.push_back(fmt::format("an offset of {} before the impact: {}; --zero auto subtracts it",
+    remarks.push_back(fmt::format("there is an offset of {} before the impact: {}; --zero auto subtracts it",
                                   each_in_g(offset.mean, peak), change_of_hic15(effect)));
   if (effect.given && std::ranges::max(offset.scatter) > max_quiet_scatter * peak)
-    remarks.push_back(fmt::format("the interval of --zero is not quiet: its scatter is {}, and the peak {}",
+    remarks.push_back(fmt::format("the --zero interval is not quiet: its scatter is {}, and the peak is {}",
                                   each_in_g(offset.scatter, peak), each_in_g({peak}, peak)));
   return remarks;
 }
@@ -175,9 +175,9 @@ std::optional<SpeedCheck> speed_check(const PulseReport& report) {
   check.text = way_out(check, report.contact, stated);
   if (check.agrees())
     check.text = fmt::format(
-        "Velocity change and {} agree: {}{} lies between {} (no rebound) and twice that. They would agree as "
-        "well if all accelerations were {} to {} times as large: a scale error within that range goes "
-        "unnoticed.",
+        "The velocity change agrees with the {}: {}{} lies between {} (no rebound) and twice that. It would "
+        "also agree if all accelerations were {} to {} times as large, so a scale error within that range "
+        "goes unnoticed.",
         stated, shown(check.change), less_gravity(report, check), shown(speed), brief(*check.min_scale, 3),
         brief(*check.greatest_scale, 3));
   return check;
@@ -188,11 +188,11 @@ std::optional<Flag> unlike_speeds(const MeasuredImpact& measured, const Measured
   if (!(std::abs(share) > unlike)) return std::nullopt;
   return flag_of(
       "UNLIKE SPEEDS",
-      fmt::format("the case strikes at {}, {} {} than the measured impact at {}{}: the comparison is between "
-                  "two different impacts",
-                  shown(computed.speed), in_percent(std::abs(share)), share < 0 ? "slower" : "faster",
+      fmt::format("the impact speed in the case, {}, is {} {} than that of the measured impact, {}{}: the "
+                  "comparison is between two different impacts",
+                  shown(computed.speed), in_percent(std::abs(share)), share < 0 ? "lower" : "higher",
                   shown(measured.speed),
-                  measured.drop_height ? fmt::format(" (from {} m)", brief(*measured.drop_height, 4)) : ""),
+                  measured.drop_height ? fmt::format(" ({} m drop)", brief(*measured.drop_height, 4)) : ""),
       {{"speed_m_per_s", computed.speed}, {"measured_speed_m_per_s", measured.speed}});
 }
 
@@ -204,7 +204,7 @@ std::optional<Flag> height_in_doubt(const PulseReport& report) {
   const double interval = interval_of(report.measured.pulse);
   if (std::abs(height / said - 1) <= unlike + 2 * samples_in_doubt * interval / fall) return std::nullopt;
   return flag_of("DROP HEIGHT IN DOUBT",
-                 fmt::format("the free fall in the record lasts {} ms, as in a drop of {} m; {} m was given",
+                 fmt::format("the recorded fall lasts {} ms, as in a drop of {} m, but {} m was given",
                              brief(1e3 * fall, 4), brief(height, 3), brief(said, 4)),
                  {{"fall_s", fall}, {"height_m", height}, {"stated_height_m", said}});
 }

@@ -56,16 +56,16 @@ std::vector<std::string> filter_remarks(const MeasuredPulse& measured, std::opti
   const double slower = std::max(interval_of(measured.pulse), interval.value_or(0));
   const int of_class = filter.channel_frequency_class;
   if (!samples_suffice(of_class, slower))
-    remarks.push_back(fmt::format("sampled at {} kHz; CFC{} requires at least {} kHz", brief(1e-3 / slower),
-                                  of_class, brief(1e-2 * of_class)));
+    remarks.push_back(fmt::format("the sampling rate is {} kHz, but CFC{} requires at least {} kHz",
+                                  brief(1e-3 / slower), of_class, brief(1e-2 * of_class)));
   // ISO/TS 13499: the last of sixteen characters is the filter class.
   constexpr std::array<std::pair<char, int>, 4> classes{{{'A', 1000}, {'B', 600}, {'C', 180}, {'D', 60}}};
   for (const MeasuredColumn& channel : measured.acceleration)
     for (const auto& [letter, filtered] : classes)
       if (measured.format == "ISO-MME" && channel.name.size() == 16 && channel.name.back() == letter)
         remarks.push_back(
-            fmt::format("the code {} says that CFC{} was applied already ({}); CFC{} filters it again, "
-                        "which lowers the peak and HIC further",
+            fmt::format("the code {} states that CFC{} has already been applied (filter class {}); applying "
+                        "CFC{} as well lowers the peak and HIC further",
                         channel.name, filtered, letter, of_class));
   return remarks;
 }
@@ -74,8 +74,8 @@ std::optional<double> resampling_for_filter(MeasuredPulse& measured) {
   if (measured.pulse.time.size() < 2 || is_evenly_spaced(measured.pulse)) return std::nullopt;
   const double interval = interval_for_filter(measured.pulse);
   measured.remarks.push_back(
-      fmt::format("the samples are not evenly spaced, as a filter needs them; they were "
-                  "resampled at {} ms by linear interpolation",
+      fmt::format("a filter needs evenly spaced samples, so these were resampled at intervals of {} ms "
+                  "by linear interpolation",
                   brief(1e3 * interval)));
   return interval;
 }

@@ -221,9 +221,9 @@ PulseLimits within_limits(const PulseReport& report, const Standard& standard) {
     result.error = uncertainty.value_or(0);
     if (result.value) decide(result);
     if (result.verdict == Verdict::undecided && result.lower_bound)
-      result.reason = "PULSE CUT: the value is a lower bound";
+      result.reason = "the pulse is cut, so the value is a lower bound";
     else if (!uncertainty)
-      result.reason = "judged by its value alone, since its uncertainty is not known";
+      result.reason = "the verdict is based on the value alone, since its uncertainty is not known";
     else if (result.verdict == Verdict::undecided)
       result.reason = "the limit lies within the uncertainty of the measurement";
     limits.results.push_back(std::move(result));

@@ -118,7 +118,7 @@ SensorOffset offset_between(const MeasuredPulse& measured, double begin, double 
   const std::vector<double>& time = measured.pulse.time;
   const auto first = std::ranges::lower_bound(time, begin);
   const auto last = std::ranges::upper_bound(time, end);
-  if (last - first < 2) throw std::invalid_argument("holds fewer than two samples");
+  if (last - first < 2) throw std::invalid_argument("contains fewer than two samples");
   return offset_of(measured, static_cast<std::size_t>(first - time.begin()),
                    static_cast<std::size_t>(last - time.begin()));
 }
@@ -158,8 +158,8 @@ void leave_out_before(MeasuredPulse& measured, double begin) {
   std::vector<double>& time = measured.pulse.time;
   const auto count = std::ranges::lower_bound(time, begin) - time.begin();
   measured.remarks.push_back(
-      fmt::format("the first {} samples, up to {} ms, differ by 1 g from those of the fall before the "
-                  "impact, as if at rest; they were left out",
+      fmt::format("the first {} samples, up to {} ms, differ by 1 g from those in the fall before the "
+                  "impact, as if recorded at rest; they were left out",
                   count, brief(1e3 * time[static_cast<std::size_t>(count - 1)])));
   const auto leave_out = [count](std::vector<double>& values) {
     values.erase(values.begin(), values.begin() + count);
@@ -183,7 +183,7 @@ std::optional<SensorOffset> find_offset(MeasuredPulse& measured,
       offset = offset_between(measured, interval->first, interval->second);
     } catch (const std::invalid_argument& error) {
       const std::vector<double>& time = measured.pulse.time;
-      throw std::invalid_argument(fmt::format("{}; the samples are from {:.6g} to {:.6g} ms", error.what(),
+      throw std::invalid_argument(fmt::format("{}; the record runs from {:.6g} to {:.6g} ms", error.what(),
                                               1e3 * time.front(), 1e3 * time.back()));
     }
   if (begin) leave_out_before(measured, *begin);

@@ -35,8 +35,8 @@ const StandardVariant& find_variant(const Standard& standard, const std::string&
     if (variant.name == name) return variant;
     names += (names.empty() ? "" : ", ") + variant.name;
   }
-  throw std::invalid_argument(standard.name + " has no variant \"" + name + "\"; it has " +
-                              (names.empty() ? "none" : names));
+  throw std::invalid_argument(standard.name + " has no variant \"" + name + "\"; " +
+                              (names.empty() ? "it has none" : "its variants are " + names));
 }
 
 /// The value of a user in place of the standard's.

@@ -54,7 +54,7 @@ void read_impactor(TableReader& table, const std::filesystem::path& folder, std:
   // An impactor that falls also presses on the pad by its weight.
   if (table.has("drop_height") && !table.has("gravity")) impactor.gravity = standard_gravity;
   if (table.has("drop_height") && impactor.gravity == 0)
-    table.fault("drop_height", "a fall needs gravity; give a speed");
+    table.fault("drop_height", "a fall needs gravity, which is 0 in this case; give a speed instead");
   for (const auto& [way, value] : others) way->set(impact, value);
   table.refuse_others();
 }
@@ -122,9 +122,9 @@ MaterialEntry read_material_entry(TableReader& table, const Folders& folders,
 }
 
 void refuse_beside_layers(TableReader& table) {
-  if (table.has("thickness")) table.fault("thickness", "leave it out: it is the sum of the layers");
+  if (table.has("thickness")) table.fault("thickness", "must be left out; the layers determine it");
   const auto refuse = [&](const char* key) {
-    if (table.has(key)) table.fault(key, "leave it out: each layer has its own");
+    if (table.has(key)) table.fault(key, "must be left out, since each layer has its own");
   };
   for (const char* key :
        {"material", "law", "parameters", "curve", "rate", "unloading", "fitted", "uncertainty"})
@@ -137,7 +137,7 @@ void read_layers(TableReader& table, const Folders& folders, PadEntry& into) {
   const TomlNode* nodes = table.array("layers");
   if (!nodes) return;
   if (nodes->children.empty() || nodes->children.size() > max_layers) {
-    table.fault("layers", fmt::format("must hold 1 to {} layers, each as [[pad.layers]]", max_layers));
+    table.fault("layers", fmt::format("must have 1 to {} layers, each under [[pad.layers]]", max_layers));
     return;
   }
   std::vector<PadLayer> layers;
@@ -276,6 +276,11 @@ Reading<CaseFile> case_in(TomlFile& toml, const std::filesystem::path& file,
 }
 
 }  // namespace
+
+Reading<CaseFile> read_case_tree(TomlFile& toml, const std::filesystem::path& file,
+                                 const std::filesystem::path& materials) {
+  return case_in(toml, file, materials, {});
+}
 
 PadMaterial read_pad_material(TableReader& pad, const Folders& folders) {
   PadMaterial of;

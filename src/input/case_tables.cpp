@@ -20,8 +20,8 @@ std::optional<Profile> read_points(TableReader& table, const std::string& key, P
   if (!list) return std::nullopt;
   const bool has_radii = kind == Profile::Of::radius;
   const char* const unit = has_radii ? "m" : "m2";
-  const char* const rule = has_radii ? "a point is a depth and a radius, such as [\"10 mm\", \"35 mm\"]"
-                                     : "a point is a depth and an area, such as [\"10 mm\", \"40 cm2\"]";
+  const char* const rule = has_radii ? "must be a depth and a radius, such as [\"10 mm\", \"35 mm\"]"
+                                     : "must be a depth and an area, such as [\"10 mm\", \"40 cm2\"]";
   Profile profile{.of = kind};
   const std::size_t faults = table.faults().size();
   for (const TomlNode& node : list->children) {
@@ -49,7 +49,7 @@ Profile read_profile(TableReader& table, const std::filesystem::path& folder, st
                 : has_radii ? "radii"
                 : has_areas ? "areas"
                             : "file",
-                has_file || has_radii || has_areas ? "give one of file, radii and areas"
+                has_file || has_radii || has_areas ? "give only one of file, radii and areas"
                                                    : "is missing; give a file, radii or areas");
   else if (has_file)
     profile = read_file(table, folder, files);
@@ -95,7 +95,7 @@ Support read_curve(TableReader& table) {
     const std::string key = table.full_key("points") + node.key;
     const auto pair =
         read_pair(node, key, {"m", "N"},
-                  "a point is a deflection and a force, such as [\"0.1 in\", \"100 lbf\"]", table.faults());
+                  "must be a deflection and a force, such as [\"0.1 in\", \"100 lbf\"]", table.faults());
     if (!pair) {
       good = false;
       continue;

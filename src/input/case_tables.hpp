@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/input/reading.hpp"
 #include "dashpad/model/nose/nose.hpp"
 #include "dashpad/model/nose/profile.hpp"
@@ -39,6 +40,10 @@ struct PadMaterial {
   bool is_in_line = false;           ///< given in the file itself, so not yet checked
   std::optional<std::filesystem::path> card;
 };
+
+/// Reads and checks a case that is already a tree; files that it names are relative to the folder of `file`.
+Reading<CaseFile> read_case_tree(TomlFile& tree, const std::filesystem::path& file,
+                                 const std::filesystem::path& materials);
 
 /// Reads `material`, or a law with its tables.
 PadMaterial read_pad_material(TableReader& pad, const Folders& folders);

@@ -22,6 +22,11 @@ std::string why_not_regular(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool is_link(const std::filesystem::path& file) {
+  std::error_code none;
+  return std::filesystem::is_symlink(file, none);
+}
+
 bool is_there(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);
@@ -38,7 +43,7 @@ Reading<std::string> content_of(const std::filesystem::path& file, std::size_t m
     stream.read(piece.data(), piece.size());
     content.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  if (stream.bad()) return fault_of_file(file, "cannot be read to its end");
+  if (stream.bad()) return fault_of_file(file, "cannot be read to the end");
   return content;
 }
 

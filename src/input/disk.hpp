@@ -13,6 +13,7 @@
 namespace dashpad::input {
 
 bool is_there(const std::filesystem::path& file);
+bool is_link(const std::filesystem::path& file);
 
 /// The bytes of a regular file, but not many more than `most`, so that the caller sees whether it is larger.
 /// Anything else is a fault: missing, a folder, a pipe or a device, unreadable.

@@ -111,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> read_also_published(TableReader
   auto table = card.table("also_published", Presence::optional);
   if (!table) return values;
   if (table->node().children.size() > max_also_published) {
-    card.fault("also_published", "holds more than 100 values");
+    card.fault("also_published", "has more than 100 values");
     return values;
   }
   for (const TomlNode& entry : table->node().children) values.emplace_back(entry.key, table->text(entry.key));
@@ -152,7 +152,7 @@ std::vector<std::string> read_reservations(TableReader& card) {
     if (text.kind == TomlNode::Kind::text && !text.text.empty() && all.size() < max_also_published)
       all.push_back(text.text);
     else
-      card.faults().add(text, "reservations" + text.key, "must be a text, one of at most 100");
+      card.faults().add(text, "reservations" + text.key, "must be non-empty text (at most 100 entries)");
   return all;
 }
 

@@ -33,13 +33,13 @@ std::optional<injury::MeasuredColumn> find_column(const CsvColumns& columns, con
     const HeaderText header = name_and_unit(column);
     if (header.name != name) continue;
     if (found) {
-      faults.add(line, column.name, "", fmt::format("a second column called {}", name));
+      faults.add(line, column.name, "", fmt::format("is a second column called {}", name));
       return std::nullopt;
     }
     found = column;
-    const auto [factor, rule] = header.unit.empty()
-                                    ? SiValue{0, fmt::format("the {} needs a unit in the header", name)}
-                                    : read_si("1 " + header.unit, si_unit);
+    const auto [factor, rule] =
+        header.unit.empty() ? SiValue{0, fmt::format("the {} column needs a unit in its header", name)}
+                            : read_si("1 " + header.unit, si_unit);
     found->factor = factor;
     if (!rule.empty()) faults.add(line, column.name, "", rule);
   }
@@ -59,9 +59,9 @@ ProfileColumns choose(const CsvHeader& header, MeasurementFaults& faults) {
   const auto radius = find_column(named, "radius", "m", line, faults);
   const auto area = find_column(named, "area", "m2", line, faults);
   faults.throw_if_any();
-  if (!depth) faults.refuse(line, "", "", fmt::format("a column called depth is needed{}", example));
+  if (!depth) faults.refuse(line, "", "", fmt::format("needs a depth column in the header{}", example));
   if (!radius && !area)
-    faults.refuse(line, "", "", fmt::format("a column called radius or area is needed{}", example));
+    faults.refuse(line, "", "", fmt::format("needs a radius or area column in the header{}", example));
   if (radius && area) faults.refuse(line, "", "", "give a radius or an area, not both");
   return {*depth, radius ? *radius : *area, radius ? Profile::Of::radius : Profile::Of::area};
 }
@@ -86,7 +86,8 @@ Profile profile_in(const std::filesystem::path& file) {
   std::vector<std::size_t> lines;
   each_row(table, faults, [&](const CsvRow& row) {
     if (profile.points.size() == Profile::max_points)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", Profile::max_points));
+      faults.refuse(row.line, "", "",
+                    fmt::format("has more than {} rows; thin them out", Profile::max_points));
     const auto read = [&](const injury::MeasuredColumn& column, const char* unit) {
       return read_field(row, column, unit, faults);
     };
@@ -97,7 +98,7 @@ Profile profile_in(const std::filesystem::path& file) {
   faults.throw_if_any();
   for (const Profile::Fault& fault : profile.faults()) {
     const bool is_row = profile.points.size() > 1;
-    faults.add(is_row ? lines[fault.point] : 0, "", "", is_row ? fault.rule : "needs two rows or more");
+    faults.add(is_row ? lines[fault.point] : 0, "", "", is_row ? fault.rule : "needs at least two rows");
   }
   faults.throw_if_any();
   return profile;

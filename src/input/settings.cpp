@@ -58,13 +58,13 @@ Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, st
     if (i + 2 == path.size() && is_of_card(*at, path[i])) return Put::waits_for_case;
     TomlNode* next = at->child(path[i]);
     if (next == nullptr && at->kind == TomlNode::Kind::array)
-      return refuse(fmt::format("there are {} of them", at->children.size()));
+      return refuse(fmt::format("there is no such entry; the last is number {}", at->children.size()));
     if (next == nullptr) {
       at->children.push_back({.kind = TomlNode::Kind::table, .line = set_by_option, .key = path[i]});
       next = &at->children.back();
     }
     if (next->kind != TomlNode::Kind::table && next->kind != TomlNode::Kind::array)
-      return refuse(fmt::format("{} is a value and has no entries", path[i]));
+      return refuse(fmt::format("{} is a value, not a table", path[i]));
     at = next;
   }
   make_room(*at, path.front(), path.back());
@@ -72,7 +72,7 @@ Put put(TomlNode& root, const std::vector<std::string>& path, TomlNode value, st
   if (TomlNode* there = at->child(path.back()))
     *there = std::move(value);
   else if (at->kind == TomlNode::Kind::array)
-    return refuse(fmt::format("there are {} of them", at->children.size()));
+    return refuse(fmt::format("there is no such entry; the last is number {}", at->children.size()));
   else
     at->children.push_back(std::move(value));
   return Put::done;
@@ -102,7 +102,7 @@ std::vector<LaterSetting> put_settings(const std::vector<std::string>& settings,
     const std::string value = sign < setting.size() ? setting.substr(sign + 1) : "";
     if (key.empty() || value.empty() || setting.size() > longest_setting) {
       faults.add(set_by_option, "", "",
-                 fmt::format("{} must be KEY=VALUE of at most {} characters, such as pad.thickness=\"30 mm\"",
+                 fmt::format("{} must be KEY=VALUE of at most {} characters, as in pad.thickness=\"30 mm\"",
                              setting.substr(0, 40), longest_setting));
       continue;
     }

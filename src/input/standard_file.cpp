@@ -31,7 +31,7 @@ injury::Origin read_origin(TableReader& table) {
                         .note = table.text("note", Presence::optional)};
   const TomlNode* kind = table.node().child("kind");
   if (origin.verified && kind && kind->text == to_string(injury::SourceKind::none))
-    table.fault("verified", "cannot be true without a source in which the value was read: see kind");
+    table.fault("verified", "cannot be true without a source in which the value was read (see kind)");
   return origin;
 }
 
@@ -55,8 +55,8 @@ std::optional<double> read_number(TableReader& table, const std::string& si_unit
   const bool has_height = is_speed && table.has("drop_height");
   const bool from_case = table.flag("from_case");
   if (has_value + has_height + from_case != 1)
-    table.fault("value", is_speed ? "give one of value, drop_height and from_case = true"
-                                  : "give one of value and from_case = true");
+    table.fault("value", is_speed ? "give exactly one of value, drop_height and from_case = true"
+                                  : "give either value or from_case = true");
   if (has_value) return positive(table, "value", table.quantity("value", si_unit));
   if (!has_height) return std::nullopt;
   drop_height = positive(table, "drop_height", table.quantity("drop_height", "m"));

@@ -31,9 +31,9 @@ bool asks_for_oblique_blow(const std::string& key) {
 }
 
 constexpr const char* no_oblique_blow =
-    "impacts are normal to the pad; oblique impacts are not supported. Using the normal component "
-    "of the speed alone neglects friction on the pad, the resulting rotation of the head, and the larger "
-    "contact of a sliding nose";
+    "impacts must be normal to the pad; oblique impacts are not supported. Using only the normal component "
+    "of the speed neglects friction on the pad, the resulting rotation of the head, and the larger "
+    "contact area of a sliding nose";
 
 constexpr std::size_t max_numbers = 2000;
 
@@ -148,7 +148,7 @@ std::optional<std::filesystem::path> TableReader::file(const std::string& key,
   const std::string name = text(key);
   if (name.empty()) return std::nullopt;
   if (std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < ' '; })) {
-    fault(key, "the path holds a control character");
+    fault(key, "the path contains a control character");
     return std::nullopt;
   }
   std::filesystem::path named = folder / name;
@@ -187,7 +187,7 @@ void TableReader::refuse_others() {
     faults_->add_key(entry, full_key(entry.key),
                      asks_for_oblique_blow(entry.key)
                          ? no_oblique_blow
-                         : "unknown key" + (meant.empty() ? "; known here are " + listing(known_) : meant));
+                         : "unknown key" + (meant.empty() ? "; valid keys: " + listing(known_) : meant));
   }
 }
 

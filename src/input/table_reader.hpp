@@ -161,7 +161,7 @@ void read_parameter(TableReader& table, const Parameter<Owner>& parameter, Owner
   else
     parameter.set(into, table.value(parameter.key, parameter.unit));
   if (parameter.left_out == LeftOut::none && parameter.is_none(into))
-    table.fault(parameter.key, "must be more than 0; without one, leave the key out");
+    table.fault(parameter.key, "must be more than 0; if there is none, leave the key out");
 }
 
 /// Numbers at fault are NaN.

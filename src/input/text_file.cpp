@@ -47,7 +47,7 @@ Reading<std::string> text_of(const std::filesystem::path& file, std::string cont
   const auto nul = content.find('\0');
   if (nul == std::string::npos) return content;
   const auto lines = std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-  return fault_of_file(file, "is not text: it holds a NUL byte", static_cast<int>(lines) + 1);
+  return fault_of_file(file, "is not text: it contains a NUL byte", static_cast<int>(lines) + 1);
 }
 
 }  // namespace

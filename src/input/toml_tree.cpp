@@ -145,13 +145,13 @@ Reading<TomlFile> read_toml_text(std::string name, std::string text) {
     return std::vector{Fault{name, line, "", "", std::move(rule), excerpt_of(text, line, columns)}};
   };
   if (const int line = line_of_overlong_name(text))
-    return fault_in(line, {}, fmt::format("a name holds more than {} dots; text needs quotes", max_dots));
+    return fault_in(line, {}, fmt::format("a name has more than {} dots; text needs quotes", max_dots));
   const toml::parse_result read = toml::parse(text);
   if (!read) {
     const toml::parse_error& error = read.error();
     const int line = static_cast<int>(error.source().begin.line);
     return fault_in(line, columns_of(error.source(), line),
-                    fmt::format("is not TOML: {}", error.description()));
+                    fmt::format("is not valid TOML: {}", error.description()));
   }
   TomlNode root = convert(read.table(), "");
   root.line = 0;  // a missing key at the top has no line

@@ -191,12 +191,12 @@ class Record {
 class Rules {
  public:
   Rules& require(bool is_kept, const std::string& name, double value, const std::string& rule) {
-    if (!is_kept) text_ += fmt::format("{}{} is {}: {}", text_.empty() ? "" : "; ", name, value, rule);
+    if (!is_kept) text_ += fmt::format("{}{} = {}: {}", text_.empty() ? "" : "; ", name, value, rule);
     return *this;
   }
   Rules& positive(const char* name, double value, const char* unit) {
     return require(value > 0 && std::isfinite(value), name, value,
-                   fmt::format("must be more than 0 ({})", unit));
+                   fmt::format("must be more than 0, in {}", unit));
   }
   Rules& rate(double value) { return positive("rate", value, "1/s"); }
   Rules& peak(double value) {

@@ -22,10 +22,10 @@ void check(const PadLaw& law, const StrainHistory& history, int places) {
   Rules rules;
   rules.none_of(violations(law)).none_of(violations(history));
   if (places < fewest_places || places > max_places)
-    rules.require(false, "places", places, fmt::format("must be {} to {}", fewest_places, max_places));
+    rules.require(false, "places", places, fmt::format("must be from {} to {}", fewest_places, max_places));
   else
     rules.require(static_cast<double>(history.pieces.size()) * places <= max_places_in_all, "places", places,
-                  fmt::format("times pieces must be at most {}", max_places_in_all));
+                  fmt::format("places times pieces must be at most {}", max_places_in_all));
   rules.done();
 }
 

@@ -164,7 +164,7 @@ void check(const PadLaw& law, const CreepTest& test, int places) {
       .positive("stress", test.stress, "Pa")
       .positive("loading_rate", test.loading_rate, "1/s")
       .positive("hold", test.hold, "s")
-      .require(places >= 2 && places <= 100000, "places", places, "must be 2 to 100000")
+      .require(places >= 2 && places <= 100000, "places", places, "must be from 2 to 100000")
       .done();
 }
 

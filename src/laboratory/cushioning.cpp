@@ -161,7 +161,7 @@ CushionFigures cushion_figures(const ColumnTest& test) {
 
 std::optional<CushionPoint> at_stress_limit(const CushionCurve& curve, double limit) {
   if (!(limit > 0 && std::isfinite(limit)))
-    throw std::invalid_argument(fmt::format("stress limit is {}: must be more than 0 (Pa)", limit));
+    throw std::invalid_argument(fmt::format("stress limit = {}: must be more than 0, in Pa", limit));
   const auto first = std::lower_bound(curve.stress.begin(), curve.stress.end(), limit);
   if (first == curve.stress.end()) return std::nullopt;
   const auto i = static_cast<std::size_t>(first - curve.stress.begin());

@@ -24,7 +24,7 @@ StrainHistory history_of(const MaterialTest& test, double rate) {
     case TestKind::history: return measured_test(test.times, test.strains);
     case TestKind::creep: break;
   }
-  throw std::invalid_argument("creep has no strain history: its stress is given");
+  throw std::invalid_argument("a creep test has no strain history: its stress is prescribed");
 }
 
 /// The times of the update's strains, s, from 0 on.
@@ -33,7 +33,7 @@ std::vector<double> times_of_1984(const StrainHistory& history, int steps) {
   const double count = std::floor(duration_of(history) / step * (1 + 1e-9));
   if (!(count <= max_steps_of_1984))
     throw std::invalid_argument(
-        fmt::format("the 1984 update would need {:.3g} steps of {:.3g} s, and at most {} are allowed; "
+        fmt::format("the 1984 update would need {:.3g} steps of {:.3g} s, but at most {} are allowed; "
                     "shorten the test, or use fewer --steps",
                     count, step, max_steps_of_1984));
   std::vector<double> times;
@@ -131,10 +131,10 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
     flags.push_back(flag_of(
         "ASSUMPTION",
         std::holds_alternative<RigidFoam>(material.law)
-            ? "reloaded after contact was lost; the foam does not recover, and carries no stress below its "
-              "largest strain"
-            : "reloaded after contact was lost; the law does not cover this, and the column is assumed to "
-              "have followed the platen without force and to start again from zero stress"));
+            ? "the column was reloaded after contact was lost; the foam does not recover, and carries no "
+              "stress below its largest strain"
+            : "the column was reloaded after contact was lost; the law does not cover this, so the column is "
+              "assumed to have followed the platen without force and to start again from zero stress"));
   if (run.unloads && -run.figures.hysteresis > std::max(1e-9, run.figures.energy_error))
     flags.push_back(flag_of(
         "ENERGY GAIN",
@@ -147,8 +147,8 @@ std::vector<Flag> flags_of(const Material& material, const MaterialTestRun& run)
       }))
     flags.push_back(
         flag_of("OUT OF BOUNDS",
-                fmt::format("with steps of {:.3g} s the 1984 update leaves the range from {:g} to {:g} times "
-                            "the exact peak stress; those points are not drawn",
+                fmt::format("with steps of {:.3g} s, the 1984 update goes outside the range from {:g} to "
+                            "{:g} times the exact peak stress; the points outside it are not drawn",
                             update->step, lowest_drawn, highest_drawn),
                 {{"step_s", update->step}}));
   return flags;
@@ -172,7 +172,7 @@ const char* to_string(TestKind kind) {
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
                                      StressUpdate update_of_1984) {
   if (test.steps_of_1984 && update_of_1984 == nullptr)
-    throw std::invalid_argument("1984 steps need the 1984 update");
+    throw std::invalid_argument("steps of 1984 were given without the 1984 update");
   MaterialTestReport report{material, test, {}};
   std::string unreached;
   const bool is_measured = test.kind == TestKind::history;

@@ -20,7 +20,7 @@ StrainPiece straight(double from, double to, double rate) {
 
 void check_numbers(const StrainPiece& piece, const std::string& key, std::vector<Violation>& broken) {
   if (!(piece.duration > 0 && std::isfinite(piece.duration)))
-    broken.push_back({key + ".duration", piece.duration, "must be more than 0 (s)"});
+    broken.push_back({key + ".duration", piece.duration, "must be more than 0, in s"});
   for (const auto& [name, value] :
        {std::pair{".strain", piece.strain}, {".rate", piece.rate}, {".acceleration", piece.acceleration}})
     if (!std::isfinite(value)) broken.push_back({key + name, value, "must be a finite number"});
@@ -58,8 +58,8 @@ StrainHistory cyclic_test(double rate, double strain, double low, int cycles) {
   Rules()
       .rate(rate)
       .peak(strain)
-      .require(low >= 0 && low < strain, "low", low, "must be at least 0 and less than strain")
-      .require(cycles >= 1 && cycles <= 1000, "cycles", cycles, "must be 1 to 1000")
+      .require(low >= 0 && low < strain, "low", low, "must be at least 0 and less than the largest strain")
+      .require(cycles >= 1 && cycles <= 1000, "cycles", cycles, "must be from 1 to 1000")
       .done();
   StrainHistory history;
   for (int i = 0; i < cycles; ++i) {
@@ -71,8 +71,8 @@ StrainHistory cyclic_test(double rate, double strain, double low, int cycles) {
 
 StrainHistory measured_test(const std::vector<double>& times, const std::vector<double>& strains) {
   if (times.size() != strains.size() || times.size() < 2)
-    throw std::invalid_argument(fmt::format(
-        "{} times and {} strains: the numbers must be equal, and at least 2", times.size(), strains.size()));
+    throw std::invalid_argument(fmt::format("{} times and {} strains: give equal numbers of both, at least 2",
+                                            times.size(), strains.size()));
   StrainHistory history;
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double duration = times[i] - times[i - 1];
@@ -96,7 +96,7 @@ std::vector<Violation> violations(const StrainHistory& history) {
     if (std::abs(pieces[i].strain - expected) > rounding)
       broken.push_back({key + ".strain", pieces[i].strain,
                         i == 0 ? "must be 0: a history starts at first contact"
-                               : "must be the strain at which the piece before ends"});
+                               : "must be the strain at which the previous piece ends"});
   }
   return broken;
 }

@@ -21,7 +21,7 @@ std::string rule_of(const Bounds& bounds, std::string_view unit) {
   const std::string suffix = unit == "1" ? "" : fmt::format(" {}", unit);
   if (*bounds.words != '\0') return fmt::format("must be {}", bounds.words);
   if (bounds.is_wide)
-    return fmt::format("must be more than 0: between {0} {2} and {1} {2}", bounds.lowest, bounds.highest,
+    return fmt::format("must be more than 0 (between {0} {2} and {1} {2})", bounds.lowest, bounds.highest,
                        unit);
   std::string rule = "must be a finite number";
   if (std::isfinite(bounds.lowest))

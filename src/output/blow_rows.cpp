@@ -26,14 +26,14 @@ double hic15(const BlowResult& blow) { return blow.injury ? blow.injury->hic15.v
 std::string with_change(double from, double to, const std::string& unit) {
   const double tenths = std::round(1000 * (to / from - 1));
   return fmt::format("{}{}, {} % {}", brief(to, 3), unit, brief(std::abs(tenths) / 10, 2),
-                     tenths < 0 ? "below" : "above");
+                     tenths < 0 ? "lower" : "higher");
 }
 
 std::string why_alike(const PadLaw& law) {
   if (blow_memory(law) != BlowMemory::none) return "the pad recovers fully between blows";
-  return "according to the law " + name_of(law) + " the pad recovers fully" +
+  return "according to the " + name_of(law) + " law, the pad recovers fully" +
          (std::holds_alternative<Elastic>(law) ? ""
-                                               : ", if the pauses are long compared with its relaxation");
+                                               : ", if the pauses are much longer than its relaxation time");
 }
 
 std::string header(const char* key, const std::string& unit) {
@@ -54,16 +54,16 @@ std::string growth_text(const ImpactCase& impact, const std::vector<BlowResult>&
   const BlowResult& first = blows.front();
   const BlowResult& last = blows.back();
   const int asked = first.summary.blows;
-  if (blows.size() == 1) return fmt::format("Only the first of {} blows is known.", asked);
+  if (blows.size() == 1) return fmt::format("Only the first of {} blows could be computed.", asked);
   if (first.earlier_penetration == last.earlier_penetration &&
       first.summary.peak_force == last.summary.peak_force)
-    return fmt::format("All {} blows are alike: {}.", blows.size(), why_alike(impact.pad.material.law));
-  std::string text = fmt::format("Blow {} peaks ", blows.size());
+    return fmt::format("All {} blows are identical: {}.", blows.size(), why_alike(impact.pad.material.law));
+  std::string text = fmt::format("Blow {} ", blows.size());
   if (std::isnan(peak_in_g(last)))
-    text += fmt::format("without bound, blow 1 at {} g", brief(peak_in_g(first), 3));
+    text += fmt::format("has no finite peak; blow 1 peaks at {} g", brief(peak_in_g(first), 3));
   else
-    text += "at " + with_change(peak_in_g(first), peak_in_g(last), " g") + " blow 1";
-  if (first.injury && last.injury) text += "; HIC15 " + with_change(hic15(first), hic15(last), "");
+    text += "peaks at " + with_change(peak_in_g(first), peak_in_g(last), " g") + " than blow 1";
+  if (first.injury && last.injury) text += "; its HIC15 is " + with_change(hic15(first), hic15(last), "");
   return text + ".";
 }
 

@@ -19,10 +19,10 @@ namespace {
 
 std::string bottomed_flag(const Summary& summary, const UnitSystem& units) {
   const Moment& moment = *summary.bottomed;
-  return fmt::format("BOTTOMED at {}, the impactor still moving at {}{}",
+  return fmt::format("BOTTOMED at {} with the impactor still moving at {}{}",
                      brief_quantity(moment.time, "s", units), brief_quantity(moment.velocity, "m/s", units),
-                     bottomed_on_rigid_support(summary) ? "; figures are up to that moment"
-                                                        : "; while it was, only the support yielded");
+                     bottomed_on_rigid_support(summary) ? "; the figures cover the time until then"
+                                                        : "; during bottoming, only the support yielded");
 }
 
 /// Close to full compression the rounded percentage would look like bottoming: there, what is left is said.
@@ -40,30 +40,30 @@ std::string loss_words(const Pad& pad) {
   };
   const bool all = pad.layers.empty() ? is_free(pad.material)
                                       : std::ranges::all_of(pad.layers, is_free, &PadLayer::material);
-  return all ? ": no loss was stated for the pad" : "";
+  return all ? "; no loss is specified for the pad" : "";
 }
 
 std::string remark_on(const std::string& key, const ImpactCase& impact, const Summary& summary,
                       const UnitSystem& units, int digits) {
   if (key == "peak_penetration") return part_of_pad(summary.peak_penetration, impact.pad.thickness, digits);
-  if (key == "peak_motion") return "pad and support";
+  if (key == "peak_motion") return "pad and support together";
   if (key.starts_with("peak_strain"))
     return impact.pad.layers.empty() ? "on the axis" : "of the whole pad, on the axis";
   if (key == "rebound_speed" && summary.restitution && summary.release && summary.release->velocity > 0 &&
       summary.support && summary.support->body_speed)
-    return "moves on at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
+    return "continues forward at " + brief_quantity(summary.release->velocity, "m/s", units, digits) +
            "; restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "rebound_speed" && summary.restitution)
     return "restitution " + significant(*summary.restitution, digits) + loss_words(impact.pad);
   if (key == "contact_end") return fmt::format("force below {} of its peak", percentage(contact_end_share));
   if (key == "force_below_weight")
-    return (summary.force_below_weight->velocity > 0 ? "moving on at " : "rebounding at ") +
+    return (summary.force_below_weight->velocity > 0 ? "continuing forward at " : "rebounding at ") +
            brief_quantity(std::abs(summary.force_below_weight->velocity), "m/s", units, digits);
   if (key == "energy_absorbed_fraction")
-    return fmt::format("of the {} of the impact", brief_quantity(summary.energy.impact, "J", units, digits)) +
+    return fmt::format("of the impact energy, {}",
+                       brief_quantity(summary.energy.impact, "J", units, digits)) +
            (summary.energy.weight > 0.1 * summary.energy.impact
-                ? fmt::format("; the weight adds {}",
-                              brief_quantity(summary.energy.weight, "J", units, digits))
+                ? fmt::format("; gravity adds {}", brief_quantity(summary.energy.weight, "J", units, digits))
                 : "");
   return "";
 }
@@ -75,9 +75,9 @@ void add_layers(std::vector<ValueRow>& rows, const Pad& pad, const Summary& summ
     const auto tested = range_of(material);
     std::string remark = one_line(material.name);
     if (tested) remark += fmt::format(", tested up to {}", brief(tested->highest_strain));
-    remark += fmt::format("; rate up to {} 1/s", brief(summary.layers[i].peak_strain_rate, digits));
+    remark += fmt::format("; strain rate up to {} 1/s", brief(summary.layers[i].peak_strain_rate, digits));
     rows.push_back({.key = fmt::format("layer_{}_peak_strain", i + 1),
-                    .label = fmt::format("Strain of layer {}", i + 1),
+                    .label = fmt::format("Peak strain in layer {}", i + 1),
                     .value = significant(summary.layers[i].peak_strain, digits),
                     .remark = remark});
   }
@@ -112,7 +112,7 @@ const std::vector<const SummaryQuantity*>& rows_of_summary() {
 std::string remark_on(const injury::InjuryValue& figure, double length, const UnitSystem& units, int digits) {
   const std::string key = figure.quantity->key;
   if (key == "hic_d") return "from HIC36";
-  if (key == "severity_index") return "Gadd";
+  if (key == "severity_index") return "as defined by Gadd";
   if (figure.time) return "at " + brief_quantity(without_rounding(*figure.time, length), "s", units, digits);
   const std::string kind = key == "clip_3ms" ? "uninterrupted" : key == "cumulative_3ms" ? "in total" : "";
   if (!figure.begin || (*figure.end <= *figure.begin && !kind.empty())) return kind;
@@ -135,9 +135,9 @@ std::string tolerance_text(const Summary& summary) {
 /// The end of a completed run.
 std::string end_of_contact(const Summary& summary) {
   if (summary.release && summary.support && summary.support->body_speed && summary.release->velocity > 0)
-    return "The impactor left the pad but moves on, more slowly than the body behind the pad.";
+    return "The impactor left the pad but is still moving forward, more slowly than the body behind the pad.";
   return pulse_is_whole(summary) ? "The impactor rebounded and left the pad."
-                                 : "The pad stopped the impactor and does not push it back.";
+                                 : "The pad stopped the impactor without pushing it back.";
 }
 
 std::string duration(double seconds) {
@@ -206,11 +206,11 @@ std::vector<ValueRow> pulse_rows(const injury::InjuryFigures& figures, const Uni
   for (const injury::InjuryValue& figure : values) {
     const ResultQuantity& quantity = *figure.quantity;
     if (detail == Detail::main && !quantity.role.is_main) continue;
-    // A pulse shorter than 3 ms has no clip.
-    if (detail == Detail::main && figure.value == 0 && std::string_view{quantity.key}.ends_with("_3ms"))
-      continue;
+    const bool is_clip = std::string_view{quantity.key}.ends_with("_3ms");
+    if (detail == Detail::main && figure.value == 0 && is_clip) continue;  // a pulse shorter than 3 ms
     if (detail == Detail::main && before != nullptr && is_same(figure, *before)) {
-      same += (same.empty() ? "" : " and ") + title_in_sentence(quantity);
+      same +=
+          std::string(same.empty() ? "" : " and ") + (is_clip ? "the " : "") + title_in_sentence(quantity);
       rows.back().remark = stretch(*figure.begin, *figure.end, units, digits) + "; the same for " + same;
       continue;
     }
@@ -238,7 +238,7 @@ std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary&
                                         const UnitSystem& units) {
   if (!summary.bottomed) return {};
   const auto shown = [&](double value, const char* unit) { return brief_quantity(value, unit, units, 3); };
-  return {{.label = "Speed when the pad bottomed",
+  return {{.label = "Speed when the pad bottomed out",
            .value = shown(summary.bottomed->velocity, "m/s"),
            .remark = "after " + shown(summary.bottomed->time, "s")},
           {.label = "Impact speed", .value = shown(impact.impactor.speed, "m/s")}};

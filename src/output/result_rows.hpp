@@ -38,8 +38,7 @@ std::vector<ValueRow> main_rows(const ImpactCase& impact, const Summary& summary
 std::vector<ValueRow> bottoming_figures(const ImpactCase& impact, const Summary& summary,
                                         const UnitSystem& units);
 
-/// How it was computed: "to a tolerance of 0.01 % for peak forces, distances and rebound: 120 steps, contact
-/// force in closed form, 3 runs, 1.2 ms".
+/// How it was computed: "to a tolerance of 0.01 % for peak forces, distances and rebound: 120 steps, ...".
 std::string numbers_text(const Summary& summary);
 
 /// "from 5.847 to 20.12 ms", with 0 for what is 0 up to rounding.

@@ -30,12 +30,12 @@ constexpr Dimension dimensions[] = {
     {"kg", "a mass", {"kg", "g", "lb"}},
     {"N", "a force", {"N", "kN", "lbf", "kgf"}},
     {"N/m", "a stiffness", {"N/m", "N/mm", "kN/m", "lbf/in"}},
-    {"N s/m", "a damping", {"N s/m", "kN s/m", "lbf s/in"}},
+    {"N s/m", "a damping coefficient", {"N s/m", "kN s/m", "lbf s/in"}},
     {"Pa", "a stress", {"Pa", "kPa", "MPa", "psi"}},
     {"J", "an energy", {"J", "kJ", "ft lbf", "in lbf"}},
     {"N s", "an impulse", {"N s", "lbf s"}},
     {"kg/m3", "a density", {"kg/m3", "g/cm3", "lb/ft3"}},
-    {"kg/m2", "a mass per area", {"kg/m2", "g/m2", "lb/ft2"}},
+    {"kg/m2", "a mass per unit area", {"kg/m2", "g/m2", "lb/ft2"}},
     {"V", "a voltage", {"V", "mV"}},
     {"m2", "an area", {"m2", "mm2", "in2"}},
     {"m3", "a volume", {"m3", "cm3", "in3"}},
@@ -77,9 +77,9 @@ std::string quoted_examples(const Dimension& dimension, std::string_view number)
 
 NumberAndUnit split(std::string_view text, const Dimension& wanted) {
   if (text.size() > longest_text)
-    return breaks(fmt::format("longer than {} characters; a number and a unit are needed", longest_text));
+    return breaks(fmt::format("is longer than {} characters; a number and a unit are needed", longest_text));
   if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }))
-    return breaks("holds a control character");
+    return breaks("contains a control character");
   const std::string tidy = tidy_unit(text);
   const char* first = tidy.data() + (tidy.starts_with('+') && !tidy.starts_with("+-") ? 1 : 0);
   const char* last = tidy.data() + tidy.size();
@@ -87,12 +87,12 @@ NumberAndUnit split(std::string_view text, const Dimension& wanted) {
   const auto [end, error] = from_chars(first, last, result.number);
   if (error == std::errc::invalid_argument)
     return breaks(
-        fmt::format("{} starts with a number, such as {}", name_of(wanted), quoted_examples(wanted, "20")));
+        fmt::format("{} must start with a number, as in {}", name_of(wanted), quoted_examples(wanted, "20")));
   if (end != last && *end == ',')
-    return breaks("write the number with a decimal point and without commas, such as 1.5 or 1500");
+    return breaks("write the number with a decimal point and without commas, as in 1.5 or 1500");
   if (error == std::errc::result_out_of_range)
     return breaks("the number is too large or too small to compute with");
-  if (!std::isfinite(result.number)) return breaks("a finite number is needed");
+  if (!std::isfinite(result.number)) return breaks("must be a finite number");
   result.number_text = std::string(first, end);
   result.unit = tidy_unit({end, static_cast<std::size_t>(last - end)});
   return result;
@@ -121,15 +121,15 @@ std::string wrong_dimension(const std::string& unit, const Dimension& wanted) {
   // An angle counts as a pure number, and a pure number as an angle.
   for (const Dimension& dimension : dimensions)
     if (dimension.si_unit != "rad" && fits(unit, dimension.si_unit))
-      rule += fmt::format(", but \"{}\" gives {}", unit, dimension.name);
+      rule += fmt::format(", but \"{}\" denotes {}", unit, dimension.name);
   if (fits(fmt::format("({}) m/s2", unit), wanted.si_unit))
-    rule += "; lb and kg are masses, the forces are lbf, kgf and N";
+    rule += "; lb and kg are units of mass, and lbf, kgf and N are units of force";
   return rule + other_capitals(unit, wanted);
 }
 
 std::string unknown_unit(const std::string& unit, const Dimension& wanted) {
   if (const std::string_view advice = advice_on_unit(unit); !advice.empty())
-    return fmt::format("\"{}\" has several sizes: {}", unit, advice);
+    return fmt::format("\"{}\" is ambiguous: {}", unit, advice);
   return fmt::format("unknown unit \"{}\"; use {}{}", unit, examples_of_units(std::string(wanted.si_unit)),
                      other_capitals(unit, wanted));
 }
@@ -142,7 +142,7 @@ SiValue factor_of(const std::string& unit, const Dimension& wanted) {
     case UnitMatch::same_dimension: break;
     case UnitMatch::other_dimension: return {0, wrong_dimension(unit, wanted)};
     case UnitMatch::holds_number:
-      return {0, fmt::format("one number and one unit are needed, but \"{}\" holds another number", unit)};
+      return {0, fmt::format("one number and one unit are needed, but \"{}\" contains another number", unit)};
     case UnitMatch::not_a_unit:
       return {0, fmt::format("\"{}\" is not a unit; use {}", unit, examples_of_units(si_unit))};
     case UnitMatch::unknown: return {0, unknown_unit(unit, wanted)};
@@ -165,8 +165,8 @@ SiValue read_si(std::string_view text, const std::string& si_unit) {
   if (!rule.empty()) return {0, rule};
   if (unit.empty() && si_unit == "1") return {number, ""};
   if (unit.empty())
-    return {
-        0, fmt::format("{} needs a unit, such as {}", name_of(wanted), quoted_examples(wanted, number_text))};
+    return {0,
+            fmt::format("{} needs a unit, as in {}", name_of(wanted), quoted_examples(wanted, number_text))};
   // The only units with an offset, and only where a temperature itself is asked for.
   const bool celsius = si_unit == "K" && (unit == "degC" || unit == "celsius");
   const bool fahrenheit = si_unit == "K" && (unit == "degF" || unit == "fahrenheit");

@@ -128,11 +128,11 @@ struct Ambiguous {
 };
 inline constexpr Ambiguous ambiguous[] = {
     {"ton tons", "write t for 1000 kg, short_ton or long_ton"},
-    {"gr", "write g, or grain"},
-    {"cal calorie calories kcal", "write J; there are calories of 4.184 and of 4.1868 J"},
-    {"hp", "write W; there are horsepower of 735.5 and of 745.7 W"},
-    {"rpm rps", "write 1/s, as turns per second, or rad/s"},
-    {"gal gallon gallons pint quart", "write L, or in3; US and British ones differ"},
+    {"gr", "write g or grain"},
+    {"cal calorie calories kcal", "write J; a calorie may be 4.184 or 4.1868 J"},
+    {"hp", "write W; a horsepower may be 735.5 or 745.7 W"},
+    {"rpm rps", "write 1/s (revolutions per second) or rad/s"},
+    {"gal gallon gallons pint quart", "write L or in3; US and British measures differ"},
 };
 
 }  // namespace unit_table

@@ -53,9 +53,9 @@ std::string remark_on(const spit1984::Run& run, double tolerance) {
                          text_of(run.abend).message, run.duration_ms);
   if (run.precision_stops.empty()) return remark;
   if (!remark.empty()) remark += "; ";
-  return remark + fmt::format("PRECISION LIMIT: {} {} equilibrium by more than {:.2g} % of the force",
+  return remark + fmt::format("PRECISION LIMIT: {} {} out of equilibrium by more than {:.2g} % of the force",
                               plural(run.precision_stops.size(), "step"),
-                              run.precision_stops.size() == 1 ? "misses" : "miss", 100 * tolerance);
+                              run.precision_stops.size() == 1 ? "is" : "are", 100 * tolerance);
 }
 
 ComparedRun historical(std::string name, const spit1984::Deck& deck, const spit1984::Settings& settings,
@@ -104,13 +104,13 @@ std::string deviation(std::optional<double> value, std::optional<double> referen
   return std::abs(percent) < 1000 ? fmt::format("{:+.2f}", percent) : "far off";
 }
 
-/// "The peak force of the 1984 program is 5.30 % above the accurate solution of its equations", or no end.
+/// "The peak force of the 1984 program is 5.30 % above that of the accurate solution ...", or no end.
 std::string answer(const Comparison& comparison) {
   const ComparedRun& program = comparison.runs[Comparison::program];
   const std::string off = deviation(program.peak_force, comparison.runs[Comparison::reference].peak_force);
   if (!program.finished || off.empty()) return "The 1984 program does not reach the end of the impact";
   return fmt::format(
-      "The peak force of the 1984 program is {} the accurate solution of its equations",
+      "The peak force of the 1984 program is {} that of the accurate solution of its equations",
       off == "far off" ? "far above" : off.substr(1) + (off[0] == '-' ? " % below" : " % above"));
 }
 
@@ -119,7 +119,7 @@ output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
     return fmt::format("{} ({})", what, shown_unit(unit_for(units, si_unit)));
   };
   const ComparedRun& reference = comparison.runs[Comparison::reference];
-  output::Table table{.columns = {"Run", in_unit("Peak force", "N"), "% off", in_unit("at", "s"),
+  output::Table table{.columns = {"Run", in_unit("Peak force", "N"), "% off", in_unit("Time to peak", "s"),
                                   in_unit("Peak penetration", "m"), in_unit("Peak displacement", "m"),
                                   in_unit("End speed", "m/s"), "% off", in_unit("End", "s")}};
   for (const ComparedRun& run : comparison.runs) {
@@ -134,7 +134,7 @@ output::Table table_of(const Comparison& comparison, const UnitSystem& units) {
   return table;
 }
 
-/// A column of all runs over time. Each run is drawn up to twice the reference's peak, because absurd forces
+/// A column of all runs over time. Each run is drawn up to twice the reference peak, because absurd forces
 /// may precede an ABEND.
 output::Panel panel(const Comparison& comparison, const char* title, const char* quantity,
                     const char* si_unit, std::vector<double> ComparedRun::*values, double peak,
@@ -203,14 +203,14 @@ output::Document comparison_document(const Comparison& comparison, const ImpactC
   if (pictures == output::Pictures::drawn)
     document.lead->curve = output::untitled(comparison_plot(comparison, impact, units));
   document.sections = {
-      {.heading = "The runs",
+      {.heading = "Runs",
        .seen = output::Seen::always,
        .paragraphs =
-           {fmt::format("% off: from \"{}\", the solution of the same equations with the 1984 program's "
-                        "constants, 1 mph = 17.64 in/s and g = 386.4 in/s2.",
+           {fmt::format("% off is the difference from \"{}\", the solution of the same equations with the "
+                        "constants of the 1984 program (1 mph = 17.64 in/s, g = 386.4 in/s2).",
                         comparison.runs[Comparison::reference].name),
-            "The end is when the force falls below the sphere's weight on rebound. Figures of a run with an "
-            "ABEND may have lost their meaning some time before it."},
+            "The impact ends when the force falls below the sphere's weight on rebound. If a run ends in an "
+            "ABEND, its results may have become meaningless some time before."},
        .tables = {table_of(comparison, units)}},
       {.heading = output::basis_heading,
        .seen = output::Seen::always,
@@ -249,7 +249,7 @@ output::Plot comparison_plot(const Comparison& comparison, const ImpactCase& imp
                                           &ComparedRun::penetration, reference.peak_penetration, units);
   return {impact.title.empty() ? "The 1984 program and the accurate solver" : impact.title,
           {force, penetration},
-          fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference's peak", version())};
+          fmt::format("dashpad {}; unfinished runs are drawn up to twice the reference peak", version())};
 }
 
 }  // namespace dashpad::report1986

@@ -43,9 +43,9 @@ Panel measured_time_panel(const Study& study, const char* title, TestGroup group
         label, palette_index, [&](double speed) { return travel_time(travel, speed); }, style));
   };
   if (const FittedConstant* refit = fitted(study, "travel_in")) {
-    panel.add(interval_band(*refit, "fitted again: 95 % interval", palette_index::mended_1984, travel_time));
-    line_of(fmt::format("fitted again: VT = {:.2f} in", refit->value), palette_index::mended_1984,
-            refit->value, SeriesStyle::solid_line);
+    panel.add(interval_band(*refit, "refitted: 95 % interval", palette_index::mended_1984, travel_time));
+    line_of(fmt::format("refitted: VT = {:.2f} in", refit->value), palette_index::mended_1984, refit->value,
+            SeriesStyle::solid_line);
   }
   for (const auto& [name, words, palette_index] :
        {std::tuple{"travel_in", "report's fit", palette_index::report},
@@ -97,8 +97,8 @@ Drawing support_curves(const Study& study) {
                                        palette_index::printed_1984, 0, farthest,
                                        [&](double x) { return stiffness * x; })}};
   return {{panel},
-          "The report's figure is lost. The load cell's curve is reconstructed from the slopes and the "
-          "stored energies that the report prints; every prediction on the load cell rests on it."};
+          "The report's figure is lost. The curve of the load cell is reconstructed from slopes and stored "
+          "energies in the report; every prediction for the load cell depends on it."};
 }
 
 Drawing time_to_peak(const Study& study) {
@@ -108,10 +108,10 @@ Drawing time_to_peak(const Study& study) {
 
 Drawing nominal_stress(const Study& study) {
   const NominalStressFit& fit = study.nominal_stress;
-  Series certain{.label = "strain of the same test",
+  Series certain{.label = "strain from the same test",
                  .style = SeriesStyle::points,
                  .palette_index = palette_index::measured};
-  Series placed{.label = "strain whose test is lost, in the assignment with the smallest scatter",
+  Series placed{.label = "strain whose test is unknown, in the assignment with the least scatter",
                 .style = SeriesStyle::points,
                 .palette_index = palette_index::mended_1984};
   Interval forces = nowhere;
@@ -124,7 +124,7 @@ Drawing nominal_stress(const Study& study) {
               .y = {.label = "Nominal stress (psi)", .logarithmic = true}};
   if (!fit.points.empty()) {
     const double low = 0.8 * forces.low, high = 1.25 * forces.high;
-    panel.series = {{.label = "over all assignments",
+    panel.series = {{.label = "range over all assignments",
                      .style = SeriesStyle::band,
                      .x = {low, high},
                      .y = {low / fit.area_over_placings.high, high / fit.area_over_placings.high},
@@ -156,7 +156,7 @@ Drawing force_over_speed(const Study& study) {
   }
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") + radius_note(study) +
-              "The other programs: Figure 4-2."};
+              "Figure 4-2 shows the other programs."};
 }
 
 Drawing rebound_over_speed(const Study& study) {
@@ -166,7 +166,7 @@ Drawing rebound_over_speed(const Study& study) {
         std::tuple{"rebound_ratio_plate", "plate", palette_index::printed_1984}}) {
     const auto times_speed = [](double ratio, double speed) { return ratio * speed; };
     if (const FittedConstant* refit = fitted(study, name))
-      panel.add(interval_band(*refit, fmt::format("fitted again: {:.3f} V, {}", refit->value, support),
+      panel.add(interval_band(*refit, fmt::format("refitted: {:.3f} V, {}", refit->value, support),
                               palette_index, times_speed));
     const double ratio = study.data.constant(name);
     panel.add(speed_line(fmt::format("report: {} V, {}", brief(ratio), support), palette_index,
@@ -179,8 +179,8 @@ Drawing rebound_over_speed(const Study& study) {
     panel.add(measured_points(study, group, Quantity::rebound_speed, label, palette_index));
   return {{panel},
           lost_readings(study, "rebound_mph", "rebound speed") +
-              "Bands: 95 % intervals of the ratios, fitted again to the certain rows. The predictions are "
-              "in Figures 4-4 and 4-5."};
+              "The bands are 95 % intervals for the ratios, refitted to the readings whose test is known. "
+              "The predictions are in Figures 4-4 and 4-5."};
 }
 
 Drawing force_over_energy(const Study& study) {
@@ -205,16 +205,16 @@ Drawing force_over_energy(const Study& study) {
   const FittedConstant* new_exponent = fitted(study, "energy_trend_exponent");
   if (new_factor != nullptr && new_exponent != nullptr) {
     const double f = new_factor->value, e = new_exponent->value;
-    panel.add(energy_line(fmt::format("fitted again: U = ({:.4g} F)^{:.3f}", f, e),
-                          palette_index::printed_1984, SeriesStyle::dashed_line, trend_force_lb(begin, f, e),
+    panel.add(energy_line(fmt::format("refitted: U = ({:.4g} F)^{:.3f}", f, e), palette_index::printed_1984,
+                          SeriesStyle::dashed_line, trend_force_lb(begin, f, e),
                           [&](double force) { return trend_energy_in_lb(force, f, e); }));
   }
   panel.add(energy_points(study, Projectile::aluminium, "aluminium, measured", palette_index::measured));
   panel.add(energy_points(study, Projectile::steel, "steel, measured", palette_index::mended_1984));
   return {{panel},
           lost_readings(study, "peak_force_lb", "peak force") +
-              "The trends are drawn for energies above 300 in·lb, for which the report fitted them. What "
-              "the load cell stores rests on its reconstructed curve."};
+              "The trends are drawn for energies above 300 in·lb, to which the report fitted them. The "
+              "energy stored in the load cell is based on its reconstructed curve."};
 }
 
 Drawing curves_a_and_b(const Study& study) {

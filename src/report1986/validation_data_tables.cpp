@@ -24,9 +24,9 @@ std::string span(const Interval& interval) {
 }
 
 output::Table constants_table(const Study& study) {
-  output::Table table{.columns = {"constant", "printed", "fitted again", "95 % interval", "printed within it",
-                                  "tests", "over all assignments", "printed within them",
-                                  "95 % intervals over all assignments"}};
+  output::Table table{.columns = {"constant", "printed", "refitted", "95 % interval",
+                                  "printed value in interval", "tests", "range over all assignments",
+                                  "printed value in range", "95 % intervals over all assignments"}};
   for (const FittedConstant& constant : study.constants) {
     const bool has_placings = constant.placings > 1;
     table.rows.push_back({constant.title, with_unit(brief(constant.printed), shown_unit(constant.unit)),
@@ -58,7 +58,7 @@ output::Table radius_table(const Study& study) {
 }
 
 output::Table unplaced_table(const Study& study) {
-  output::Table table{.columns = {"column", "tests", "readings, in their order"}};
+  output::Table table{.columns = {"column", "tests", "readings, in order"}};
   for (const UnplacedReadings& group : study.data.measured.unplaced) {
     std::string readings;
     for (const double reading : group.readings) readings += (readings.empty() ? "" : ", ") + brief(reading);
@@ -116,7 +116,7 @@ output::Table fitted_foam_table(const Study& study) {
                              {"densification stress B (psi)", &FittedFoam::densification_stress_psi},
                              {"densification exponent n", &FittedFoam::densification_exponent},
                              {"unloading shape SHAPE", &FittedFoam::unloading_shape}};
-  output::Table table{.columns = {"number", "all readings", "without a fold"}};
+  output::Table table{.columns = {"parameter", "all readings", "one fold left out"}};
   if (study.held_out.folds.empty()) return table;
   for (const auto& [name, number] : rows) {
     const auto [least, greatest] = std::ranges::minmax(study.held_out.folds, {}, number);

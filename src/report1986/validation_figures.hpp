@@ -83,12 +83,12 @@ Series speed_line(const std::string& label, std::size_t palette_index,
 std::vector<Series> curve_a(const Study& study, Projectile projectile, std::size_t palette_index);
 std::vector<Series> curve_b(const Study& study, Projectile projectile, std::size_t palette_index);
 inline constexpr const char* curve_note =
-    "Curves A and B are dashed below 300 in·lb, where Eq. 36 was not fitted; curve A of the aluminium "
-    "projectile has a tail through tests 1 and 24 there. ";
+    "Curves A and B are dashed below 300 in·lb, where Eq. 36 was not fitted; there, curve A for the "
+    "aluminium projectile has a tail through tests 1 and 24. ";
 
 const MeasuredTest& test_of(const Study& study, int number);
 
-/// "16 readings of peak force whose test is lost are left out." Empty if there are none.
+/// "16 readings of peak force whose test is unknown are left out." Empty if there are none.
 std::string lost_readings(const Study& study, const std::string& column, const std::string& what);
 
 /// The radii of the predictions, and their origin.

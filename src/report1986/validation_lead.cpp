@@ -14,13 +14,13 @@ namespace dashpad::report1986 {
 namespace {
 
 std::string answer_of(const Tally& by_law, const Tally& held_out) {
-  const std::string foam = held_out.all == 0 ? ""
-                                             : fmt::format(", a foam fitted to the other tests {} of {}",
-                                                           held_out.passed, held_out.all);
-  const char* const met = by_law.passes_all() ? "The 1986 tests are all reproduced within the rules"
-                                              : "The 1986 tests are not all reproduced within the rules";
-  return fmt::format("{}: the report's foam law meets {} of {} rules{}", met, by_law.passed, by_law.all,
-                     foam);
+  const std::string foam =
+      held_out.all == 0 ? ""
+                        : fmt::format(", and a foam fitted with the predicted test left out meets {} of {}",
+                                      held_out.passed, held_out.all);
+  const char* const met = by_law.passes_all() ? "meets" : "does not meet";
+  return fmt::format("The report's foam law {} all the rules for the 1986 tests: it meets {} of {}{}", met,
+                     by_law.passed, by_law.all, foam);
 }
 
 output::Tone tone_of(const Tally& by_law, const Tally& held_out) {
@@ -59,17 +59,17 @@ output::ValueRow score_figure(const Study& study, const HeldOutScore& score) {
   const double share_of_bias = score.bias > 0 ? score.bias / rule.high : score.bias / rule.low;
   const double share_of_scatter = score.scatter.value_or(0) / rule.scatter;
   const bool is_scatter = share_of_scatter > share_of_bias;
-  const std::string bias = bias_with_error(score), max_bias = "at most ±" + limit_text(rule, rule.high);
+  const std::string bias = bias_with_error(score), max_bias = "limit ±" + limit_text(rule, rule.high);
   const std::string scatter = score.scatter ? scatter_text(*score.scatter, score.quantity) : "";
-  const std::string max_scatter = "at most " + limit_text(rule, rule.scatter);
-  output::ValueRow figure{.label = fmt::format("{} of {}, {}", is_scatter ? "Scatter" : "Bias",
+  const std::string max_scatter = "limit " + limit_text(rule, rule.scatter);
+  output::ValueRow figure{.label = fmt::format("{} in {}, {}", is_scatter ? "Scatter" : "Bias",
                                                to_string(score.quantity), to_string(score.support)),
                           .value = is_scatter ? scatter : bias,
                           .remark = (is_scatter ? max_scatter : max_bias) + "; ",
                           .share = std::max(share_of_bias, share_of_scatter),
                           .tone = score.passed ? output::Tone::good : output::Tone::bad};
   figure.remark += is_scatter        ? fmt::format("bias {}, {}", bias, max_bias)
-                   : scatter.empty() ? "too few tests for a scatter"
+                   : scatter.empty() ? "too few tests to determine the scatter"
                                      : fmt::format("scatter {}, {}", scatter, max_scatter);
   if (by_law != nullptr && !by_law->errors.empty())
     figure.remark += "; with the report's law the bias is " + bias_text(by_law->bias, score.quantity);
@@ -85,13 +85,13 @@ Series compared(const std::string& label, std::size_t palette_index, const std::
 /// Adds the line "predicted = measured" and the band of bias that the rule allows.
 void add_equality(Panel& panel, double low, double high) {
   const Rule& rule = rule_of(Quantity::peak_force);
-  panel.add(Series{.label = "bias that the rule allows",
+  panel.add(Series{.label = "bias allowed by the rule",
                    .style = SeriesStyle::band,
                    .x = {low, high},
                    .y = {(1 + rule.low) * low, (1 + rule.low) * high},
                    .y2 = {(1 + rule.high) * low, (1 + rule.high) * high},
                    .palette_index = palette_index::measured});
-  panel.add(Series{.label = "as measured",
+  panel.add(Series{.label = "predicted = measured",
                    .style = SeriesStyle::dashed_line,
                    .x = {low, high},
                    .y = {low, high},
@@ -134,17 +134,17 @@ output::Lead validation_lead(const Study& study, output::Pictures pictures) {
       .answer = answer_of(by_law, held_out),
       .tone = tone_of(by_law, held_out),
       .subject = {
-          fmt::format("The {} tests of Crash Padding Research, Volume III (1986), Table 3-1; the rules "
+          fmt::format("The {} tests in Table 3-1 of Crash Padding Research, Volume III (1986); the rules "
                       "were fixed before the first run",
                       study.data.measured.tests.size()),
-          fmt::format("Figures below: a foam with {} fitted parameters at {} in, each test held out of "
-                      "its fit, ± a standard error",
+          fmt::format("The figures below are for a foam with {} fitted parameters and a {} in nose radius, "
+                      "with each test held out of the fit that predicts it; ± is one standard error",
                       fitted_numbers, brief(held_out_radius_in))}};
   if (pictures == output::Pictures::drawn) lead.curve = predicted_over_measured(study);
   for (const HeldOutScore& score : study.held_out.scores)
     if (lead.figures.size() + 1 < output::max_key_figures) lead.figures.push_back(score_figure(study, score));
   lead.figures.push_back(
-      {.label = "Rules passed by the report's law",
+      {.label = "Rules met by the report's law",
        .value = fmt::format("{} of {}", by_law.passed, by_law.all),
        .remark = fmt::format("the accurate solver at a nose radius of {:.2f} in", study.radius.favoured_in()),
        .tone = by_law.passes_all() ? output::Tone::good : output::Tone::bad});

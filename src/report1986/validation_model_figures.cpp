@@ -45,7 +45,7 @@ Series expected_on_load_cell(const Study& study, Projectile projectile) {
   const double from = data.constant("energy_trend_from_in_lb");
   const double greatest =
       projectile == Projectile::steel ? 16 : greatest_speed;  // Eq. 36 does not hold beyond
-  return function_line("expected at most (Table 3-2)", palette_index::second, min_speed, greatest,
+  return function_line("upper bound (Table 3-2)", palette_index::second, min_speed, greatest,
                        [&](double speed) {
                          const double energy = impact_energy_in_lb(weight_of(data, projectile), speed);
                          if (energy < from) return std::nan("");
@@ -60,7 +60,7 @@ Series expected_on_plate(const Study& study) {
   const ValidationData& data = study.data;
   const double ratio = data.constant("rebound_ratio_plate");
   Series line = curve_b(study, Projectile::aluminium, palette_index::second).front();
-  line.label = "expected at most (Table 3-2)";
+  line.label = "upper bound (Table 3-2)";
   line.style = SeriesStyle::line;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const double energy = impact_energy_in_lb(weight_of(data, Projectile::aluminium), line.x[i]);
@@ -71,7 +71,7 @@ Series expected_on_plate(const Study& study) {
 }
 
 Series printed_expectation(const Study& study, Projectile projectile) {
-  Series points{.label = "example printed in Table 3-2",
+  Series points{.label = "example from Table 3-2",
                 .style = SeriesStyle::points,
                 .palette_index = palette_index::second};
   for (const ExpectationExample& example : study.data.table_3_2) {
@@ -97,7 +97,8 @@ Panel rebound_panel(const Study& study, const char* title, TestGroup group) {
 }  // namespace
 
 Drawing predicted_time(const Study& study) {
-  return {both_projectiles(study, predicted_time_panel), radius_note(study) + "Measured times: Figure 3-4."};
+  return {both_projectiles(study, predicted_time_panel),
+          radius_note(study) + "Figure 3-4 shows the measured times."};
 }
 
 Drawing predicted_force_on_load_cell(const Study& study) {
@@ -117,14 +118,14 @@ Drawing predicted_force_on_plate(const Study& study) {
 Drawing predicted_rebound_on_load_cell(const Study& study) {
   return {both_projectiles(study, rebound_panel),
           lost_readings(study, "rebound_mph", "rebound speed") + radius_note(study) +
-              "\"Expected at most\": the support absorbs all that it stores; for energies above 300 in·lb."};
+              "The upper bound, above 300 in·lb, assumes that all energy stored in the support is lost."};
 }
 
 Drawing predicted_rebound_on_plate(const Study& study) {
   return {{rebound_panel(study, "", test_group::on_plate)},
           radius_note(study) +
-              "\"Expected at most\" follows Table 3-2 with the force of curve B, but never above the "
-              "initial speed: the plate stores so much that this bound says little."};
+              "The upper bound follows Table 3-2 with the force from curve B, but never exceeds the initial "
+              "speed; the plate stores so much energy that this bound means little."};
 }
 
 }  // namespace dashpad::report1986

@@ -34,13 +34,13 @@ Panel ratio_panel(const Study& study, const char* title, TestGroup group) {
   Panel panel = speed_panel(title, "Predicted / measured peak force");
   panel.y.high = 4;
   // The report's result, from the low to the high end of its speeds.
-  Series report{.label = "report: predictions divided by its trend",
+  Series report{.label = "report: its predictions divided by its trend",
                 .style = SeriesStyle::dashed_line,
                 .palette_index = palette_index::measured};
   for (const PrintedRatio& printed : printed_ratios)
     if (printed.projectile == group.projectile)
       report.add(printed.speed_mph, study.data.constant(printed.constant));
-  panel.series = {{.label = "bias that the rule allows",
+  panel.series = {{.label = "bias allowed by the rule",
                    .style = SeriesStyle::band,
                    .x = {min_speed, greatest_speed},
                    .y = {1 + rule.low, 1 + rule.low},
@@ -80,16 +80,16 @@ Drawing misfit_over_radius(const Study& study) {
     panel.add(line);
   }
   return {{panel},
-          fmt::format("Root mean square of the residuals divided by its smallest value; in brackets the "
-                      "number of readings. The first criterion decides: {:.2f} in.",
+          fmt::format("Root mean square of the residuals, divided by its smallest value; the number of "
+                      "readings is in brackets. The first criterion is decisive and gives {:.2f} in.",
                       study.radius.favoured_in())};
 }
 
 Drawing force_ratio(const Study& study) {
   return {both_projectiles(study, ratio_panel),
           lost_readings(study, "peak_force_lb", "peak force") +
-              fmt::format("Predictions at a nose radius of {:.2f} in. The report compares with its trend "
-                          "(curve A), Dashpad with each test.",
+              fmt::format("Predictions for a nose radius of {:.2f} in. The report compares them with its "
+                          "trend (curve A), Dashpad with the individual tests.",
                           study.radius.of_the_report_in())};
 }
 
@@ -122,7 +122,7 @@ constexpr ListedFigure list[] = {
      predicted_rebound_on_plate},
     {"Nose radius", "What each set of readings says about the nose radius", "Table 3-1 and section 4",
      misfit_over_radius},
-    {"Force ratio", "The anomaly of section 4: ratio of predicted to measured peak force, load cell",
+    {"Force ratio", "The anomaly in section 4: ratio of predicted to measured peak force, load cell",
      "Table 3-1 and section 4", force_ratio}};
 
 /// "figure-3-3" for "Figure 3-3".

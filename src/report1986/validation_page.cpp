@@ -38,43 +38,42 @@ output::Section verdict_section(const Study& study, const Tables& tables,
   return {
       .heading = "Verdict",
       .paragraphs =
-          {"The rules were fixed before the first run: bias of peak force and rebound speed within 15 %, of "
-           "time to peak within 10 %, of strain within 0.05; scatter at most 25 % for force, 15 % for time "
-           "and rebound, 0.05 for strain. A score of fewer than two tests cannot pass.",
-           "Bias is exp(mean of ln(predicted / measured)) - 1, scatter the standard deviation of the same "
-           "logarithm; for strain both refer to the difference.",
+          {"The rules were fixed before the first run. The bias must be within 15 % for peak force and "
+           "rebound, 10 % for time to peak and 0.05 for strain; the scatter must be at most 25 % for force, "
+           "15 % for time and rebound, and 0.05 for strain. A score of fewer than two tests cannot pass.",
+           "Bias is exp(mean of ln(predicted / measured)) - 1, and scatter is the standard deviation of the "
+           "same logarithm; for strain, both are computed from the difference.",
            fmt::format(
-               "The anomaly of section 4: predicted forces fall with speed from about 1 to 0.4 of the "
-               "measured ones. According to the rules the support defect {}.",
+               "The anomaly in section 4 is that the predicted forces fall with speed, from about 1 to 0.4 "
+               "times the measured forces. According to the rules, the support defect {}.",
                words(study.anomaly.explanation))},
-      .tables =
-          {captioned("Predictions of the tests", tables, "verdict"),
-           captioned("Rebound on the load cell: between 0.95 of the measured speed and 1.05 of the bound "
-                     "of Table 3-2 in at least 80 % of the tests",
-                     tables, "rebound"),
-           captioned("On the load cell, each projectile alone", tables, "by-projectile"),
-           captioned("Anomaly: ratio of the forces", tables, "anomaly"),
-           captioned("Anomaly: the rules", tables, "anomaly-rules"),
-           captioned(fmt::format("Predictions of the tests at {:.2f} in, the radius that the report's "
-                                 "own simulations point to",
-                                 study.radius.of_the_report_in()),
-                     tables, "verdict-at-the-reports-radius"),
-           captioned("Anomaly at that radius: ratio of the forces", tables, "anomaly-at-the-reports-radius"),
-           captioned("Anomaly at that radius: the rules", tables, "anomaly-rules-at-the-reports-radius"),
-           captioned("Bias of the accurate solver against the nose radius", tables, "over-radii")},
+      .tables = {captioned("Predictions of the tests", tables, "verdict"),
+                 captioned("Rebound on the load cell (at least 80 % of the tests must lie between 0.95 times "
+                           "the measured speed and 1.05 times the bound from Table 3-2)",
+                           tables, "rebound"),
+                 captioned("On the load cell, each projectile separately", tables, "by-projectile"),
+                 captioned("Anomaly: force ratio", tables, "anomaly"),
+                 captioned("Anomaly: rules", tables, "anomaly-rules"),
+                 captioned(fmt::format("Predictions of the tests at a nose radius of {:.2f} in, the value "
+                                       "suggested by the report's own simulations",
+                                       study.radius.of_the_report_in()),
+                           tables, "verdict-at-the-reports-radius"),
+                 captioned("Anomaly at that radius: force ratio", tables, "anomaly-at-the-reports-radius"),
+                 captioned("Anomaly at that radius: rules", tables, "anomaly-rules-at-the-reports-radius"),
+                 captioned("Bias of the accurate solver as a function of nose radius", tables, "over-radii")},
       .figures = chosen(figures, {"force-ratio"})};
 }
 
 output::Section held_out_section(const Tables& tables) {
   return {
-      .heading = "The tests predicted by a foam",
-      .paragraphs = {fmt::format("The tests are predicted with the law foam, with {} fitted parameters at a "
-                                 "nose radius of {} in, instead of the report's law. Each fit leaves out one "
-                                 "of five groups of speeds on the load cell, or one test on the plate.",
+      .heading = "Predictions with a fitted foam",
+      .paragraphs = {fmt::format("Instead of the report's law, these predictions use the law \"foam\" "
+                                 "with {} fitted parameters and a nose radius of {} in. Each fit omits "
+                                 "one of five groups of speeds on the load cell or one test on the plate.",
                                  fitted_numbers, brief(held_out_radius_in)),
                      seen_data},
-      .tables = {captioned("Predictions of tests that the fit has not seen", tables, "held-out"),
-                 captioned("The foam", tables, "fitted-foam"),
+      .tables = {captioned("Predictions of tests left out of the fit", tables, "held-out"),
+                 captioned("Fitted foam", tables, "fitted-foam"),
                  captioned("Test by test", tables, "held-out-errors")}};
 }
 
@@ -83,39 +82,39 @@ output::Section brief_section(const Study& study, const Tables& tables) {
   return {
       .heading = "Verdict",
       .seen = output::Seen::in_brief,
-      .paragraphs = {"Bias and scatter are those of predicted / measured; for strain, of the difference.",
+      .paragraphs = {"Bias and scatter refer to predicted / measured or, for strain, to the difference.",
                      seen_data},
       .tables = {
           captioned(fmt::format("At a nose radius of {:.2f} in", study.radius.favoured_in()), tables,
                     "verdict", {0, 1, 3, 4, 5, 6, 10}),
-          captioned("Which radius the readings favour", tables, "nose-radius", {0, 1, 2, 3}),
-          captioned(fmt::format("A foam with {} fitted parameters at {} in, each test held out",
-                                fitted_numbers, brief(held_out_radius_in)),
-                    tables, "held-out"),
-          captioned("Rebound on the load cell, between what was measured and what Table 3-2 allows", tables,
-                    "rebound"),
-          captioned("The anomaly of section 4, ratio of predicted to measured force", tables, "anomaly"),
-          captioned("Its rules", tables, "anomaly-rules"),
+          captioned("Nose radius favoured by each criterion", tables, "nose-radius", {0, 1, 2, 3}),
           captioned(
-              fmt::format("At {:.2f} in, where the report's statements on its own simulations are reproduced",
-                          study.radius.of_the_report_in()),
-              tables, "verdict-at-the-reports-radius", {0, 1, 3, 4, 5, 6, 10}),
-          captioned("The anomaly there", tables, "anomaly-at-the-reports-radius"),
-          captioned("Its rules there", tables, "anomaly-rules-at-the-reports-radius")}};
+              fmt::format("Foam with {} fitted parameters, nose radius {} in, each test held out of its fit",
+                          fitted_numbers, brief(held_out_radius_in)),
+              tables, "held-out"),
+          captioned("Rebound on the load cell: between the measured speed and the bound from Table 3-2",
+                    tables, "rebound"),
+          captioned("The anomaly in section 4: ratio of predicted to measured force", tables, "anomaly"),
+          captioned("Anomaly: rules", tables, "anomaly-rules"),
+          captioned(fmt::format("At a nose radius of {:.2f} in, as the report's own simulations suggest",
+                                study.radius.of_the_report_in()),
+                    tables, "verdict-at-the-reports-radius", {0, 1, 3, 4, 5, 6, 10}),
+          captioned("Anomaly at that radius: force ratio", tables, "anomaly-at-the-reports-radius"),
+          captioned("Anomaly at that radius: rules", tables, "anomaly-rules-at-the-reports-radius")}};
 }
 
 std::vector<std::string> warnings(const Study& study) {
   std::vector<std::string> texts;
   texts.push_back(fmt::format(
-      "UNKNOWN RADIUS: the nose radius of the projectiles is lost. Scores are at {:.2f} "
-      "in, which the strains on the plate favour{}, and at {:.2f} in, which the report's own "
-      "simulations point to; spans are over {} to {} in.",
+      "UNKNOWN RADIUS: the nose radius of the projectiles is not known. Scores are given at {:.2f} in, "
+      "which the strains on the plate favour{}, and at {:.2f} in, which the report's own simulations "
+      "suggest; ranges cover radii of {} to {} in.",
       study.radius.favoured_in(),
-      study.radius.criteria.front().at_an_end ? " (the end of the range: a bound, not an estimate)" : "",
+      study.radius.criteria.front().at_an_end ? " (the end of the range, so a bound, not an estimate)" : "",
       study.radius.of_the_report_in(), brief(min_radius_in), brief(greatest_radius_in)));
   texts.emplace_back(
-      "RECONSTRUCTED: the load cell's static curve (Figure 3-3) is lost; the curve used here follows from "
-      "slopes and energies in the report. The form of the fitted foam was chosen with all tests in sight.");
+      "RECONSTRUCTED: the static curve of the load cell (Figure 3-3) is lost; the curve used here is derived "
+      "from slopes and energies in the report. All tests were known when the form of the foam was chosen.");
   return texts;
 }
 
@@ -128,8 +127,8 @@ output::Document validation_document(const Study& study, output::Pictures pictur
   output::Document page{
       .title = "Validation against the 1986 tests",
       .lead = validation_lead(study, pictures),
-      .summary = {"The tests compared with the accurate solver and the 1984 program. Units are the "
-                  "report's: lb, in, mph, ms."},
+      .summary = {"The tests are compared with the accurate solver and the 1984 program. Units are those of "
+                  "the report: lb, in, mph, ms."},
       .warnings = warnings(study)};
   page.sections = {
       brief_section(study, tables),
@@ -142,25 +141,25 @@ output::Document validation_document(const Study& study, output::Pictures pictur
                   captioned(axis_label(Quantity::peak_strain), tables, "errors-peak-strain")}},
       {.heading = "Measurements", .figures = chosen(figures, {"figure-3-3", "figure-3-6", "figure-3-7"})},
       {.heading = "Regressions",
-       .paragraphs = {"The constants of the report's trend lines, fitted again to the readings whose test is "
-                      "certain. \"Over all assignments\": the smallest and largest values when the other "
-                      "readings are assigned to tests in every order that the scan allows."},
+       .paragraphs = {"The constants of the report's trend lines are refitted to the readings whose test is "
+                      "known. \"Range over all assignments\" gives the smallest and largest values when the "
+                      "other readings are assigned to tests in every way that the scan allows."},
        .tables = {captioned("Constants of the trend lines", tables, "constants")},
        .figures = chosen(figures, {"figure-3-4", "figure-3-5"})},
-      {.heading = "Energy balance and statements of the report",
-       .tables = {captioned("Statements that can be computed", tables, "claims")},
+      {.heading = "Energy balance and statements in the report",
+       .tables = {captioned("Statements that can be checked by calculation", tables, "claims")},
        .figures = chosen(figures, {"figure-3-8", "figure-3-9"})},
       {.heading = "Simulations",
        .figures = chosen(figures, {"figure-4-1", "figure-4-2", "figure-4-3", "figure-4-4", "figure-4-5"})},
       {.heading = "Nose radius",
-       .tables = {captioned("Which radius the readings favour", tables, "nose-radius")},
+       .tables = {captioned("Nose radius favoured by each criterion", tables, "nose-radius")},
        .figures = chosen(figures, {"nose-radius"})},
       {.heading = "What remains uncertain",
        .paragraphs =
-           {"The scan lost the rows of some readings: their order in a column is known, their tests "
-            "are not. They are not counted in the scores and not drawn."},
-       .tables = {captioned("Readings whose test is lost", tables, "lost-readings"),
-                  captioned("What they would say, over all assignments in their order", tables, "placed")}}};
+           {"For some readings, the scan shows their order in a column but not the tests to which they "
+            "belong. They are neither scored nor plotted."},
+       .tables = {captioned("Readings whose test is unknown", tables, "lost-readings"),
+                  captioned("Bias over all assignments that keep the order", tables, "placed")}}};
   return page;
 }
 

@@ -49,7 +49,7 @@ std::vector<Series> lines_of(const Study& study, Program program, TestGroup grou
   const Series line = line_of(at_the_reports_radius, of_the_report, look.style);
   if (program != Program::accurate) return {line};
 
-  Series band{.label = std::string{to_string(program)} + ", over the nose radii",
+  Series band{.label = std::string{to_string(program)} + ", range over nose radii",
               .style = SeriesStyle::band,
               .palette_index = look.palette_index};
   for (const auto& [speed, span] : over_radii) {
@@ -146,14 +146,14 @@ std::string lost_readings(const Study& study, const std::string& column, const s
   for (const UnplacedReadings& group : study.data.measured.unplaced)
     if (group.column == column) count += group.readings.size();
   if (count == 0) return "";
-  return fmt::format("{} of {} whose test the scan lost {} left out. ", plural(count, "reading"), what,
+  return fmt::format("{} of {} whose test is unknown {} left out. ", plural(count, "reading"), what,
                      count == 1 ? "is" : "are");
 }
 
 std::string radius_note(const Study& study) {
   std::string note = fmt::format(
-      "The nose radius is lost: {:.2f} in is what the report's own simulations point to, {:.2f} in what the "
-      "strains on the plate favour; the band spans {} to {} in. ",
+      "The nose radius is not known: the report's own simulations suggest {:.2f} in, and the strains on the "
+      "plate favour {:.2f} in; the band covers {} to {} in. ",
       study.radius.of_the_report_in(), study.radius.favoured_in(), brief(min_radius_in),
       brief(greatest_radius_in));
   const auto without_figures = std::ranges::count_if(study.on_curves, [&](const Prediction& prediction) {
@@ -161,9 +161,9 @@ std::string radius_note(const Study& study) {
            prediction.setup.radius_in == study.radius.of_the_report_in();
   });
   if (without_figures > 0)
-    note +=
-        fmt::format("{} runs of the 1984 program end in an ABEND before they have a peak and are left out. ",
-                    without_figures);
+    note += fmt::format(
+        "Runs of the 1984 program that end in an ABEND before reaching a peak are left out ({} in all). ",
+        without_figures);
   return note;
 }
 

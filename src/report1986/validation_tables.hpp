@@ -17,13 +17,13 @@ void add_verdict_tables(const Study& study, Tables& tables);
 
 /// The reservation about the scores of held-out tests.
 inline constexpr const char* seen_data =
-    "Not a blind test, since the data had been seen: each test is predicted by a foam that was fitted "
-    "without it, but the form of the foam was chosen with all tests in sight.";
+    "This is not a blind test: each test is predicted by a foam that was fitted without it, but the form of "
+    "the foam law was chosen with knowledge of all the tests.";
 
 /// "+12.3 %", or "+0.012" for strain.
 std::string bias_text(double value, Quantity quantity);
 std::string scatter_text(double value, Quantity quantity);
-/// "4, 1 without prediction".
+/// "4, plus 1 without prediction".
 std::string tests_text(std::size_t tests, int missing);
 const char* passed_or_not(bool passed);
 

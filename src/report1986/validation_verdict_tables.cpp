@@ -48,7 +48,7 @@ std::vector<ErrorColumn> error_columns(const Study& study) {
 
 output::Table table_of(const std::vector<Verdict>& verdicts) {
   output::Table table{.columns = {"program", "support", "projectile", "quantity", "tests", "bias", "scatter",
-                                  "bias over radii", "scatter over radii", "radii that pass", "verdict"}};
+                                  "bias, all radii", "scatter, all radii", "radii that pass", "verdict"}};
   for (const Verdict& verdict : verdicts) {
     if (!is_judged(verdict)) continue;
     const Score& score = verdict.score;
@@ -71,7 +71,7 @@ output::Table table_of(const std::vector<Verdict>& verdicts) {
 
 output::Table placed_table(const Study& study) {
   output::Table table{.columns = {"program", "quantity", "tests", "readings", "assignments", "mean bias",
-                                  "bias over assignments", "assignments that would pass"}};
+                                  "bias over all assignments", "assignments that would pass"}};
   for (const PlacedScore& placed : study.placed) {
     const UnplacedReadings& group = placed.group;
     const auto shown = [&](double bias) { return bias_text(bias, placed.quantity); };
@@ -166,12 +166,12 @@ output::Table anomaly_table(const Study& study, const AnomalyVerdict& anomaly) {
 output::Table anomaly_rules_table(const AnomalyVerdict& anomaly) {
   const auto met = [](bool is_met) { return is_met ? "met" : "NOT MET"; };
   return {.columns = {"condition", "outcome"},
-          .rows = {{"1. the first slope alone gives the report's ratios within 25 %",
+          .rows = {{"1. the first slope alone gives the report's ratios to within 25 %",
                     met(anomaly.first_slope_gives_the_fall)},
-                   {"2. the support as specified removes the fall, and its peak forces pass",
+                   {"2. with the support as specified, the fall disappears and the peak forces pass",
                     met(anomaly.curve_removes_the_fall)},
-                   {"the slope at least halves", met(anomaly.slope_halves)},
-                   {"so the support defect", words(anomaly.explanation)}}};
+                   {"the slope is at least halved", met(anomaly.slope_halves)},
+                   {"the support defect therefore", words(anomaly.explanation)}}};
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ std::string scatter_text(double value, Quantity quantity) {
 }
 
 std::string tests_text(std::size_t tests, int missing) {
-  return missing > 0 ? fmt::format("{}, {} without prediction", tests, missing) : std::to_string(tests);
+  return missing > 0 ? fmt::format("{}, plus {} without prediction", tests, missing) : std::to_string(tests);
 }
 
 const char* passed_or_not(bool passed) { return passed ? "pass" : "FAIL"; }

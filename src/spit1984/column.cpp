@@ -28,7 +28,7 @@ void check(PadKey pad, const std::array<double, 21>& parameters, const std::vect
   if (!(step > 0 && std::isfinite(step))) add("step", step, "must be more than 0 (s)");
   if (strains.size() < 2) add("number of strains", double(strains.size()), "must be at least 2");
   if (!strains.empty() && strains.front() != 0)
-    add("strains[0]", strains.front(), "must be 0: a history starts at first contact");
+    add("strains[0]", strains.front(), "must be 0, because a history starts at first contact");
   for (std::size_t i = 0; i < strains.size(); ++i)
     if (!(strains[i] >= 0 && strains[i] < 1))
       add(fmt::format("strains[{}]", i), strains[i], "must be at least 0 and less than 1");

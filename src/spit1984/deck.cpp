@@ -89,10 +89,10 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
     unsaid.push_back({key, value, rule});
   };
   if (!std::holds_alternative<Sphere>(impact.impactor.nose))
-    add("impactor.nose", 0, "the 1984 program supports no nose other than a sphere");
+    add("impactor.nose", 0, "the 1984 program supports only a spherical nose");
   if (impact.blows) add("blows", 0, "the 1984 program supports only one blow");
   if (const double depth = impact.pad.earlier_penetration; depth > 0)
-    add("pad.earlier_penetration", depth, "the 1984 program does not support a pad that has been struck");
+    add("pad.earlier_penetration", depth, "the 1984 program does not support earlier blows");
   if (impact.pad.sheet > 0)
     add("pad.sheet_mass_per_area", impact.pad.sheet, "the 1984 program does not support a sheet on the pad");
   if (impact.pad.area)
@@ -102,20 +102,20 @@ std::vector<Violation> what_a_deck_cannot_say(const ImpactCase& impact) {
   for (const Parameter<Backing>& parameter : Backing::parameters)
     if (const double value = parameter.of(impact.backing); value != 0)
       add(std::string("support.") + parameter.key, value,
-          "the support of the 1984 program has no mass and no losses, and is fixed to the ground");
+          "the 1984 program's support has no mass or losses and is fixed to the ground");
   if (!impact.pad.layers.empty())
     add("pad.layers", double(impact.pad.layers.size()),
-        "the 1984 program does not support a pad of several layers");
+        "the 1984 program does not support a pad with several layers");
   else if (impact.pad.material.law.index() >= laws_of_1984)
     add("pad.law", 0,
         "the 1984 program has five laws, and " + name_of(impact.pad.material.law) + " is not one of them");
   const std::size_t points = impact.support.points().size();
   if (points == 0)
     add("support.type", 0,
-        "the 1984 program has no rigid support: its KEYS = 0 divides zero by zero; give a stiff linear one");
+        "the 1984 program has no rigid support (KEYS = 0 divides zero by zero); use a stiff linear support");
   if (points > 4)
     add("support.points", static_cast<double>(points),
-        "the 1984 program takes at most four points of a support curve");
+        "the 1984 program accepts at most four points on a support curve");
   return unsaid;
 }
 
@@ -146,12 +146,12 @@ std::vector<Violation> violations(const Deck& deck) {
   check("DELT", deck.time_step_ms, "the time step");
   check("NDEL", deck.print_interval, "the print interval");
   const int law = static_cast<int>(deck.pad);
-  if (law < 1 || law > 5) broken.push_back({"KEYP", double(law), "must be 1 to 5"});
+  if (law < 1 || law > 5) broken.push_back({"KEYP", double(law), "must be from 1 to 5"});
   for (std::size_t i = 0; i < deck.pad_parameters.size(); ++i)
     if (!std::isfinite(deck.pad_parameters[i]))
       broken.push_back({fmt::format("PPAR({})", i + 1), deck.pad_parameters[i], "must be a finite number"});
   if (deck.support < 1 || deck.support > 4)
-    broken.push_back({"KEYS", double(deck.support), "must be 1 to 4"});
+    broken.push_back({"KEYS", double(deck.support), "must be from 1 to 4"});
   else if (deck.support == 1)
     check("SPAR(9)", deck.support_parameters[8], "the support's stiffness");
   else
@@ -160,7 +160,7 @@ std::vector<Violation> violations(const Deck& deck) {
       const double value = deck.support_parameters[i];
       if (!(value > before && value <= 1e20))
         broken.push_back({fmt::format("SPAR({})", i + 1), value,
-                          "deflections and forces of the support must increase from 0, to at most 1e20"});
+                          "the support's deflections and forces must increase from 0 and be at most 1e20"});
     }
   return broken;
 }

@@ -37,7 +37,7 @@ class Terminal {
   Terminal(std::istream& input, std::ostream& output) : input_(input), output_(output) {}
 
   void say(std::string_view text) {
-    if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal takes no more questions");
+    if (!(output_ << text << std::flush)) throw std::runtime_error("the terminal cannot be written to");
   }
 
   /// Calls `fields` with each line until it returns its values; complains about the others.
@@ -53,7 +53,7 @@ class Terminal {
   }
 
   int whole_number() {  // FORMAT(I)
-    return read(&TypedRecord::i, "That is not a whole number. Please type it again: ");
+    return read(&TypedRecord::i, "That is not a whole number. Please try again: ");
   }
 
   int choice(int largest) {  // FORMAT(I)
@@ -65,8 +65,7 @@ class Terminal {
   }
 
   double number() {  // FORMAT(E10.0)
-    return read([](TypedRecord& record) { return record.e(10); },
-                "That is not a number. Please type it again: ");
+    return read([](TypedRecord& record) { return record.e(10); }, "That is not a number. Please try again: ");
   }
 
   std::pair<double, double> pair_of_numbers() {  // FORMAT(2F)
@@ -76,7 +75,7 @@ class Terminal {
       if (!first || !second) return std::nullopt;
       return std::pair{*first, *second};
     };
-    return read(two, "Those are not two numbers. Please type them again: ");
+    return read(two, "Those are not two numbers. Please try again: ");
   }
 
  private:

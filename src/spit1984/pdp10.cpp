@@ -6,7 +6,7 @@
 
 namespace dashpad::spit1984 {
 
-static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "double must be computed in double");
+static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "double must be computed in double precision");
 static_assert(LDBL_MANT_DIG >= 64, "long double must tell whether a result lies above or below a half");
 
 Pdp10 Pdp10::rounded_half(double x, long double exact) {

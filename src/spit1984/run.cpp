@@ -247,24 +247,25 @@ AbendText text_of(Abend abend) {
     case Abend::too_many_iterations:
       return {
           "too many iterations",
-          "within the impact the penetration converges too slowly: raise --equilibrium-tolerance, shorten "
-          "--time-step or raise --most-iterations. Near the end of rebound the march is too sensitive to the "
-          "strain rate: the last step but one is the last to rely on, and Eq. 27 estimates its speed error"};
+          "during the impact, this means that the penetration converges too slowly; raise "
+          "--equilibrium-tolerance or --most-iterations, or reduce --time-step. Near the end of rebound, it "
+          "means that the strain-rate sensitivity is too high; the last step but one is the last reliable "
+          "one, and Eq. 27 estimates its speed error"};
     case Abend::bisection_failed:
       return {"bisection failed",
               "no pair of trials brackets equilibrium, which points to an unusual sensitivity to the strain "
-              "rate: look at the law and its parameters again"};
+              "rate; check the law and its parameters"};
     case Abend::too_many_time_steps:
       return {"too many time steps",
-              "the time history is full before the impact is over: raise --most-steps"};
+              "the time history was full before the end of the impact; raise --most-steps"};
     case Abend::rate_sensitive_instability:
       return {"rate-sensitive instability",
               "the end of contact cannot be found. The results are usable if the speed error is a small "
-              "fraction; the error of the coefficient of restitution is about twice that fraction, times the "
-              "ratio of impact to rebound speed. Otherwise halve --time-step"};
+              "fraction; the error in the coefficient of restitution is about twice that fraction times the "
+              "ratio of impact speed to rebound speed. Otherwise, halve --time-step"};
     case Abend::too_many_contact_divisions:
       return {"too many contact divisions",
-              "the contact field is full before the largest penetration: raise --most-stations"};
+              "the contact field was full before the maximum penetration; raise --most-stations"};
     case Abend::none: break;
   }
   return {"", ""};
@@ -280,7 +281,7 @@ Run run(const Deck& deck, const Settings& settings, const Progress& progress) {
   if (const auto broken = violations(deck); !broken.empty())
     throw std::invalid_argument(broken.front().key + ": " + broken.front().rule);
   if (settings.max_steps < 3 || settings.max_stations < 2)
-    throw std::invalid_argument("dimensions: at least three time steps and two stations");
+    throw std::invalid_argument("dimensions: must allow at least three time steps and two stations");
   switch (settings.arithmetic) {
     case Arithmetic::binary32: return Spit<float>(deck, settings).run(progress);
     case Arithmetic::binary64: return Spit<double>(deck, settings).run(progress);

@@ -28,7 +28,7 @@ bool is_of_cushion_curves(const Study& study) {
     std::string_view key = factor.key;
     for (const OtherWay& way : other_ways())
       if (key == way.key) key = way.instead_of;
-    const bool is_mass = key == "impactor.mass";
+    const bool is_mass = key == "impactor.mass" || key == static_stress;
     has_mass = has_mass || is_mass;
     if (factor.is_sampled() || (!is_mass && key != "impactor.speed" && key != "pad.thickness")) return false;
   }
@@ -37,7 +37,7 @@ bool is_of_cushion_curves(const Study& study) {
 
 std::size_t number_of(const Study& study, const std::string& response) {
   const std::optional<std::size_t> place = place_of(study.responses, response);
-  if (!place) throw std::invalid_argument("the study keeps no response \"" + response + "\"");
+  if (!place) throw std::invalid_argument("the study does not store the response \"" + response + "\"");
   return *place;
 }
 
@@ -69,12 +69,12 @@ bool grows_with_force(const Study& study, std::size_t response) {
   return kind != nullptr && kind->role.growth == Growth::with_force;
 }
 
-/// The levels of each factor in order; none of one that is sampled.
+/// The levels of each factor, or its values in a table of rows, in order; none of one that is sampled.
 std::vector<std::vector<double>> sorted_levels(const Study& study) {
   std::vector<std::vector<double>> all;
   for (const Factor& factor : study.factors) {
-    const auto* levels = std::get_if<Levels>(&factor.spread);
-    all.push_back(levels ? levels->values : std::vector<double>{});
+    const std::vector<double>* const given = factor.given_values();
+    all.push_back(given ? *given : std::vector<double>{});
     std::ranges::sort(all.back());
   }
   return all;
@@ -149,10 +149,10 @@ Records read_records(const Study& study, const Store& store) {
     records.rows.push_back(row.row);
     for (std::size_t i = 0; i < records.factors.size(); ++i) {
       if (!study.factors[i].is_sampled() && !std::ranges::binary_search(levels[i], row.factors[i]))
-        throw DamagedStore(fmt::format(
-            "{}: it is damaged ({} = {} in row {}, which is none of its levels): delete it and run "
-            "the study again",
-            store.file(), study.factors[i].key, row.factors[i], row.row));
+        throw DamagedStore(
+            fmt::format("{}: the store is damaged ({} = {} in row {}, which is not one of its levels); "
+                        "delete it and run the study again",
+                        store.file(), study.factors[i].key, row.factors[i], row.row));
       records.factors[i].push_back(row.factors[i]);
     }
     for (std::size_t i = 0; i < records.responses.size(); ++i)

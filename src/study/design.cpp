@@ -64,7 +64,7 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);
-  return "is not a quantity of the case that can vary" + input::meant_or_listed(key, known);
+  return "is not a quantity of the case that can be varied" + input::meant_or_listed(key, known);
 }
 
 bool is_of_law(const std::string& key) {
@@ -91,12 +91,16 @@ Application::Application(const Study& study) {
     }
     const CaseQuantity* const found = quantities.find(factor.key);
     if (found == nullptr) throw std::invalid_argument("not a quantity of the case: " + factor.key);
+    if (factor.key == static_stress) last_ = steps_.size();
     steps_.push_back(found->set);
   }
 }
 
 void Application::operator()(std::span<const double> values, ImpactCase& into) const {
-  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i](into, values[i]);
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    if (i != last_) steps_[i](into, values[i]);
+  // The mass follows from the area that all others leave.
+  if (last_ < steps_.size()) steps_[last_](into, values[last_]);
 }
 
 struct Design::Plan {
@@ -112,16 +116,33 @@ struct Design::Plan {
       const auto* of = std::get_if<Levels>(&factor.spread);
       levels.push_back(of ? of->values : std::vector<double>());
       if (of) combinations *= of->values.size();
+      const auto* in_row = std::get_if<ByRow>(&factor.spread);
+      by_row.push_back(in_row ? in_row->values : std::vector<double>());
     }
+    combinations *= table_rows(study);
+    for (std::size_t k = 0; k < sampled.size(); ++k)
+      if (const auto* drawn = std::get_if<ByDraw>(&study.factors[sampled[k]].spread))
+        by_draw.push_back({k, drawn->values});
   }
 
-  /// The factors that lie on a grid; the last one changes fastest.
+  /// The factors that lie on a grid; the last one changes fastest, and those of a table of rows most slowly.
   void write_levels(std::uint64_t combination, std::span<double> values) const {
     for (std::size_t i = levels.size(); i-- > 0;) {
       if (levels[i].empty()) continue;
       values[i] = levels[i][combination % levels[i].size()];
       combination /= levels[i].size();
     }
+    for (std::size_t i = 0; i < by_row.size(); ++i)
+      if (!by_row[i].empty()) values[i] = by_row[i][combination];
+  }
+
+  /// The factors that are drawn together: the fraction of the first chooses the row for all.
+  void write_drawn_together(std::uint64_t draw, std::uint64_t block, std::span<double> values) const {
+    if (by_draw.empty()) return;
+    const std::size_t rows = by_draw.front().values.size();
+    const double place = fraction(draw, block, by_draw.front().which) * static_cast<double>(rows);
+    for (const DrawnTogether& factor : by_draw)
+      values[sampled[factor.which]] = factor.values[std::min(static_cast<std::size_t>(place), rows - 1)];
   }
 
   [[nodiscard]] double fraction(std::uint64_t draw, std::uint64_t block, std::size_t which) const {
@@ -137,12 +158,18 @@ struct Design::Plan {
     return cdf(StandardNormal(), score);
   }
 
+  struct DrawnTogether {
+    std::size_t which = 0;  ///< of the sampled factors
+    std::vector<double> values;
+  };
+
   std::uint64_t samples, blocks, combinations = 1;
   std::vector<std::size_t> sampled;
   FractionSource source;
   Matrix root;  ///< empty without correlations
   std::vector<Quantiles> quantiles;
-  std::vector<std::vector<double>> levels;  ///< levels of each factor; empty for a sampled one
+  std::vector<std::vector<double>> levels, by_row;  ///< of each factor; empty for others
+  std::vector<DrawnTogether> by_draw;
 };
 
 Design::Design(const Study& study) {
@@ -173,6 +200,7 @@ void Design::factors_of(std::uint64_t row, std::span<double> values) const {
         plan_->root.empty() ? plan_->fraction(draw, block, k) : plan_->correlated_fraction(draw, k);
     values[plan_->sampled[k]] = plan_->quantiles[k].at(fraction);
   }
+  plan_->write_drawn_together(draw, block, values);
 }
 
 }  // namespace dashpad::study

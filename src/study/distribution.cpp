@@ -74,6 +74,8 @@ bool all_finite(std::initializer_list<double> values) {
 }
 
 std::string rule_for(const Levels&) { return ""; }
+std::string rule_for(const ByRow&) { return ""; }
+std::string rule_for(const ByDraw&) { return ""; }
 std::string rule_for(const Normal& normal) {
   if (!all_finite({normal.mean, normal.deviation})) return "mean and deviation must be finite numbers";
   return normal.deviation > 0 ? "" : "the deviation must be more than 0";
@@ -97,7 +99,7 @@ std::string rule_for(const Triangular& triangular) {
              : "the mode must lie between low and high";
 }
 std::string rule_for(const Empirical& empirical) {
-  if (empirical.values.size() < 2) return "needs at least two measured values";
+  if (empirical.values.size() < 2) return "there must be at least two measured values";
   if (!std::ranges::all_of(empirical.values, [](double value) { return std::isfinite(value); }))
     return "the measured values must be finite numbers";
   if (!std::ranges::is_sorted(empirical.values)) return "the measured values must be sorted";
@@ -129,6 +131,13 @@ std::optional<Matrix> root_of_correlations(const Study& study) {
 Quantiles::Any Quantiles::made_of(const Spread& spread) {
   return std::visit(
       Overloaded{[](const Levels&) -> Any { throw std::invalid_argument("levels have no distribution"); },
+                 [](const ByRow&) -> Any { throw std::invalid_argument("rows have no distribution"); },
+                 [](const ByDraw& drawn) -> Any {
+                   std::vector<double> sorted = drawn.values;
+                   std::ranges::sort(sorted);
+                   if (sorted.size() == 1) sorted.push_back(sorted.front());
+                   return EmpiricalDistribution(std::move(sorted));
+                 },
                  [](const Normal& normal) -> Any {
                    return boost::math::normal_distribution<double, Policy>(normal.mean, normal.deviation);
                  },
@@ -172,14 +181,14 @@ std::string rule_broken_by(const Factor& factor) {
   std::string rule = std::visit([](const auto& given) { return rule_for(given); }, factor.spread);
   if (!rule.empty()) return rule;
   if (!factor.is_sampled())
-    return factor.lowest || factor.highest ? "only a distribution can be cut off by lowest and highest" : "";
+    return factor.lowest || factor.highest ? "lowest and highest apply only to a distribution" : "";
   const double lowest = factor.lowest.value_or(-infinite), highest = factor.highest.value_or(infinite);
   if (std::isnan(lowest) || std::isnan(highest)) return "lowest and highest must be finite numbers";
   if (!(lowest < highest)) return "lowest must be less than highest";
   constexpr double min_kept = 1e-6;
   const double kept = Quantiles(factor).kept();
   if (!(kept >= min_kept))
-    return fmt::format("lowest and highest leave a probability of {:.2g}; it must be at least {}", kept,
+    return fmt::format("lowest and highest leave a probability of only {:.2g}; it must be at least {}", kept,
                        min_kept);
   return "";
 }
@@ -187,31 +196,31 @@ std::string rule_broken_by(const Factor& factor) {
 CheckedRange checked_range(const Factor& factor) {
   constexpr double out = deviations_checked;
   CheckedRange range = std::visit(
-      Overloaded{[](const Levels& levels) {
-                   return CheckedRange{std::ranges::min(levels.values), std::ranges::max(levels.values)};
-                 },
-                 [](const Normal& normal) {
-                   return CheckedRange{normal.mean - out * normal.deviation,
-                                       normal.mean + out * normal.deviation, true, true};
-                 },
-                 [](const Lognormal& lognormal) {
-                   return CheckedRange{lognormal.median * std::exp(-out * lognormal.spread),
-                                       lognormal.median * std::exp(out * lognormal.spread), true, true};
-                 },
-                 [](const Uniform& uniform) {
-                   return CheckedRange{uniform.low, uniform.high};
-                 },
-                 [](const Triangular& triangular) {
-                   return CheckedRange{triangular.low, triangular.high};
-                 },
-                 [](const Empirical& empirical) {
-                   return CheckedRange{empirical.values.front(), empirical.values.back()};
-                 }},
+      Overloaded{[]<class Given>
+                   requires requires(const Given& given) { given.values;
+}
+(const Given& given) { return CheckedRange{std::ranges::min(given.values), std::ranges::max(given.values)}; }
+,
+    [](const Normal& normal) {
+      return CheckedRange{normal.mean - out * normal.deviation, normal.mean + out * normal.deviation, true,
+                          true};
+    },
+    [](const Lognormal& lognormal) {
+      return CheckedRange{lognormal.median * std::exp(-out * lognormal.spread),
+                          lognormal.median * std::exp(out * lognormal.spread), true, true};
+    },
+    [](const Uniform& uniform) {
+      return CheckedRange{uniform.low, uniform.high};
+    },
+    [](const Triangular& triangular) {
+      return CheckedRange{triangular.low, triangular.high};
+    }
+}  // namespace dashpad::study
+,
       factor.spread);
-  if (factor.lowest && *factor.lowest > range.low) range.low = *factor.lowest, range.low_is_tail = false;
-  if (factor.highest && *factor.highest < range.high)
-    range.high = *factor.highest, range.high_is_tail = false;
-  return range;
+if (factor.lowest && *factor.lowest > range.low) range.low = *factor.lowest, range.low_is_tail = false;
+if (factor.highest && *factor.highest < range.high) range.high = *factor.highest, range.high_is_tail = false;
+return range;
 }
 
 }  // namespace dashpad::study

@@ -18,18 +18,6 @@ namespace {
 
 constexpr std::size_t max_values = 1'000'000;
 
-/// The separator of the header: a semicolon, a tab, or else a comma.
-char separator_of(std::string_view text) {
-  input::LineReader lines(text);
-  std::string_view line;
-  while (lines.next(line) &&
-         (input::without_blanks(line).empty() || input::without_blanks(line).front() == '#')) {
-  }
-  for (const char c : {';', '\t'})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ',';
-}
-
 struct Column {
   std::size_t place = 0;
   std::size_t width = 1;  ///< columns of the header
@@ -42,7 +30,7 @@ double unit_factor(const std::string& written, const std::string& unit, const Co
                    std::size_t line, input::MeasurementFaults& faults) {
   if (unit == "1") {
     if (written.empty() || written == "1" || written == "-") return 1;
-    faults.add(line, column.name, written, "is a pure number and has no unit");
+    faults.add(line, column.name, written, "must have no unit, since it is a pure number");
     return 1;
   }
   if (written.empty()) {
@@ -72,12 +60,12 @@ Column choose(const input::CsvRow& header, const std::string& wanted, const std:
           header.line, "", wanted,
           "no such column; available: " + input::listing(titles) + input::did_you_mean(wanted, names));
   } else if (header.filled() > 1) {
-    faults.refuse(header.line, "", "",
-                  "has several columns; name one with column = \"...\": " + input::listing(titles));
+    faults.refuse(
+        header.line, "", "",
+        "has several columns; choose one with column = \"...\"; available: " + input::listing(titles));
   }
   if (input::read_number(titles[place]).kind == input::NumberKind::number)
-    faults.refuse(header.line, "", titles[place],
-                  "needs a line above the numbers that names the column and its unit");
+    faults.refuse(header.line, "", titles[place], "needs a header line that names the column and its unit");
   Column column{place, header.fields.size(), titles[place], 1};
   column.factor = unit_factor(input::split_header(titles[place]).unit, unit, column, header.line, faults);
   return column;
@@ -89,7 +77,7 @@ Levels read_values(input::TableReader& table, const std::string& unit) {
   Levels levels;
   const input::TomlNode* list = table.array("values");
   if (!list) return levels;
-  if (list->children.empty()) table.fault("values", "must hold at least one value");
+  if (list->children.empty()) table.fault("values", "must have at least one value");
   for (const input::TomlNode& entry : list->children)
     levels.values.push_back(
         input::read_value(entry, table.full_key("values") + entry.key, unit, table.faults()));
@@ -104,7 +92,7 @@ Levels read_range(input::TableReader& table, const std::string& unit) {
       table.has("spacing") && table.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   if (from == to) table.fault("to", "must differ from the value of from");
   const bool possible = !logarithmic || (!(from <= 0) && !(to <= 0));
-  if (!possible) table.fault("spacing", "a logarithmic range needs both ends to be more than 0");
+  if (!possible) table.fault("spacing", "both ends of a logarithmic range must be more than 0");
   Levels levels;
   if (!(std::isfinite(from) && std::isfinite(to)) || !possible) return levels;
   for (std::size_t i = 0; i < count; ++i) {
@@ -121,7 +109,7 @@ Empirical read_measured(input::TableReader& table, const std::string& unit, cons
   const std::string column = table.text("column", input::Presence::optional);
   if (file.empty()) return {};
   input::Reading<std::vector<double>> values = read_empirical(folders.of_file / file, column, unit);
-  if (!values) table.fault("file", "cannot be used; see its faults");
+  if (!values) table.fault("file", "cannot be used; see the errors in it");
   return {table.faults().take(std::move(values)).value_or(std::vector<double>())};
 }
 
@@ -160,7 +148,7 @@ input::Reading<std::vector<double>> read_empirical(const std::filesystem::path& 
     input::MeasurementFaults faults(file.string());
     const std::string content = input::read_measurement(file);
     const std::string_view text = input::text_in(content, faults);
-    const char separator = separator_of(text);
+    const char separator = input::header_separator(text);
     input::CsvRows rows(text, separator);
     input::CsvRow row;
     if (!rows.next(row)) faults.refuse(0, "", "", "is empty");
@@ -193,7 +181,7 @@ Spread read_spread(input::TableReader& table, const std::string& unit, const inp
   const bool distribution = table.has("distribution");
   if (int{values} + int{range} + int{distribution} != 1) {
     table.faults().add(table.node().line, table.full_key("values"), "",
-                       "give one of: values = [...]; from, to and count; distribution");
+                       "give one of these: values = [...]; from, to and count; or distribution");
     return Levels{};
   }
   if (values) return read_values(table, unit);

@@ -24,28 +24,29 @@ bool is_damage(int code) {
 std::string advice(int code, int system_error) {
   if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY ||
       code == SQLITE_READONLY_CANTINIT)
-    return "a run was interrupted and the file needs recovery, but it or its folder is read-only: copy it, "
-           "with the -wal or -journal file beside it, to a writable folder";
+    return "a run was interrupted and the store must be recovered, but the file or its folder is read-only; "
+           "copy the file, together with its -wal or -journal file, to a writable folder";
   const std::string reason = system_error == 0 ? "" : fmt::format(" ({})", std::strerror(system_error));
   switch (code & 0xff) {
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return "another program has it open: wait until it ends, or close it, and try again";
+    case SQLITE_LOCKED:
+      return "another program has the file open; wait or close that program, then try again";
     case SQLITE_FULL:
-      return "the disk is full; all rows written so far are kept: free some space and repeat the command";
-    case SQLITE_NOTADB: return "it is not the store of a study: give another name";
+      return "the disk is full, but all rows written so far are kept; free some space and repeat the command";
+    case SQLITE_NOTADB: return "not the store of a study; give another name";
     case SQLITE_ERROR:
     case SQLITE_MISMATCH:
     case SQLITE_TOOBIG:
     case SQLITE_FORMAT:
-    case SQLITE_CORRUPT: return "it is damaged: delete it and run the study again";
+    case SQLITE_CORRUPT: return "the store is damaged; delete it and run the study again";
     case SQLITE_READONLY:
     case SQLITE_PERM: return "cannot be written: the file or its folder is read-only";
-    case SQLITE_CANTOPEN: return "it cannot be opened" + reason;
+    case SQLITE_CANTOPEN: return "cannot be opened" + reason;
     case SQLITE_IOERR:
       return "the disk cannot be read or written" + reason +
-             "; all rows written so far are kept: check the disk (free space, limits on file size) and "
+             ", but all rows written so far are kept; check the disk (free space, limits on file size) and "
              "repeat the command";
-    default: return fmt::format("it cannot be read or written (SQLite error {})", code);
+    default: return fmt::format("cannot be read or written (SQLite error {})", code);
   }
 }
 
@@ -109,7 +110,8 @@ void Database::fail(int code) const {
 }
 
 void Database::damaged(const std::string& what) const {
-  throw DamagedStore(name_ + ": it is damaged (" + one_line(what) + "): delete it and run the study again");
+  throw DamagedStore(name_ + ": the store is damaged (" + one_line(what) +
+                     "); delete it and run the study again");
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(&database) {
@@ -193,7 +195,7 @@ void Statement::wrong_value(int column) const {
   // A value computed from several rows has only its SQL as a name.
   const std::string name = sqlite3_column_name(handle_.get(), column);
   database_->damaged(name.find('(') == std::string::npos
-                         ? fmt::format("column {} holds a wrong value", quoted_part(name))
+                         ? fmt::format("column {} contains an invalid value", quoted_part(name))
                          : "the number of rows or batches is wrong");
 }
 

@@ -68,7 +68,7 @@ std::string row_query(const StoreHeading& heading) {
 Status status_of(const std::string& name, const Database& database) {
   for (const Status status : all_statuses)
     if (to_string(status) == name) return status;
-  database.damaged("an unknown status");
+  database.damaged("unknown status");
 }
 
 /// The sum of all kinds.
@@ -110,7 +110,16 @@ bool has_column(const StoreHeading& heading, const std::string& name) {
   return false;
 }
 
-void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns) {
+/// A field of CSV, in quotes where it needs them.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns,
+            const Study& study) {
   const Outcome& outcome = row.outcome;
   fmt::format_to(std::back_inserter(text), "{},{},{:d},{:d},{:d},{:d},", row.row, to_string(outcome.status),
                  outcome.extrapolated != 0, (outcome.extrapolated & extrapolated_strain) != 0,
@@ -123,6 +132,11 @@ void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<Ex
       if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", column->scale * value);
       ++column;
     }
+  if (!study.labels.empty()) {
+    const std::size_t in_table = table_row_of(study, row.row);
+    for (const RowLabel& label : study.labels)
+      fmt::format_to(std::back_inserter(text), ",{}", csv_field(label.texts[in_table]));
+  }
   text.push_back('\n');
 }
 
@@ -146,8 +160,8 @@ Store::~Store() {
 void Store::check_in_place() const {
   if (file_->database.has_moved())
     throw std::runtime_error(file_->database.name() +
-                             ": it was deleted, renamed or replaced while the study ran, and its rows are "
-                             "missing: repeat the command, and do not touch the file until it ends");
+                             ": the file was deleted, renamed or replaced during the study, and its rows are "
+                             "missing; repeat the command, and leave the file alone until it ends");
 }
 
 const std::string& Store::file() const { return file_->database.name(); }
@@ -234,10 +248,12 @@ void export_csv(const Store& store, const std::function<void(std::string_view)>&
       columns.push_back(exported(column));
       names += "," + columns.back().name;
     }
+  const Study study = stored_study(store);
+  for (const RowLabel& label : study.labels) names += "," + csv_field(label.name);
   write(names + "\n");
   fmt::memory_buffer text;
   store.visit_rows([&](const StoredRow& row) {
-    append(text, row, columns);
+    append(text, row, columns, study);
     if (text.size() < piece) return;
     write({text.data(), text.size()});
     text.clear();

@@ -64,7 +64,7 @@ std::int64_t single_integer(const Database& database, const std::string& select)
 /// The row of a fact; its value is in column 0.
 Statement fact(const Database& database, const std::string& key) {
   Statement row{database, "SELECT value FROM study WHERE key = ?"};
-  if (!row.bind(0, key).next()) database.damaged("no " + key);
+  if (!row.bind(0, key).next()) database.damaged("the entry " + key + " is missing");
   return row;
 }
 
@@ -87,7 +87,7 @@ void check_tables(const Database& database) {
   if (single_integer(database,
                      "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name IN "
                      "('study', 'factors', 'responses', 'materials', 'batches', 'samples')") != 6)
-    database.damaged("one of its tables is missing");
+    database.damaged("a table is missing");
 }
 
 void check_columns(const Database& database, const StoreHeading& heading) {
@@ -100,7 +100,7 @@ void check_columns(const Database& database, const StoreHeading& heading) {
 /// Checks the units against those of the computation: a unit changed by hand would be read wrongly.
 void check_units(const Database& database, const StoreHeading& heading) {
   const auto changed = [&](const std::string& name) {
-    database.damaged(fmt::format("{} does not have the unit that it was computed in", quoted_part(name)));
+    database.damaged(fmt::format("{} does not have the unit in which it was computed", quoted_part(name)));
   };
   for (const StoredColumn& column : heading.responses)
     if (const ResultQuantity* kind = find_response_kind(column.name);
@@ -109,11 +109,11 @@ void check_units(const Database& database, const StoreHeading& heading) {
   const Json resolved = Json::parse(heading.resolved, nullptr, false);
   const Json factors = resolved.is_object() ? resolved.value("factors", Json()) : Json();
   if (!factors.is_array() || factors.size() != heading.factors.size())
-    database.damaged("the study is not readable");
+    database.damaged("the study cannot be read");
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const StoredColumn& column = heading.factors[i];
     if (!factors[i].is_object() || factors[i].value("key", Json()) != column.name)
-      database.damaged("the study is not readable");
+      database.damaged("the study cannot be read");
     if (factors[i].value("unit", Json()) != column.unit) changed(column.name);
   }
 }
@@ -159,11 +159,11 @@ void create_tables(Database& database, const Study& study, const StoreHeading& h
 
 StoreHeading read_heading(const Database& database) {
   if (single_integer(database, "PRAGMA application_id") != application)
-    throw DamagedStore(database.name() + ": it is not the store of a study: give another name");
+    throw DamagedStore(database.name() + ": not the store of a study; give another name");
   if (const std::int64_t found = single_integer(database, "PRAGMA user_version"); found != layout)
     throw std::runtime_error(
-        fmt::format("{}: it has layout {}, and this program reads layout {}: use the program that "
-                    "made it",
+        fmt::format("{}: the store has layout {}, but this version of Dashpad reads layout {}; use the "
+                    "version that made it",
                     database.name(), found, layout));
   check_tables(database);
   StoreHeading heading{.program = fact(database, "program").name(0),
@@ -173,7 +173,7 @@ StoreHeading read_heading(const Database& database) {
                        .batch_size = count_fact(database, "batch_size"),
                        .factors = {},
                        .responses = {}};
-  if (heading.batch_size == 0) database.damaged("its batches have no rows");
+  if (heading.batch_size == 0) database.damaged("the batches have no rows");
   heading.factors = read_columns(database, "SELECT position, key, unit, '' FROM factors ORDER BY position");
   heading.responses =
       read_columns(database, "SELECT position, name, unit, meaning FROM responses ORDER BY position");

@@ -25,10 +25,11 @@ namespace {
 constexpr off_t place_of_lock = off_t{1} << 62;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int error) {
-  std::string why = std::string{"it cannot be opened ("} + std::strerror(error) + ")";
+  std::string why = std::string{"cannot be opened ("} + std::strerror(error) + ")";
   if (error == EACCES || error == EPERM || error == EROFS)
     why = "cannot be written: the file or its folder is read-only";
-  if (error == EAGAIN) why = "another run is writing it: wait until it ends, or stop it, and try again";
+  if (error == EAGAIN)
+    why = "another run is writing to it; wait until that run ends, or stop it, and try again";
   throw std::runtime_error(file.string() + ": " + why);
 }
 
@@ -43,8 +44,8 @@ void check_room(const fs::path& file, std::uint64_t needed) {
   const fs::space_info space = fs::space(fs::absolute(file).parent_path(), error);
   if (!error && needed > space.available)
     refuse(file,
-           fmt::format("the study needs about {:.1f} MB of disk space, but only {:.1f} MB are free: free "
-                       "some space, or reduce the number of rows or responses",
+           fmt::format("the study needs about {:.1f} MB of disk space, but only {:.1f} MB is free; free some "
+                       "space, or reduce the number of rows or responses",
                        1e-6 * static_cast<double>(needed), 1e-6 * static_cast<double>(space.available)));
 }
 
@@ -52,13 +53,12 @@ void check_room(const fs::path& file, std::uint64_t needed) {
 void check_place(const fs::path& file, const StoreHeading& heading) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    refuse(file, "it is not a file: give the name of a file");
+  if (fs::exists(status) && !fs::is_regular_file(status)) refuse(file, "not a file; give the name of a file");
   const fs::path folder = fs::absolute(file).parent_path();
   if (!fs::is_directory(folder, error))
-    refuse(file, "there is no folder " + folder.string() + ": create it first");
+    refuse(file, "there is no folder " + folder.string() + "; create it first");
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
-    refuse(file, "its folder is read-only: choose another, or change its permissions");
+    refuse(file, "the folder is read-only; choose another folder, or change its permissions");
   if (!fs::exists(status)) check_room(file, bytes_of_tables(heading) + bytes_of_rows(heading, heading.rows));
 }
 
@@ -69,14 +69,14 @@ std::uint64_t count_rows(const Database& database, const StoreHeading& heading) 
   noted.next();
   const double expected = noted.number(0);
   if (noted.integer(1) < 0 || noted.count(2, heading.rows) * heading.batch_size >= heading.rows)
-    database.damaged("a batch that the study does not have");
+    database.damaged("it contains a batch that the study does not have");
   Statement stored{database, "SELECT count(*), coalesce(min(row), 0), coalesce(max(row), 0) FROM samples"};
   stored.next();
   const std::uint64_t rows = stored.count(0, heading.rows);
   if (stored.integer(1) < 0 || stored.count(2, heading.rows) >= heading.rows)
-    database.damaged("a row that the study does not have");
+    database.damaged("it contains a row that the study does not have");
   if (static_cast<double>(rows) != expected)
-    database.damaged(fmt::format("{} rows where {} are recorded", rows, expected));
+    database.damaged(fmt::format("it contains {} rows instead of the {} recorded", rows, expected));
   return rows;
 }
 
@@ -84,9 +84,9 @@ std::uint64_t count_rows(const Database& database, const StoreHeading& heading) 
 std::string of_another_program(const Database& database, const StoreHeading& stored,
                                const StoreHeading& wanted) {
   return fmt::format(
-      "Dashpad {} computed its {} of {} rows, and this is Dashpad {}; a store holds rows of one version "
-      "only. To keep them, continue with that version; to compute all rows with this one, give another name "
-      "or delete the file. Either version can read it (summary, export)",
+      "Dashpad {} computed the existing {} of {} rows, and this is Dashpad {}; a store can hold rows from "
+      "one version only. To keep these rows, continue with that version; to compute all rows with this "
+      "version, give another name or delete the file. Either version can read the store (summary, export)",
       stored.program, count_rows(database, stored), stored.rows, wanted.program);
 }
 
@@ -103,16 +103,16 @@ bool is_of_other_draws(const Study& study, const StoreHeading& stored, const Sto
 /// The rule for a store with another number of draws that cannot be taken up; "" if it can.
 std::string rule_for_draws(const Study& study, const StoreHeading& stored, const StoreHeading& wanted,
                            bool extend) {
-  const std::string has = fmt::format("it is the store of this study with {} rows, and the study has {}",
-                                      stored.rows, wanted.rows);
-  if (stored.rows > wanted.rows) return has + ": give another name";
+  const std::string has = fmt::format(
+      "the store belongs to this study, but has {} rows where the study has {}", stored.rows, wanted.rows);
+  if (stored.rows > wanted.rows) return has + "; give another name";
   if (study.sampling == Sampling::latin_hypercube)
     return has +
-           ": the draws of a Latin hypercube change with their number, so none can be kept; give another "
+           "; the draws of a Latin hypercube change with their number, so none can be kept; give another "
            "name";
   if (sampled_factors(study).size() < study.factors.size())
-    return has + ": with levels the rows of more draws have other places; give another name";
-  return extend ? "" : has + ": --extend keeps its rows and computes the others";
+    return has + "; in a study with levels, more draws would renumber the rows; give another name";
+  return extend ? "" : has + "; use --extend to keep these rows and compute the others";
 }
 
 /// Makes room for more draws: the last batch is taken back if it was not a whole one.
@@ -144,13 +144,13 @@ void check_same(const Database& database, const Study& study, const StoreHeading
     return;
   }
   if (stored.text != wanted.text)
-    refuse_for("it is the store of a different study (its text differs): give another name");
+    refuse_for("the store belongs to a different study (the text differs); give another name");
   if (stored.program != wanted.program) refuse_for(of_another_program(database, stored, wanted));
   if (stored.resolved != wanted.resolved)
     refuse_for(
-        "it is the store of this study, but the base case, a card or a data file that the study names has "
-        "changed since: undo the change, or give another name");
-  if (stored.rows != wanted.rows) database.damaged("a different number of rows");
+        "the store belongs to this study, but the base case, a card or a data file that the study uses has "
+        "since changed; undo the change, or give another name");
+  if (stored.rows != wanted.rows) database.damaged("it has a different number of rows");
 }
 
 /// With synchronous = NORMAL a kill loses nothing that was committed. A power cut may lose the last batches,
@@ -185,7 +185,7 @@ void require_whole(const Database& database) {
   if (size % smallest_page == 0) return;
   for (const char* log : {"-wal", "-journal"})
     if (fs::exists(database.name() + log, error)) return;
-  database.damaged("its end is missing");
+  database.damaged("the end of the file is missing");
 }
 
 void make_or_check(Database& database, const Study& study, StoreHeading& heading, bool extend) {
@@ -275,12 +275,12 @@ Store Store::open_for(const Study& study, const fs::path& file, bool extend) {
 Store Store::open_to_read(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) refuse(file, "there is no such file");
-  if (!fs::is_regular_file(file, error)) refuse(file, "it is not a file");
+  if (!fs::is_regular_file(file, error)) refuse(file, "not a file");
   Database database{file, Access::read};
   require_whole(database);
   // The transaction keeps one view of the file while the store is open, whatever a running study adds.
   database.execute("BEGIN");
-  if (is_empty(database)) refuse(file, "it is not the store of a study: it is empty");
+  if (is_empty(database)) refuse(file, "not the store of a study: the file is empty");
   StoreHeading heading = read_heading(database);
   auto opened = std::make_unique<File>(std::move(database), std::move(heading));
   opened->rows_done = count_rows(opened->database, opened->heading);

@@ -25,6 +25,8 @@ Sampling sampling_of(const Json& json) {
 
 Spread spread_of(const Json& json) {
   if (json.contains("levels")) return Levels{json["levels"].get<Numbers>()};
+  if (json.contains("rows")) return ByRow{json["rows"].get<Numbers>()};
+  if (json.contains("draws")) return ByDraw{json["draws"].get<Numbers>()};
   if (json.contains("empirical")) return Empirical{json["empirical"].get<Numbers>()};
   const auto values = [&](const char* name) { return json.at(name).get<Numbers>(); };
   if (json.contains("normal")) return Normal{values("normal").at(0), values("normal").at(1)};
@@ -147,6 +149,9 @@ Study study_of(const Json& json) {
       .tolerance = options.at(0), .time_limit = options.at(1), .max_steps = count_of(options.at(2))};
   for (const Json& factor : json.at("factors")) study.factors.push_back(factor_of(factor));
   for (const Json& material : json.at("materials")) study.materials.push_back(material_of(material));
+  if (json.contains("labels"))
+    for (const Json& label : json["labels"])
+      study.labels.push_back({label.at(0), label.at(1).get<std::vector<std::string>>()});
   const Json& sampling = json.at("sampling");
   for (const Json& pair : sampling.at("correlations"))
     study.correlations.push_back({count_of(pair.at(0)), count_of(pair.at(1)), pair.at(2)});
@@ -185,6 +190,9 @@ Json spread_json(const Triangular& triangular) {
   return {{"triangular", {triangular.low, triangular.mode, triangular.high}}};
 }
 Json spread_json(const Empirical& empirical) { return {{"empirical", empirical.values}}; }
+
+Json spread_json(const ByRow& by_row) { return {{"rows", by_row.values}}; }
+Json spread_json(const ByDraw& by_draw) { return {{"draws", by_draw.values}}; }
 
 Json factor_json(const Factor& factor) {
   Json json = std::visit([](const auto& spread) { return spread_json(spread); }, factor.spread);
@@ -273,7 +281,7 @@ Json sampling_json(const Study& study) {
 
 Study stored_study(const Store& store) {
   const std::string damaged =
-      store.file() + ": it is damaged, or another version made it: the study is no longer readable";
+      store.file() + ": the store is damaged or was made by another version; the study can no longer be read";
   try {
     Study study = study_of(Json::parse(store.resolved_text()));
     study.text = store.study_text();
@@ -290,13 +298,15 @@ std::string resolved_text(const Study& study) {
   Json factors = Json::array(), materials = Json::array();
   for (const Factor& factor : study.factors) factors.push_back(factor_json(factor));
   for (const Material& material : study.materials) materials.push_back(material_json(material));
-  return json_text({{"title", study.title},
-                    {"case", case_json(study.base)},
-                    {"options", {study.options.tolerance, study.options.time_limit, study.options.max_steps}},
-                    {"factors", factors},
-                    {"materials", materials},
-                    {"sampling", sampling_json(study)},
-                    {"responses", study.responses}});
+  Json json = {{"title", study.title},
+               {"case", case_json(study.base)},
+               {"options", {study.options.tolerance, study.options.time_limit, study.options.max_steps}},
+               {"factors", factors},
+               {"materials", materials},
+               {"sampling", sampling_json(study)},
+               {"responses", study.responses}};
+  for (const RowLabel& label : study.labels) json["labels"].push_back({label.name, label.texts});
+  return json_text(json);
 }
 
 }  // namespace dashpad::study

@@ -34,7 +34,10 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
                         fmt::format("give {} or {}, not both", way.instead_of, way.key)});
   if (has("impactor.gravity") && has("impactor.drop_height"))
     broken.push_back({"factors.impactor.drop_height", no_value,
-                      "the speed of a fall follows from gravity: vary one or the other"});
+                      "the impact speed depends on both drop height and gravity: vary only one of them"});
+  if (has(static_stress) && (has("impactor.mass") || has("impactor.weight")))
+    broken.push_back({std::string("factors.") + static_stress, no_value,
+                      "the mass follows from it: vary one or the other"});
   if (has("support.stiffness") && has("support.scale"))
     broken.push_back(
         {"factors.support.scale", no_value, "give support.stiffness or support.scale, not both"});
@@ -47,19 +50,19 @@ void check_conflicts(const Study& study, std::vector<Violation>& broken) {
 
 void check_materials(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
   const std::string key = "factors." + factor.key;
-  const auto* levels = std::get_if<Levels>(&factor.spread);
-  if (!levels) {
-    broken.push_back({key, no_value, "materials are given as values = [\"name\", ...]"});
+  const std::vector<double>* const given = factor.given_values();
+  if (!given) {
+    broken.push_back({key, no_value, "give the materials as values = [\"name\", ...]"});
     return;
   }
-  for (const double value : levels->values)
+  for (const double value : *given)
     if (!(value >= 0 && value < static_cast<double>(study.materials.size()) && value == std::floor(value)))
-      broken.push_back({key, value, "is not a numeric key of a material"});
+      broken.push_back({key, value, "is not the number of a material"});
   for (std::size_t i = 0; i < study.materials.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (study.materials[i].name == study.materials[j].name) {
         broken.push_back(
-            {key, no_value, fmt::format("has two materials called {}", study.materials[i].name)});
+            {key, no_value, fmt::format("contains two materials called {}", study.materials[i].name)});
         break;
       }
 }
@@ -69,12 +72,41 @@ void check_factor(const Study& study, const Factor& factor, std::vector<Violatio
   check_key(study, factor, broken);
   if (factor.key == "pad.material") check_materials(study, factor, broken);
   if (const auto* levels = std::get_if<Levels>(&factor.spread)) {
-    if (levels->values.empty()) broken.push_back({key, no_value, "has no levels"});
+    if (levels->values.empty()) broken.push_back({key, no_value, "must have at least one level"});
     if (std::ranges::any_of(levels->values, [](double value) { return !std::isfinite(value); }))
-      broken.push_back({key, no_value, "a level must be a finite number"});
+      broken.push_back({key, no_value, "the levels must be finite numbers"});
   }
   const std::string rule = rule_broken_by(factor);
   if (!rule.empty()) broken.push_back({key, no_value, rule});
+}
+
+/// The columns of a table are equally long and hold finite numbers.
+template <class Column>
+void check_table(const Study& study, const char* key, std::vector<Violation>& broken) {
+  std::size_t rows = 0;
+  for (const Factor& factor : study.factors) {
+    const auto* const column = std::get_if<Column>(&factor.spread);
+    if (column == nullptr) continue;
+    const std::vector<double>& values = column->values;
+    if (rows == 0) rows = values.size();
+    if (values.empty() || values.size() != rows ||
+        std::ranges::any_of(values, [](double value) { return !std::isfinite(value); }))
+      broken.push_back({key, no_value, fmt::format("{} must have a finite number in each row", factor.key)});
+  }
+}
+
+void check_tables(const Study& study, std::vector<Violation>& broken) {
+  check_table<ByRow>(study, "rows", broken);
+  check_table<ByDraw>(study, "samples_from", broken);
+  for (const RowLabel& label : study.labels)
+    if (label.texts.size() != table_rows(study))
+      broken.push_back({"rows", no_value, fmt::format("{} must have a text in each row", label.name)});
+  const bool draws_together = std::ranges::any_of(
+      study.factors, [](const Factor& factor) { return std::holds_alternative<ByDraw>(factor.spread); });
+  if (draws_together && study.indices)
+    broken.push_back(
+        {"indices", no_value,
+         "Sobol' indices are defined for independent factors: leave out samples_from or indices"});
 }
 
 void check_correlations(const Study& study, std::vector<Violation>& broken) {
@@ -85,7 +117,7 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
   // Each is compared with all before it: of thousands, there would be millions of faults.
   if (const std::size_t pairs = study.factors.size() * study.factors.size() / 2; all.size() > pairs) {
     broken.push_back({"correlations", no_value,
-                      fmt::format("there are {}, more than there are pairs of factors", all.size())});
+                      fmt::format("there are {} correlations, but fewer pairs of factors", all.size())});
     return;
   }
   bool good = true;
@@ -94,33 +126,38 @@ void check_correlations(const Study& study, std::vector<Violation>& broken) {
       broken.push_back({fmt::format("correlations[{}]", i + 1), value, rule});
       good = false;
     };
+    const auto drawn_together = [&](std::size_t factor) {
+      return std::holds_alternative<ByDraw>(study.factors[factor].spread);
+    };
     if (!sampled(all[i].first) || !sampled(all[i].second))
-      add(no_value, "needs two factors with a distribution");
+      add(no_value, "must name two factors that have a distribution");
+    else if (drawn_together(all[i].first) || drawn_together(all[i].second))
+      add(no_value, "factors of samples_from have the correlations of its rows");
     else if (all[i].first == all[i].second)
-      add(no_value, "needs two different factors");
+      add(no_value, "must name two different factors");
     if (!(all[i].value > -1 && all[i].value < 1)) add(all[i].value, "must be more than -1 and less than 1");
     for (std::size_t j = 0; j < i; ++j)
       if (std::minmax(all[i].first, all[i].second) == std::minmax(all[j].first, all[j].second))
-        add(no_value, "the correlation of these two is given twice");
+        add(no_value, "the correlation between these two is given twice");
   }
   if (good && !root_of_correlations(study))
-    broken.push_back(
-        {"correlations", no_value,
-         "contradict each other: their matrix is not positive definite, so no quantities can have them"});
+    broken.push_back({"correlations", no_value,
+                      "contradict one another: their matrix is not positive definite, so no quantities can "
+                      "have these correlations"});
   if (study.indices && !all.empty())
     broken.push_back(
         {"correlations", no_value,
-         "Sobol' indices are defined for independent factors: leave out correlations or indices"});
+         "Sobol' indices are defined only for independent factors: leave out correlations or indices"});
 }
 
 void check_responses(const Study& study, std::vector<Violation>& broken) {
   std::vector<std::string> known;
   for (const ResultQuantity& kind : response_kinds()) known.emplace_back(kind.key);
-  if (study.responses.empty()) broken.push_back({"responses", no_value, "needs at least one response"});
+  if (study.responses.empty()) broken.push_back({"responses", no_value, "must name at least one response"});
   if (study.responses.size() > 2 * known.size()) {
-    broken.push_back(
-        {"responses", no_value,
-         fmt::format("has {} names, but there are only {} responses", study.responses.size(), known.size())});
+    broken.push_back({"responses", no_value,
+                      fmt::format("contains {} names, but there are only {} responses",
+                                  study.responses.size(), known.size())});
     return;
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
@@ -140,7 +177,7 @@ void check_size(const Study& study, std::vector<Violation>& broken) {
     broken.push_back(
         {"samples", static_cast<double>(study.samples), "no factor has a distribution to draw from"});
   if (sampled == 0 && study.indices)
-    broken.push_back({"indices", no_value, "no factor has a distribution: Sobol' indices need at least one"});
+    broken.push_back({"indices", no_value, "Sobol' indices need at least one factor with a distribution"});
   if (study.sampling == Sampling::sobol && 2 * sampled > Sobol::max_dimensions)
     broken.push_back({"factors", static_cast<double>(sampled), "too many sampled factors for Sobol points"});
   const double rows = row_count(study);
@@ -163,6 +200,7 @@ const Factor* factor_behind(const Study& study, const std::string& key) {
   if (const Factor* same = find([&](const std::string& text) { return text == key; })) return same;
   for (const OtherWay& way : other_ways())
     if (key == way.instead_of) return find([&](const std::string& text) { return text == way.key; });
+  if (key == "impactor.mass") return find([](const std::string& text) { return text == static_stress; });
   if (key.starts_with("support."))
     return find([](const std::string& text) { return text.starts_with("support."); });
   if (!key.starts_with("pad.")) return nullptr;
@@ -181,31 +219,57 @@ class Checker {
  public:
   explicit Checker(const Study& study) : study_(study), application_(study), impact_(study.base) {
     for (const Factor& factor : study.factors)
-      values_.push_back(factor.is_sampled() ? Quantiles(factor).at(0.5) : levels_of(factor).front());
+      values_.push_back(factor.is_sampled() ? Quantiles(factor).at(0.5) : factor.given_values()->front());
   }
 
   std::vector<Violation> all() {
+    check_rows<ByDraw>("samples_from");
+    check_rows<ByRow>("rows");
     check_grid();
     for (std::size_t i = 0; i < study_.factors.size(); ++i)
-      if (study_.factors[i].is_sampled()) check_ends(i);
+      if (study_.factors[i].is_sampled() && !std::holds_alternative<ByDraw>(study_.factors[i].spread))
+        check_ends(i);
     return std::move(found_);
   }
 
  private:
+  static bool has_levels(const Factor& factor) { return std::holds_alternative<Levels>(factor.spread); }
   static const std::vector<double>& levels_of(const Factor& factor) {
     return std::get<Levels>(factor.spread).values;
+  }
+
+  /// Checks each row of a table, with the other factors where they are, and leaves the first row. Broken
+  /// rules have keys such as "rows[3].impactor.speed".
+  template <class Column>
+  void check_rows(const char* key) {
+    const auto column = [&](std::size_t i) { return std::get_if<Column>(&study_.factors[i].spread); };
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (column(i)) rows = column(i)->values.size();
+    const auto go_to = [&](std::size_t row) {
+      for (std::size_t i = 0; i < values_.size(); ++i)
+        if (column(i)) values_[i] = column(i)->values[row];
+    };
+    for (std::size_t row = 0; row < rows; ++row) {
+      go_to(row);
+      for (Violation& broken : broken_here()) {
+        broken.key = fmt::format("{}[{}].{}", key, row + 1, broken.key);
+        add(std::move(broken));
+      }
+    }
+    if (rows > 0) go_to(0);
   }
 
   void check_grid() {
     const std::vector<double> first = values_;
     std::uint64_t combinations = 1;
     for (const Factor& factor : study_.factors)
-      if (!factor.is_sampled() && combinations <= max_combinations) combinations *= levels_of(factor).size();
+      if (has_levels(factor) && combinations <= max_combinations) combinations *= levels_of(factor).size();
     if (combinations <= max_combinations) {
       check_combinations(0);
     } else {
       for (std::size_t i = 0; i < study_.factors.size(); ++i) {
-        if (study_.factors[i].is_sampled()) continue;
+        if (!has_levels(study_.factors[i])) continue;
         for (const double level : levels_of(study_.factors[i])) {
           values_[i] = level;
           check_here("");
@@ -218,7 +282,7 @@ class Checker {
 
   void check_combinations(std::size_t factor) {
     if (factor == study_.factors.size()) return check_here("");
-    if (study_.factors[factor].is_sampled()) return check_combinations(factor + 1);
+    if (!has_levels(study_.factors[factor])) return check_combinations(factor + 1);
     for (const double level : levels_of(study_.factors[factor])) {
       values_[factor] = level;
       check_combinations(factor + 1);
@@ -229,11 +293,11 @@ class Checker {
     const double centre = values_[i];
     const CheckedRange range = checked_range(study_.factors[i]);
     values_[i] = range.low;
-    check_here(range.low_is_tail ? "6 standard deviations below the centre; cut it off with lowest"
-                                 : "the lower end");
+    check_here(range.low_is_tail ? "6 standard deviations below the centre; use lowest to cut it off"
+                                 : "at the lower end");
     values_[i] = range.high;
-    check_here(range.high_is_tail ? "6 standard deviations above the centre; cut it off with highest"
-                                  : "the upper end");
+    check_here(range.high_is_tail ? "6 standard deviations above the centre; use highest to cut it off"
+                                  : "at the upper end");
     values_[i] = centre;
   }
 
@@ -249,16 +313,20 @@ class Checker {
 
   void check_here(const std::string& where) {
     for (const Violation& broken : broken_here()) {
-      if (found_.size() >= max_violations) return;
       const Factor* factor = factor_behind(study_, broken.key);
       Violation violation{factor ? "factors." + factor->key : broken.key, broken.value,
                           fmt::format("{} = {:.6g}{}: {}", broken.key, broken.value,
                                       where.empty() ? "" : " (" + where + ")", broken.rule)};
-      const auto same = [&](const Violation& given) {
-        return given.key == violation.key && given.rule == violation.rule;
-      };
-      if (std::ranges::none_of(found_, same)) found_.push_back(std::move(violation));
+      add(std::move(violation));
     }
+  }
+
+  void add(Violation violation) {
+    const auto same = [&](const Violation& given) {
+      return given.key == violation.key && given.rule == violation.rule;
+    };
+    if (found_.size() < max_violations && std::ranges::none_of(found_, same))
+      found_.push_back(std::move(violation));
   }
 
   const Study& study_;
@@ -270,9 +338,27 @@ class Checker {
 
 }  // namespace
 
+const std::vector<double>* Factor::given_values() const {
+  if (const auto* levels = std::get_if<Levels>(&spread)) return &levels->values;
+  const auto* by_row = std::get_if<ByRow>(&spread);
+  return by_row ? &by_row->values : nullptr;
+}
+
+std::size_t table_rows(const Study& study) {
+  for (const Factor& factor : study.factors)
+    if (const auto* by_row = std::get_if<ByRow>(&factor.spread)) return by_row->values.size();
+  return 1;
+}
+
+std::size_t table_row_of(const Study& study, std::uint64_t row) {
+  const auto each = static_cast<std::uint64_t>(row_count(study)) / table_rows(study);
+  return static_cast<std::size_t>(row / each);
+}
+
 double row_count(const Study& study) {
   const std::size_t sampled = sampled_factors(study).size();
-  double rows = static_cast<double>(study.samples) * static_cast<double>(study.indices ? 2 + sampled : 1);
+  double rows = static_cast<double>(study.samples) * static_cast<double>(study.indices ? 2 + sampled : 1) *
+                static_cast<double>(table_rows(study));
   for (const Factor& factor : study.factors)
     if (const auto* levels = std::get_if<Levels>(&factor.spread))
       rows *= static_cast<double>(levels->values.size());
@@ -283,6 +369,7 @@ std::vector<Violation> violations(const Study& study) {
   std::vector<Violation> broken;
   if (study.factors.empty()) broken.push_back({"factors", no_value, "a study needs at least one factor"});
   for (const Factor& factor : study.factors) check_factor(study, factor, broken);
+  check_tables(study, broken);
   check_conflicts(study, broken);
   check_correlations(study, broken);
   check_responses(study, broken);

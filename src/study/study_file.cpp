@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/input/case_file.hpp"
+#include "input/case_rows.hpp"
 #include "input/spelling.hpp"
 #include "study/factor_spread.hpp"
 
@@ -16,10 +17,19 @@ namespace {
 
 constexpr double default_tolerance = 1e-3;
 
+/// A table of rows or of draws in its file.
+struct TableFile {
+  std::string file;
+  int header_line = 0;
+  std::vector<int> lines;         ///< of its rows
+  std::vector<std::string> keys;  ///< of its columns
+};
+
 /// The lines of the factors in the file.
 struct FactorLines {
   std::map<std::string, int> lines;
-  std::vector<std::string> at_fault;  ///< "factors.KEY", and others that need no second fault
+  std::map<std::string, TableFile> tables;  ///< by "rows" and "samples_from"
+  std::vector<std::string> at_fault;        ///< "factors.KEY", and others that need no second fault
 };
 
 /// Keys that cannot be checked while a factor is unknown.
@@ -46,20 +56,27 @@ void collect(const input::TomlNode& table, const std::string& prefix, const std:
   }
 }
 
-/// The material of a name; absent after a fault.
+/// The material of a card, or of a .toml file. A fault of the name itself has no file.
+input::Reading<Material> material_called(const std::string& name, const input::Folders& folders) {
+  if (name.ends_with(".toml")) return input::read_material(folders.of_file / name);
+  auto cards = input::list_materials(folders.materials);
+  if (!cards) return cards.faults();
+  for (const auto& card : *cards)
+    if (card.stem() == name) return input::read_material(card);
+  return std::vector{input::Fault{
+      .file = "", .key = "", .value = "", .rule = input::no_such("card", name, folders.materials, *cards)}};
+}
+
+/// The material that an entry names; absent after a fault.
 std::optional<Material> read_named(const input::TomlNode& entry, const std::string& key,
                                    const input::Folders& folders, input::FaultList& faults) {
-  const std::string& name = entry.text;
-  if (entry.kind != input::TomlNode::Kind::text || name.empty()) {
+  if (entry.kind != input::TomlNode::Kind::text || entry.text.empty()) {
     faults.add(entry, key, "must be the name of a card or a .toml file in quotes");
     return std::nullopt;
   }
-  if (name.ends_with(".toml")) return faults.take(input::read_material(folders.of_file / name));
-  const auto cards = faults.take(input::list_materials(folders.materials));
-  if (!cards) return std::nullopt;
-  for (const auto& card : *cards)
-    if (card.stem() == name) return faults.take(input::read_material(card));
-  faults.add(entry, key, input::no_such("card", name, folders.materials, *cards));
+  input::Reading<Material> material = material_called(entry.text, folders);
+  if (material || !material.faults().front().file.empty()) return faults.take(std::move(material));
+  faults.add(entry, key, material.faults().front().rule);
   return std::nullopt;
 }
 
@@ -69,7 +86,7 @@ Levels read_materials(input::TableReader& table, const input::Folders& folders, 
   const input::TomlNode* list = table.array("values");
   if (!list) return levels;
   if (list->children.empty() || list->children.size() > max_materials) {
-    table.fault("values", fmt::format("must hold 1 to {} materials", max_materials));
+    table.fault("values", fmt::format("must have between 1 and {} materials", max_materials));
     return levels;
   }
   for (const input::TomlNode& entry : list->children) {
@@ -122,17 +139,83 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   return good;
 }
 
-/// Reads the factors and the materials of "pad.material" into a study, faulty factors as far as possible.
-/// Without a base case parameters and supports are not checked.
+/// The materials that a column of a table names, each once, in Study::materials, and their places there.
+/// Empty after a fault, which has the line of the first row that names it.
+std::vector<double> materials_named(const input::RowColumn& column, const TableFile& table,
+                                    const input::Folders& folders, input::FaultList& faults, Study& study) {
+  std::map<std::string, double> places;
+  std::vector<double> values;
+  const std::size_t before = faults.size();
+  for (std::size_t row = 0; row < column.texts.size(); ++row) {
+    const std::string& name = column.texts[row];
+    const auto [place, is_new] = places.try_emplace(name, static_cast<double>(study.materials.size()));
+    if (is_new) {
+      input::Reading<Material> material = material_called(name, folders);
+      const auto same = [&](const Material& each) { return material && each.name == material->name; };
+      const auto known = std::ranges::find_if(study.materials, same);
+      if (!material)
+        for (input::Fault fault : material.faults()) {
+          const bool is_of_card = !fault.file.empty();  // else it is of the name
+          if (!is_of_card) fault = {table.file, table.lines[row], column.key, name, fault.rule};
+          faults.add({std::move(fault)});
+        }
+      else if (known != study.materials.end())
+        place->second = static_cast<double>(known - study.materials.begin());
+      else
+        study.materials.push_back(*std::move(material));
+    }
+    values.push_back(place->second);
+  }
+  return faults.size() == before ? values : std::vector<double>{};
+}
+
+/// Reads the table of rows or of draws, a CSV file, at `key`: a factor a column. False after a fault.
+bool read_table(input::TableReader& top, const std::string& key, const std::vector<FactorKey>& keys,
+                const input::Folders& folders, Study& study, FactorLines& lines) {
+  if (!top.has(key)) return true;
+  const auto file = top.file(key, folders.of_file);
+  if (!file) return false;
+  std::vector<input::RowKey> row_keys;
+  for (const FactorKey& each : keys)
+    if (key == "rows" || !each.unit.empty()) row_keys.push_back({.key = each.key, .unit = each.unit});
+  const auto unknown = [&](const std::string& name) {
+    return name == "pad.material" ? "cannot be drawn: name the materials in a table of rows"
+                                  : rule_for_unknown(name, study.base);
+  };
+  const auto rows = top.faults().take(input::read_case_rows(*file, row_keys, unknown));
+  if (!rows) return false;
+  TableFile& table = lines.tables[key] = {file->string(), rows->header_line, rows->lines, {}};
+  const std::size_t before = top.faults().size();
+  for (const input::RowColumn& column : rows->columns) {
+    std::vector<double> values =
+        column.unit.empty() ? materials_named(column, table, folders, top.faults(), study) : column.values;
+    table.keys.push_back(column.key);
+    if (values.empty()) continue;
+    Factor factor{.key = column.key, .unit = column.unit, .spread = ByRow{values}};
+    if (key == "samples_from") factor.spread = ByDraw{std::move(values)};
+    study.factors.push_back(std::move(factor));
+  }
+  if (key == "rows")
+    for (const input::RowColumn& label : rows->labels) study.labels.push_back({label.key, label.texts});
+  return top.faults().size() == before;
+}
+
+/// Reads the tables, the factors and the materials of "pad.material" into a study, faulty factors as far as
+/// possible. Without a base case parameters and supports are not checked.
 FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders,
                          Study& study) {
   FactorLines lines;
-  const auto table = top.table("factors");
+  const std::vector<FactorKey> keys = factor_keys(study.base);
+  for (const char* const key : {"rows", "samples_from"})
+    if (has_base ? !read_table(top, key, keys, folders, study, lines) : top.has(key))
+      lines.at_fault.emplace_back(key);
+  const bool has_table = top.has("rows") || top.has("samples_from");
+  const auto table = top.table("factors", has_table ? input::Presence::optional : input::Presence::required);
   if (!table) {
+    if (has_table && lines.at_fault.empty()) return lines;
     lines.at_fault = keys_about_all_factors;
     return lines;
   }
-  const std::vector<FactorKey> keys = factor_keys(study.base);
   std::vector<std::string> names;
   for (const FactorKey& key : keys) names.push_back(key.key);
   std::vector<Entry> entries;
@@ -148,11 +231,32 @@ FactorLines read_factors(input::TableReader& top, bool has_base, const input::Fo
   return lines;
 }
 
+/// The fault of a broken rule that is about a table: "rows[3].impactor.speed", "factors.impactor.speed".
+std::optional<input::Fault> fault_in_table(const Violation& violation, const FactorLines& lines) {
+  for (const auto& [name, table] : lines.tables) {
+    const std::string& key = violation.key;
+    if (key.starts_with(name + "[")) {
+      const std::size_t end = key.find(']');
+      const std::size_t row = std::stoul(key.substr(name.size() + 1, end - name.size() - 1));
+      return input::Fault{table.file, table.lines.at(row - 1), key.substr(end + 2),
+                          fmt::format("{:.6g}", violation.value), violation.rule};
+    }
+    if (key.starts_with("factors.") && !lines.lines.contains(key) &&
+        std::ranges::count(table.keys, key.substr(8)))
+      return input::Fault{table.file, table.header_line, key.substr(8), "", violation.rule};
+  }
+  return std::nullopt;
+}
+
 /// Adds broken rules of the study with their lines, but not those of factors at fault.
 void add_violations(const std::vector<Violation>& broken, const input::TomlNode& root,
                     const FactorLines& lines, input::FaultList& faults) {
   for (const Violation& violation : broken) {
     if (std::ranges::count(lines.at_fault, violation.key)) continue;
+    if (std::optional<input::Fault> fault = fault_in_table(violation, lines)) {
+      faults.add({*std::move(fault)});
+      continue;
+    }
     const auto line = lines.lines.find(violation.key);
     if (line != lines.lines.end())
       faults.add(line->second, violation.key, "", violation.rule);
@@ -183,7 +287,7 @@ std::vector<std::string> read_responses(input::TableReader& table) {
   for (const input::TomlNode& entry : list->children) {
     if (entry.kind != input::TomlNode::Kind::text)
       table.faults().add(entry, table.full_key("responses") + entry.key,
-                         "must be the name of a response in quotes");
+                         "must be the name of a response, in quotes");
     names.push_back(entry.text);
   }
   return names;

@@ -178,15 +178,16 @@ void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
     growths.emplace_back();
     const std::optional<FittedRange> range = range_of(*part.material);
     if (!range || (part.rate <= range->highest_rate && part.rate >= range->lowest_rate)) continue;
-    const double tested = part.rate > range->highest_rate ? range->highest_rate : range->lowest_rate;
-    const std::string what = fmt::format(
-        "the stress at {} per second, {} {}", plain_number(part.rate),
-        range->highest_rate > 10 * range->lowest_rate ? "tested up to" : "tested at", plain_number(tested));
+    const bool is_above = part.rate > range->highest_rate;
+    const double tested = is_above ? range->highest_rate : range->lowest_rate;
+    const bool at_one = range->highest_rate <= 10 * range->lowest_rate;
+    const char* const how = at_one ? "at" : is_above ? "up to" : "down to";
+    const std::string what = fmt::format("the stress at a strain rate of {} per second, tested only {} {}",
+                                         plain_number(part.rate), how, plain_number(tested));
     const std::optional<double> exponent = exponent_of(*part.material);
     if (!exponent) {
       open.sources.push_back(
-          {Source::rate, what,
-           fmt::format("the {} law has no exponent of the rate", name_of(part.material->law))});
+          {Source::rate, what, fmt::format("the {} law has no rate exponent", name_of(part.material->law))});
       continue;
     }
     growths.back() = Growth{tested, part.rate, *exponent};

@@ -338,7 +338,7 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
       if (each.failed)
         for (OpenSource& source : intervals.sources)
           if (source.source == each.line->source && source.why_not.empty())
-            source.why_not = "an impact at one of its ends could not be solved";
+            source.why_not = "an impact at one end of its range could not be solved";
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (std::isfinite(search.nominal()[i]))
         intervals.figures.push_back(interval_of(asked[i], i, search.nominal()[i], search, open, solution));

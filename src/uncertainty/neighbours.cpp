@@ -78,11 +78,11 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
   if (!tip) {
     ImpactCase without_rim = impact;
     without_rim.pad.area.reset();
-    const std::string what = tip_of(without_rim) ? "block whose rim the contact reaches"
+    const std::string what = tip_of(without_rim) ? "block in contact up to its edge"
                              : std::holds_alternative<Ellipsoid>(impact.impactor.nose)
                                  ? "long ellipsoid"
                                  : name_of(impact.impactor.nose);
-    open.sources.push_back({Source::neighbours, words, fmt::format("it is not known for a {}", what)});
+    open.sources.push_back({Source::neighbours, words, fmt::format("its size is not known for a {}", what)});
     return;
   }
   if (is_in_misfit(impact, *tip)) return;
@@ -96,8 +96,8 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
                          .deeper = is_helped ? 1.96 * error.depth_scatter * thickness : 0});
   open.sources.push_back(
       {Source::neighbours,
-       fmt::format("{} ({} of {:.2g} times the thickness: {:.2g} % rms in the peak)", words,
-                   tip->is_flat ? "a flat face with a radius" : "a radius", tip->over_pad, 100 * error.peak),
+       fmt::format("{} ({:.2g} % rms in the peak for a {} radius of {:.2g} times the pad thickness)", words,
+                   100 * error.peak, tip->is_flat ? "flat-face" : "nose", tip->over_pad),
        ""});
 }
 
@@ -107,20 +107,15 @@ std::string warning_of_model(const ImpactCase& impact) {
   if (!tip || tip->over_pad >= (tip->is_flat ? nearest : 1)) return "";
   const bool is_helped = !factor_of_columns(impact).is_one();
   const double r = tip->over_pad;
-  const std::string head =
-      fmt::format("SMALL NOSE: {} of {:.2g} times the thickness of the pad; ",
-                  tip->is_flat ? "the flat face has a radius" : "the nose has a radius", r);
   // The ratio of the forces of finite elements and of columns at half the thickness.
   const double least = 1 + (tip->is_flat ? 0.2 : 0.3) / r, most = 1 + (tip->is_flat ? 1.2 : 0.9) / r;
-  if (!is_helped)
-    return head + fmt::format(
-                      "the effect of neighbouring columns is neglected; at half the thickness the force is "
-                      "some {:.2g} to {:.2g} times that of independent columns",
-                      least, most);
-  return head + fmt::format(
-                    "depending on the foam the force at half the thickness is some {:.2g} to {:.2g} times "
-                    "that of independent columns, and is computed as {:.2g} times",
-                    least, most, factor_of_columns(impact)(impact.pad.thickness / 2));
+  const std::string text = fmt::format(
+      "SMALL NOSE: the {} radius is {:.2g} times the pad thickness; at a penetration of half the thickness, "
+      "the force is about {:.2g} to {:.2g} times that of independent columns",
+      tip->is_flat ? "flat-face" : "nose", r, least, most);
+  if (!is_helped) return text + "; this effect of neighbouring columns is neglected";
+  return text + fmt::format(", depending on the foam; a factor of {:.2g} is used",
+                            factor_of_columns(impact)(impact.pad.thickness / 2));
 }
 
 }  // namespace dashpad::uncertainty

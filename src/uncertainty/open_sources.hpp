@@ -74,8 +74,7 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
 /// The text "SMALL NOSE: ..." with the size of the error; empty unless the nose is small against the pad.
 std::string warning_of_model(const ImpactCase& impact);
 
-/// The two-sided quantile of Student's t, P(|t| < quantile) = 0.95, for a number of degrees of freedom that
-/// need not be whole; infinite if it is not above 0.
+/// The two-sided 95 % quantile of Student's t, for any number of degrees of freedom; infinite if not above 0.
 [[nodiscard]] double student_95(double degrees_of_freedom);
 
 }  // namespace dashpad::uncertainty

@@ -54,11 +54,11 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
   for (const Part& part : parts) {
     scatter.push_back(part.material->uncertainty.scatter.value_or(0));
     if (!part.material->uncertainty.scatter)
-      unmeasured += (unmeasured.empty() ? "" : ", ") + part.material->name;
+      unmeasured += (unmeasured.empty() ? "" : " or ") + part.material->name;
   }
   if (!unmeasured.empty())
     open.sources.push_back({Source::scatter, "the sample-to-sample scatter",
-                            fmt::format("no measurement is stated for {}", unmeasured)});
+                            fmt::format("no measured value is given for {}", unmeasured)});
   if (std::ranges::all_of(scatter, [](double share) { return share == 0; })) return;
   open.sources.push_back({Source::scatter,
                           fmt::format("the sample-to-sample scatter (standard deviation {:.2g} %)",
@@ -138,8 +138,8 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
       if (crushes || !part.material->fitted)
         open.sources.push_back(
             {Source::way_back, "the unloading of the foam",
-             crushes ? "according to its law the foam stays crushed; real foam recovers more"
-                     : "it follows the law " + law + ", and the card does not say that it was tested"});
+             crushes ? "the law leaves the foam crushed, but real foam recovers more"
+                     : "it follows the " + law + " law, and the card does not say that it was tested"});
       continue;
     }
     const bool has_rate = !std::holds_alternative<NoRateEffect>(foam->curves.rate_effect);
@@ -152,8 +152,8 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
   if (recoil || unloading) {
     open.sources.push_back({Source::way_back,
                             recoil && unloading
-                                ? "the unloading of the foam, in slow tests and at the rate of the impact"
-                            : recoil ? "the unloading of the foam at the rate of the impact"
+                                ? "the unloading of the foam (both in slow tests and at the impact rate)"
+                            : recoil ? "the unloading of the foam at the impact rate"
                                      : "the unloading of the foam",
                             ""});
     // Place 1 has the largest loss, -1 the smallest.
@@ -169,7 +169,7 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
   }
   if (!lag) return;
   if (!recoil && !unloading)
-    open.sources.push_back({Source::way_back, "how quickly the stress follows a change of the rate", ""});
+    open.sources.push_back({Source::way_back, "how quickly the stress follows a change in strain rate", ""});
   open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact](double place) {
                           return with_parts(impact, [&](Material& material, PadCondition&, std::size_t) {
                             auto* const foam = std::get_if<Foam>(&material.law);

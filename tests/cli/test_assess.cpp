@@ -66,9 +66,9 @@ class AssessTest : public CommandTest {
 TEST_F(AssessTest, PassesWithExitCode0) {
   const Outcome outcome = assess({standard("mild", peak_standard("1000"))});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("Passes: Peak acceleration has "), HasSubstr("\nPeak (mild)\n"),
-                    HasSubstr("nor a certification"), HasSubstr("No values of the case were replaced")));
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Passes: peak acceleration has "), HasSubstr("\nPeak (mild)\n"),
+                                 ContainsRegex("nor\\s+a\\s+certification"),
+                                 HasSubstr("No values of the case were replaced")));
   EXPECT_EQ(outcome.err, "");
 }
 
@@ -101,7 +101,7 @@ TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
   EXPECT_THAT(assess({mild}).out, AllOf(HasSubstr("No values of the case were replaced"),
                                         ContainsRegex("Kept from the case: [^:]*radius \\(a flat disc\\)")));
   EXPECT_THAT(assess({mild, "--radius", "90 mm"}).out,
-              ContainsRegex("radius +90 mm, given by you; the case has a flat disc[.]\n"));
+              ContainsRegex("radius, 90 mm given by you instead of a flat disc[.]\n"));
 }
 
 TEST_F(AssessTest, FailsWithExitCode4) {
@@ -241,15 +241,16 @@ TEST_F(AssessTest, SaysWhereAnotherNoseOrSpeedWouldTurnTheVerdict) {
   const std::string between = standard("between", limiting(slow, fast));
   const Outcome fails = assess({between, "--no-intervals"});
   EXPECT_EQ(fails.exit_code, 4) << fails.out;
-  EXPECT_THAT(fails.out,
-              ContainsRegex("\nOTHER SPEED: with the case's own speed, 3 m/s, the verdict is pass "
-                            "\\(Peak acceleration [0-9.]+ g\\);\\s+run\\s+with\\s+--keep-speed\n"));
+  EXPECT_THAT(
+      fails.out,
+      ContainsRegex("\nOTHER SPEED: with the case's speed, 3 m/s, the verdict would be pass \\(peak\\s+"
+                    "acceleration\\s+[0-9.]+ g\\);\\s+to\\s+check,\\s+run\\s+with\\s+--keep-speed\n"));
   const Outcome passes = assess({between, "--keep-speed", "--no-intervals", "--json", file("kept.json")});
   EXPECT_EQ(passes.exit_code, 0) << passes.out;
   EXPECT_THAT(passes.out,
               AllOf(HasSubstr("REPLACED: the speed is not that of the standard"),
-                    HasSubstr("OTHER SPEED: with the standard's speed, 3.5 m/s, the verdict is fail"),
-                    HasSubstr("speed (3 m/s, the standard 3.5 m/s)")));
+                    HasSubstr("OTHER SPEED: with the standard's speed, 3.5 m/s, the verdict would be fail"),
+                    ContainsRegex("speed\\s+[(]3 m/s;\\s+3.5 m/s\\s+in\\s+the\\s+standard[)]")));
   const json kept = json::parse(read_file(file("kept.json")));
   ASSERT_EQ(kept["other_choices"].size(), 1U);
   EXPECT_EQ(kept["other_choices"][0]["speed"], "standard");
@@ -267,9 +268,10 @@ TEST_F(AssessTest, SaysWhereAnotherNoseOrSpeedWouldTurnTheVerdict) {
 TEST_F(AssessTest, KeepsTheNoseOfTheCase) {
   write_file(case_file(), with(fitted_case(), "radius =", "nose = \"flat-disc\"\nradius ="));
   const Outcome kept = assess({"fmvss-201-instrument-panel", "--keep-nose", "--json", file("kept.json")});
-  EXPECT_THAT(kept.out, AllOf(HasSubstr("REPLACED: the nose is not that of the standard"),
-                              HasSubstr("radius (a flat disc, the standard 82.5 mm)"),
-                              HasSubstr("A flat disc of mass 6.8 kg")));
+  EXPECT_THAT(kept.out,
+              AllOf(HasSubstr("REPLACED: the nose is not that of the standard"),
+                    ContainsRegex("radius\\s+[(]a\\s+flat\\s+disc;\\s+82.5 mm\\s+in\\s+the\\s+standard[)]"),
+                    HasSubstr("A flat disc of mass 6.8 kg")));
   EXPECT_EQ(json::parse(read_file(file("kept.json")))["impactor"]["radius_m"]["standard_value"], 0.0825);
   // There is nothing to keep where the standard leaves both to the case.
   EXPECT_EQ(assess({"fmvss-208-hic15", "--keep-nose", "--keep-speed"}).out, assess({"fmvss-208-hic15"}).out);
@@ -313,7 +315,7 @@ TEST_F(AssessTest, APulseThatWasCutIsNotJudgedByAClip) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("Undecided: "),
-                    ContainsRegex("3 ms clip +≥ 69[0-9.]* g .* undecided: PULSE CUT: it\\s+"
+                    ContainsRegex("3 ms clip +≥ 69[0-9.]* g .* undecided: the\\s+pulse\\s+"
                                   "ends\\s+at\\s+its\\s+peak"),
                     ContainsRegex("Peak acceleration +29[0-9.]* g"), ContainsRegex("Peak strain +0.95"),
                     ContainsRegex("HIC15 +≥ 16[0-9.]+"), HasSubstr("\nPULSE CUT: ")));
@@ -330,10 +332,9 @@ TEST_F(AssessTest, AnImpactThatRanOutOfTimeIsUndecided) {
   write_file(case_file(), fitted_case() + "[solver]\ntime_limit = \"5 ms\"\n");
   const Outcome outcome = assess({"fmvss-201-instrument-panel"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
-  EXPECT_THAT(
-      outcome.out,
-      AllOf(StartsWith("Undecided: "), HasSubstr("\nTIME LIMIT"), HasSubstr("\nPULSE CUT"),
-            ContainsRegex("undecided: PULSE CUT: it\\s+ends\\s+while\\s+the\\s+impactor\\s+is\\s+still")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Undecided: "), HasSubstr("\nTIME LIMIT"), HasSubstr("\nPULSE CUT"),
+                    ContainsRegex("undecided: the\\s+pulse\\s+ends\\s+with\\s+the\\s+impactor\\s+still")));
 }
 
 /// No margin, and least of all one of 100 %.
@@ -346,22 +347,24 @@ TEST_F(AssessTest, APadThatIsStruckThroughFailsAClipWithTheSpeedThatIsLeft) {
   EXPECT_EQ(written["criteria"][0]["value"], nullptr);
   EXPECT_EQ(written["criteria"][0]["margin"], nullptr);
   EXPECT_NEAR(written["result"]["bottomed"]["velocity_m_per_s"].get<double>(), 6.118, 0.01);
-  EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
-              AllOf(ContainsRegex("^Fails: the pad bottoms out with 6\\.1[0-9]* m/s left\n"),
-                    HasSubstr("\nBOTTOMED"), Not(HasSubstr("%"))));
+  EXPECT_THAT(
+      assess({"fmvss-201-instrument-panel"}).out,
+      AllOf(ContainsRegex("^Fails: the pad bottoms out with the impactor still moving at 6\\.1[0-9]* m/s\n"),
+            HasSubstr("\nBOTTOMED"), Not(HasSubstr("%"))));
 }
 
 TEST_F(AssessTest, OnlyWhatDiffersIsReplaced) {
   write_file(case_file(), rigid_foam_case("35 mm"));
   EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
-              AllOf(HasSubstr("Replaced in the case: speed "), Not(HasSubstr("the case has 6.8 kg")),
-                    HasSubstr("Kept from the case: mass (6.8 kg), radius (82.5 mm), pad, support, solver.")));
+              AllOf(HasSubstr("Replaced in the case: speed, "), Not(HasSubstr("instead of 6.8 kg")),
+                    HasSubstr("Kept from the case: mass (6.8 kg), radius (82.5 mm), pad, support and solver "
+                              "settings.")));
 }
 
 TEST_F(AssessTest, SaysWhichSourcesAreSecondary) {
   EXPECT_THAT(assess({"fmvss-201-instrument-panel"}).out,
               ContainsRegex("secondary \\(mass, radius, speed, limit on 3 ms clip\\)"));
-  EXPECT_THAT(assess({"fmvss-208-hic36"}).out, HasSubstr("own text (limit on HIC36)."));
+  EXPECT_THAT(assess({"fmvss-208-hic36"}).out, ContainsRegex("own\\s+text\\s+\\(limit\\s+on\\s+HIC36\\);"));
 }
 
 /// Of the edition of 2018: 210 g on a tile whose HIC is 920.
@@ -404,8 +407,10 @@ TEST_F(AssessTest, APassOfFiguresReadElsewhereHasAReservation) {
   EXPECT_THAT(
       outcome.out,
       AllOf(StartsWith("Passes: "),
-            ContainsRegex("\nSECONDARY SOURCE: found in a source that quotes the standard, not "
-                          "in the standard itself:\\s+mass,\\s+radius, speed,\\s+limit on 3 ms clip\n")));
+            ContainsRegex(
+                "\nSECONDARY SOURCE: mass, radius, speed,\\s+limit\\s+on\\s+3 ms "
+                "clip\\s+\\(found\\s+in\\s+a\\s+source\\s+"
+                "that\\s+quotes\\s+the\\s+standard,\\s+not\\s+in\\s+the\\s+standard\\s+itself\\)\n")));
 }
 
 TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
@@ -413,8 +418,8 @@ TEST_F(AssessTest, UsesTheImpactorOfTheStandard) {
   EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << outcome.err;
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("A sphere of mass 6.8 kg and radius 82.5 mm strikes, at 19.3 km/h,"),
-                    HasSubstr("speed 19.3 km/h, from the standard; the case has 10.8"),
-                    HasSubstr("Kept from the case: pad, support, solver.")));
+                    ContainsRegex("speed,\\s+19.3 km/h\\s+from\\s+the\\s+standard\\s+instead\\s+of\\s+10.8"),
+                    HasSubstr("Kept from the case: pad, support and solver settings.")));
 }
 
 TEST_F(AssessTest, TheUserMayReplaceValues) {
@@ -443,7 +448,7 @@ TEST_F(AssessTest, WritesJsonOnceAndNotOverAnother) {
 }
 
 TEST_F(AssessTest, RefusesWhatMakesNoSense) {
-  EXPECT_THAT(refused({"en-1079"}).err, AllOf(HasSubstr("did you mean \"en-1078\"?"), HasSubstr("1 fault")));
+  EXPECT_THAT(refused({"en-1079"}).err, AllOf(HasSubstr("did you mean \"en-1078\"?"), HasSubstr("1 error")));
   EXPECT_THAT(refused({"fmvss-201"}).err,
               HasSubstr("did you mean \"fmvss-201-instrument-panel\", \"fmvss-201-seat-back\" or "
                         "\"fmvss-201u\"?"));
@@ -458,8 +463,8 @@ TEST_F(AssessTest, RefusesWhatMakesNoSense) {
        {std::pair{"--keep-nose", "--radius"}, std::pair{"--keep-speed", "--speed"},
         std::pair{"--keep-speed", "--drop-height"}})
     EXPECT_THAT(refused({"en-1078", keep, other, std::string{other} == "--speed" ? "5 m/s" : "1 m"}).err,
-                AllOf(HasSubstr(std::string{keep} + ": give " + keep + " or " + other + ", not both"),
-                      HasSubstr("1 fault;")));
+                AllOf(HasSubstr(std::string{keep} + ": give either " + keep + " or " + other + ", not both"),
+                      HasSubstr("1 error;")));
   EXPECT_THAT(refused({"en-1078", "--standard", "en-1079"}).err, HasSubstr("did you mean \"en-1078\"?"));
   refused({"en-1078", "--tolerance", "1"});
   refused({"en-1078", "--tolerance", "nan"});
@@ -470,7 +475,7 @@ TEST_F(AssessTest, TellsFaultsOfCaseStandardAndCommandLineAtOnce) {
   const Outcome outcome = refused({standard("bad", peak_standard("-1")), "--radius", "3"});
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("case.toml:3: impactor.mass"), HasSubstr("bad.toml:21: criteria[1].limit_g"),
-                    HasSubstr("--radius 3"), HasSubstr("3 faults")));
+                    HasSubstr("--radius 3"), HasSubstr("3 errors")));
 }
 
 TEST_F(AssessTest, StandardsAreFoundByTheEnvironment) {
@@ -518,7 +523,7 @@ TEST_F(AssessTest, TheExamplesOfTheHelpWork) {
     const std::string text = dashpad({subcommand, "--help"}).out;
     EXPECT_THAT(text, AllOf(HasSubstr("Examples:\n"), HasSubstr("Exit codes: 0")));
     if (std::string{subcommand} == "assess") {
-      EXPECT_THAT(text, HasSubstr("3 no verdict (undecided), or not reliable"));
+      EXPECT_THAT(text, ContainsRegex("3 no verdict\\s+[(]undecided[)], or not reliable"));
     }
     std::istringstream help(text);
     for (std::string line; std::getline(help, line);) {

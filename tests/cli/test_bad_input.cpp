@@ -37,7 +37,7 @@ class BadInputTest : public CommandTest {
 TEST_F(BadInputTest, NamesFileLineKeyValueAndRule) {
   const Outcome outcome = refused(with(elastic_case(), "\"3 m/s\"", "\"3\""));
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad.toml:5: impactor.speed = \"3\": "), HasSubstr("unit"),
-                                 EndsWith("1 fault; nothing was run\n")));
+                                 EndsWith("1 error; nothing was run\n")));
 }
 
 TEST_F(BadInputTest, NamesAllFaultsAtOnce) {
@@ -123,7 +123,7 @@ TEST_F(BadInputTest, DoesNotFloodTheTerminal) {
   for (int i = 0; i < 5000; ++i) text += "unknown" + std::to_string(i) + " = 1\n";
   const Outcome outcome = refused(text);
   EXPECT_LT(outcome.err.size(), 100'000u);
-  EXPECT_THAT(outcome.err, HasSubstr(" faults; nothing was run\n"));
+  EXPECT_THAT(outcome.err, HasSubstr(" errors; nothing was run\n"));
 }
 
 TEST_F(BadInputTest, RefusesACommandLineThatIsNotUnderstood) {

@@ -63,9 +63,9 @@ TEST_F(CompareTest, ShowsSixRowsAndRemarks) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   for (const std::string& name : run_names) EXPECT_THAT(outcome.out, HasSubstr("\n" + name + " "));
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("\n1984, binary64: ABEND 900 (too many iterations) at "),
-                    HasSubstr("\n1984, binary32: PRECISION LIMIT: "), HasSubstr("% off: from ")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\n1984, binary64: ABEND 900 (too many iterations) at "),
+                                 HasSubstr("\n1984, binary32: PRECISION LIMIT: "),
+                                 HasSubstr("% off is the difference from ")));
   EXPECT_THAT(other_files(), IsEmpty());
 }
 
@@ -162,7 +162,7 @@ TEST_F(CompareTest, KeepsExistingFilesUnlessForced) {
   EXPECT_TRUE(json::accept(read_file(file("old.json"))));
   EXPECT_THAT(refused({nine, "--json", file("nowhere/a.json")}).err, HasSubstr("there is no folder"));
   EXPECT_THAT(refused({nine, "--json", file("a.svg"), "--picture", file("a.svg")}).err,
-              HasSubstr("also the file of --picture"));
+              HasSubstr("also given for --picture"));
   EXPECT_THAT(other_files(), ElementsAre("old.json"));
 }
 

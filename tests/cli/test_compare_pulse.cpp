@@ -58,7 +58,7 @@ class ComparePulseTest : public CommandTest {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(other_files(), before);
-    EXPECT_THAT(outcome.err, HasSubstr("1 fault; nothing was run"));
+    EXPECT_THAT(outcome.err, HasSubstr("1 error; nothing was run"));
     return outcome.err;
   }
 };
@@ -76,10 +76,10 @@ TEST_F(ComparePulseTest, AnswersInWordsThenShowsFiguresAndWhatTheyRestOn) {
       AllOf(StartsWith("The computed peak is "), HasSubstr("; HIC15 is "),
             ContainsRegex("\n  Peak acceleration +-34 % +26[.][0-9]+ g computed.*, 40[.]00 g\\s+measured\n"),
             HasSubstr("\n  Time to peak "),
-            ContainsRegex("\n  Width at half the peak .* computed.*, 5[.]000 ms measured\n"),
+            ContainsRegex("\n  Width at half peak .* computed.*, 5[.]000 ms measured\n"),
             HasSubstr("\n  Velocity change "), HasSubstr("\n  HIC15 "), HasSubstr("\n  Restitution "),
-            HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its own peak"),
-            ContainsRegex("Impactor +a sphere of mass 5 kg"), HasSubstr("drop.csv (CSV) against "),
+            HasSubstr("Aligned at the onset, where each pulse first reaches 5 % of its peak"),
+            ContainsRegex("Impactor +a sphere of mass 5 kg"), HasSubstr("drop.csv (CSV) compared with "),
             HasSubstr("Acceleration  acc_g in g (from the file)")));
   EXPECT_TRUE(other_files() == std::vector<std::string>{"drop.csv"});
 }
@@ -112,8 +112,9 @@ TEST_F(ComparePulseTest, ARunOverItselfShowsNoDifference) {
   for (const auto& [key, figure] : result.at("figures").items())
     EXPECT_NEAR(figure.at("difference_share").get<double>(), 0, key == "time_to_peak" ? 1e-2 : 1e-4) << key;
   EXPECT_NEAR(result.at("alignment").at("shift_s").get<double>(), 0, 1e-8);
-  EXPECT_THAT(result.at("answer").get<std::string>(),
-              AllOf(HasSubstr("The computed peak is within 0.5 % of that"), HasSubstr("HIC15 agrees")));
+  EXPECT_THAT(
+      result.at("answer").get<std::string>(),
+      AllOf(HasSubstr("The computed peak is within 0.5 % of the measured one"), HasSubstr("HIC15 agrees")));
 }
 
 TEST_F(ComparePulseTest, AlignsAsAskedFor) {
@@ -152,11 +153,11 @@ TEST_F(ComparePulseTest, SaysWhatToBewareOf) {
   std::vector<std::string> names;
   for (const json& flag : pulse["flags"]) names.push_back(flag["name"]);
   EXPECT_THAT(names, testing::UnorderedElementsAre("PULSE CUT", "PULSE CUT", "IMPOSSIBLE VELOCITY CHANGE"));
-  EXPECT_THAT(compare(file("cut.csv")).out, HasSubstr("PULSE CUT: it ends at 10 g"));
+  EXPECT_THAT(compare(file("cut.csv")).out, HasSubstr("PULSE CUT: the pulse ends at 10 g"));
   const Outcome bottomed =
       dashpad({"compare", examples + "rigid-floor-bottoming.toml", "--pulse", file("drop.csv")});
   EXPECT_EQ(bottomed.exit_code, 0) << bottomed.err;
-  EXPECT_THAT(bottomed.out, AllOf(StartsWith("There is no complete computed pulse to compare with."),
+  EXPECT_THAT(bottomed.out, AllOf(StartsWith("The computed pulse is incomplete and cannot be compared."),
                                   HasSubstr("BOTTOMED at ")));
 }
 
@@ -172,11 +173,12 @@ TEST_F(ComparePulseTest, SaysWhenCaseAndPulseAreOfUnlikeImpacts) {
   EXPECT_TRUE(names("3.02 m/s").empty());
   EXPECT_THAT(names("3.04 m/s"), testing::ElementsAre("UNLIKE SPEEDS"));
   const Outcome outcome = compare(file("drop.csv"), {"--drop-height", "0.8 m"});
-  EXPECT_THAT(outcome.out,
-              AllOf(ContainsRegex(" But the case strikes 24 %\\s+slower[.]\n"),
-                    HasSubstr("UNLIKE SPEEDS: the case strikes at 3 m/s, 24 % slower than the")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(ContainsRegex("But\\s+the\\s+impact\\s+speed\\s+in\\s+the\\s+case\\s+is\\s+24 %\\s+lower[.]\n"),
+            HasSubstr("UNLIKE SPEEDS: the impact speed in the case, 3 m/s, is 24 % lower than")));
   EXPECT_THAT(compare(file("drop.csv")).out,
-              AllOf(Not(HasSubstr("But the case strikes")), Not(HasSubstr("UNLIKE"))));
+              AllOf(Not(ContainsRegex("But\\s+the\\s+impact")), Not(HasSubstr("UNLIKE"))));
 }
 
 TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
@@ -196,13 +198,13 @@ TEST_F(ComparePulseTest, RefusesAPulseWithoutATriggerOrWithFaults) {
 TEST_F(ComparePulseTest, FaultsOfCaseAndPulseAreToldTogether) {
   write_file(file("bad.toml"), with(elastic_case(), "80 mm", "80 kg"));
   EXPECT_THAT(dashpad({"compare", file("bad.toml"), "--pulse", file("missing.csv"), "--align", "peak"}).err,
-              AllOf(HasSubstr("impactor.radius"), HasSubstr("missing.csv"), HasSubstr("2 faults")));
+              AllOf(HasSubstr("impactor.radius"), HasSubstr("missing.csv"), HasSubstr("2 errors")));
 }
 
 TEST_F(ComparePulseTest, KeepsThePulseAndTheCase) {
   for (const auto& [name, kind] : {std::pair{"drop.csv", "the measurement"}, {"case.toml", "the case file"}})
     EXPECT_THAT(compare(file("drop.csv"), {"--force", "--json", file(name)}).err,
-                HasSubstr(file(name) + ": is " + kind + "; choose another"));
+                HasSubstr(file(name) + ": is " + kind + "; choose another name"));
   EXPECT_EQ(read_file(file("drop.csv")), triangle_of(40));
 }
 
@@ -210,7 +212,7 @@ TEST_F(ComparePulseTest, WritesAPageAndAPicture) {
   ASSERT_EQ(compare(file("drop.csv"), {"--report", file("page.html")}).exit_code, 0);
   EXPECT_THAT(read_file(file("page.html")),
               AllOf(HasSubstr("<title>The computed peak is "), HasSubstr("data-label=\"measured\""),
-                    HasSubstr("data-label=\"computed\""), HasSubstr("Width at half the peak")));
+                    HasSubstr("data-label=\"computed\""), HasSubstr("Width at half peak")));
   ASSERT_EQ(compare(file("drop.csv"), {"--picture", file("a.svg"), "--units", "us"}).exit_code, 0);
   EXPECT_THAT(read_file(file("a.svg")), AllOf(HasSubstr(">Deceleration (g)<"), HasSubstr("measured"),
                                               HasSubstr("computed"), Not(HasSubstr("1984"))));

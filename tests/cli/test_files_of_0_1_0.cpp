@@ -27,8 +27,8 @@ class FilesOf010Test : public CommandTest {
   /// One fault, and the way out of it.
   static void expect_a_way_out(const Outcome& outcome, const std::string& name) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr(name), EndsWith("1 fault; nothing was run\n"),
-                                   AnyOf(HasSubstr("give another name"), HasSubstr("use the program that"),
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(name), EndsWith("1 error; nothing was run\n"),
+                                   AnyOf(HasSubstr("give another name"), HasSubstr("use the version that"),
                                          HasSubstr("give another file"))));
   }
 };

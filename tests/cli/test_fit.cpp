@@ -69,7 +69,7 @@ TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   EXPECT_THAT(
       outcome.out,
       testing::AllOf(testing::StartsWith("The data determine all 3 unknowns; the model deviates from"),
-                     HasSubstr("\nA made-up foam\n3 unknowns from 40 points of 1 test: the "
+                     HasSubstr("\nA made-up foam\n3 unknowns from 40 points in 1 test: the "
                                "data determine all of them. 2 of 2 starts")));
   const std::string with_card =
       with(elastic_case(), "law = \"elastic\"\n[pad.parameters]\nmodulus = \"300 kPa\"",
@@ -173,7 +173,7 @@ TEST_F(FitTest, RefusesAPulseWithoutOnsetAndWritesNothing) {
                                    file("fit.html"), "--state", file("fit.state")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("fit.toml:6: impacts[1].pulse.file"));
-  EXPECT_THAT(outcome.err, HasSubstr("1 fault; nothing was run"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 error; nothing was run"));
   EXPECT_EQ(other_files(), before);
 }
 
@@ -241,7 +241,7 @@ TEST_F(FitTest, RefusesAStateWithANumberThatBecameText) {
   const Outcome outcome =
       dashpad({"fit", file("fit.toml"), "--state", file("fit.state"), "--output", file("card.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is not the state of a fit: misfit must be a finite number"));
+  EXPECT_THAT(outcome.err, HasSubstr("fit.state: is not a valid fit state: misfit must be a finite number"));
   EXPECT_EQ(other_files(), before);
 }
 
@@ -258,7 +258,7 @@ starts = 2
 TEST_F(FitTest, KeepsWhatWasFoundOfACase) {
   write_file(file("fit.toml"), fit_of_a_support);
   const Outcome without = dashpad({"fit", file("fit.toml")});
-  EXPECT_THAT(without.out, HasSubstr("support.stiffness cannot be part of a card; --case FILE writes it"));
+  EXPECT_THAT(without.out, HasSubstr("Fitted but not part of a card: support.stiffness; --case FILE writes"));
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("--case FILE")));
@@ -271,7 +271,7 @@ TEST_F(FitTest, RefusesACaseOfWhichNothingWasSought) {
   const auto before = other_files();
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--case", file("fitted.toml")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: no unknown of this fit belongs to the case"));
+  EXPECT_THAT(outcome.err, HasSubstr("fitted.toml: this fit has no unknown outside the card"));
   EXPECT_EQ(other_files(), before);
 }
 
@@ -285,8 +285,8 @@ TEST_F(FitTest, SaysInAPipeHowFarItIs) {
   const Outcome outcome = shell("\"$DASHPAD\" fit '" + file("fit.toml") + "' 2> '" + file("said") + "' &\n" +
                                 until("[ -s '" + file("said") + "' ]") + "kill -TERM $!; wait $!; cat '" +
                                 file("said") + "' >&2");
-  EXPECT_THAT(outcome.err,
-              testing::ContainsRegex("^Searching from several starts \\([0-9]+ of 1000\\), [0-9]+ s\n"));
+  EXPECT_THAT(outcome.err, testing::ContainsRegex(
+                               "^Searching from several starting points \\([0-9]+ of 1000\\), [0-9]+ s\n"));
 }
 
 TEST_F(FitTest, TheExampleWorks) {

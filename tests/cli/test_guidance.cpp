@@ -52,7 +52,7 @@ TEST_F(GuidanceTest, AnEmptyArgumentDoesNotCountAsNoneOrZero) {
            {{"pulse", "pulse.csv", "--window", "", "--dwell", "80"}, "--window"}}) {
     const Outcome outcome = dashpad(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << name;
-    EXPECT_THAT(outcome.err, StartsWith(name + ": must not be empty\n1 fault; nothing was run"));
+    EXPECT_THAT(outcome.err, StartsWith(name + ": must not be empty\n1 error; nothing was run"));
     EXPECT_EQ(outcome.out, "") << name;
   }
 }

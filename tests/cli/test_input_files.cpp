@@ -60,7 +60,7 @@ class InputFilesTest : public CommandTest {
       arguments.insert(arguments.end(), {name, "--force"});
       const Outcome outcome = dashpad(arguments);
       EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments);
-      EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{}: is {}; choose another", name, kind)));
+      EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{}: is {}; choose another name", name, kind)));
       EXPECT_EQ(outcome.out, "");
       EXPECT_EQ(read_file(file(input)), before) << testing::PrintToString(arguments);
     }
@@ -133,7 +133,8 @@ TEST_F(InputFilesTest, AStillOfTheValidationIsNoTable) {
   const Outcome outcome =
       dashpad({"validate", "--data", file("data"), "--figures", file("figures"), "--force"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("figure-3-4.svg: is a table of the measured tests; choose another"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("figure-3-4.svg: is a table of the measured tests; choose another name"));
 }
 
 TEST_F(InputFilesTest, AMeasurementIsKept) {
@@ -157,7 +158,7 @@ TEST_F(InputFilesTest, EveryFileOfAnIsoMmeTestIsKept) {
     const std::vector<std::string> command{"pulse", test, "--channel", "1", "--json"};
     ASSERT_EQ(dashpad({"pulse", test, "--channel", "1"}).exit_code, 0);
     expect_kept(command, "test/v1.mme", "the .mme file of the test");
-    expect_kept(command, "test/Channel/v1.chn", "the list of the test's channels");
+    expect_kept(command, "test/Channel/v1.chn", "the channel list of the test");
     expect_kept(command, "test/Channel/v1.001", "a channel of the test");
     expect_kept(command, "test/Channel/v1.002", "a channel of the test");
   }
@@ -197,7 +198,7 @@ TEST_F(InputFilesTest, FaultsOfTheCaseHideNotThatItWouldBeOverwritten) {
   const Outcome outcome = dashpad({"run", file("bad.toml"), "--json", file("bad.toml"), "--force"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("impactor.radius"), HasSubstr("is the case file; choose another")));
+              AllOf(HasSubstr("impactor.radius"), HasSubstr("is the case file; choose another name")));
 }
 
 TEST_F(InputFilesTest, TwoResultsUnderTwoNamesAreOne) {
@@ -208,7 +209,7 @@ TEST_F(InputFilesTest, TwoResultsUnderTwoNamesAreOne) {
     const Outcome outcome =
         shell("cd " + folder + " && $DASHPAD run case.toml --force --json " + one + " --csv " + other);
     EXPECT_EQ(outcome.exit_code, 2) << one << " " << other;
-    EXPECT_THAT(outcome.err, HasSubstr("--csv " + other + ": is also the file of --json; choose another"));
+    EXPECT_THAT(outcome.err, HasSubstr("--csv " + other + ": is also given for --json; choose another name"));
     EXPECT_FALSE(fs::is_regular_file(file("a")));
   };
   for (const std::string& other : {std::string{"./a"}, std::string{".//a"}, std::string{"links/../a"},
@@ -229,7 +230,8 @@ TEST_F(InputFilesTest, AResultIsNotWrittenToWhereAStreamGoes) {
   EXPECT_EQ(shell(run + "./out.txt >> out.txt").exit_code, 2);
   EXPECT_EQ(shell(run + "- --csv out.txt > out.txt").exit_code, 2);
   EXPECT_EQ(shell(run + "err.txt 2> err.txt").exit_code, 2);
-  EXPECT_THAT(read_file(file("err.txt")), HasSubstr("is where standard error goes; choose another"));
+  EXPECT_THAT(read_file(file("err.txt")),
+              HasSubstr("is where standard error is redirected; choose another name"));
   EXPECT_EQ(shell(run + "/dev/null > /dev/null").exit_code, 0);
 }
 

@@ -130,7 +130,7 @@ Names cells(const std::string& line) {
 /// The rows of figures: indented lines from `begin` to the next empty one. A dwell time has its level, and
 /// HIC the window that was asked for.
 Found rows_of(const std::string& text, const std::string& begin) {
-  static const std::regex level(" above [0-9.]+ g$"), window("^HIC of [0-9.]+ ms$");
+  static const std::regex level(" above [0-9.]+ g$"), window("^HIC, window up to [0-9.]+ ms$");
   Found found;
   const auto at = text.find(begin);
   std::istringstream lines(at == std::string::npos ? "" : text.substr(at + begin.size()));
@@ -193,7 +193,7 @@ TEST_F(NamesTest, OfARunAreThoseOfTheTable) {
   EXPECT_THAT(text.known, Contains("hic15"));
   const std::string all = dashpad({"run", nine, "--all"}).out;
   expect_table_only(rows_of(all, "\nThe impact:\n"), of_impact, "--all");
-  expect_table_only(rows_of(all, "\nInjury figures of this pulse:\n"), all_of_pulse, "--all");
+  expect_table_only(rows_of(all, "\nInjury metrics of this pulse:\n"), all_of_pulse, "--all");
   const Outcome series =
       dashpad({"run", DASHPAD_SOURCE_DIR "/examples/playground-three-drops.toml", "--json", "-"});
   expect_table_only(walk_result(json::parse(series.out)), of_impact, "JSON of blows");

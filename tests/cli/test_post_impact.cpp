@@ -54,7 +54,7 @@ TEST_F(PostImpactTest, TheEnergyOfBothMomentsIsThatOfTheImpact) {
 TEST_F(PostImpactTest, SaysThatCMultipliesEnergy) {
   const Outcome outcome = dashpad({"post-impact", file("case.toml")});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("it multiplies energy"));
+  EXPECT_THAT(outcome.out, HasSubstr("C multiplies an energy"));
 }
 
 TEST_F(PostImpactTest, HasAPageAndMarkdown) {
@@ -62,7 +62,7 @@ TEST_F(PostImpactTest, HasAPageAndMarkdown) {
                                    file("page.html"), "--markdown", "-"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              testing::ContainsRegex("^# The impactor moves at .* afterwards, the other body at "));
+              testing::ContainsRegex("^# Afterwards, the impactor moves at .* and the other body at "));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("\\| Absorbed by the pad \\| .* J \\| .* % \\|"));
   EXPECT_THAT(read_file(file("page.html")), HasSubstr("Energy balance"));
 }

@@ -75,7 +75,7 @@ TEST_F(PulseTest, ShowsFiguresAndHowTheyCameAbout) {
             HasSubstr("\nSamples       201 from -5 to 15 ms\n"), HasSubstr("\nFilter        none\n"),
             ContainsRegex("Peak acceleration +100.0 g +at 5 ms\n"),
             ContainsRegex("; the same for HIC36 and\\s+unlimited\\s+HIC\n"),
-            ContainsRegex("; the same for cumulative\\s+3 ms clip\n"),
+            ContainsRegex("; the same for the cumulative\\s+3\\s+ms\\s+clip\n"),
             Not(HasSubstr("Dwell time above 150 g"))));
   const std::string all = pulse({file("drop.csv"), "--all"}).out;
   EXPECT_THAT(all, ContainsRegex("Peak acceleration +100.00 g +± 0[.]014 % +at 5 ms\n"));
@@ -191,7 +191,7 @@ TEST_F(PulseTest, DirectionsAreFilteredBeforeTheyAreCombined) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = pulse(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("each filtered, then combined") != std::string::npos, !more.empty());
+    EXPECT_EQ(outcome.err.find("filtered separately, then combined") != std::string::npos, !more.empty());
     return json::parse(outcome.out).at("figures").at("hic15").at("value").get<double>();
   };
   const double truth = hic15(clean, {}), wrong = hic15(combined, {});
@@ -214,7 +214,7 @@ TEST_F(PulseTest, FiltersTheDirectionsOfATest) {
     if (!filter.empty()) arguments.insert(arguments.end(), {"--filter", filter, "--ends", "negated-before"});
     const Outcome outcome = pulse(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("\nResultant     of 2 directions, each filtered, then combined\n") !=
+    EXPECT_EQ(outcome.err.find("\nResultant     of 2 directions, filtered separately, then combined\n") !=
                   std::string::npos,
               !filter.empty());
     return json::parse(outcome.out).at("figures").at("hic15").at("value").get<double>();
@@ -226,24 +226,26 @@ TEST_F(PulseTest, SaysThatSamplesAreTooFewForTheFilter) {
   std::string text = "t_ms,a_g\n";
   for (int i = 0; i < 50; ++i) text += std::to_string(0.8 * i) + ",1\n";
   write_file(file("slow.csv"), text);
-  const auto remark = HasSubstr("REMARK: sampled at 1.25 kHz; CFC180 requires at least 1.8 kHz\n");
+  const auto remark =
+      HasSubstr("REMARK: the sampling rate is 1.25 kHz, but CFC180 requires at least 1.8 kHz\n");
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180"}).out, remark);
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC180", "--resample", "0.1 ms"}).out, remark);
   EXPECT_THAT(pulse({file("slow.csv"), "--filter", "CFC60"}).out, Not(HasSubstr("REMARK")));
   EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000"}).out, Not(HasSubstr("REMARK")));
   EXPECT_THAT(pulse({file("drop.csv"), "--filter", "CFC1000", "--resample", "0.2 ms"}).out,
-              HasSubstr("REMARK: sampled at 5 kHz; CFC1000 requires at least 10 kHz\n"));
+              HasSubstr("REMARK: the sampling rate is 5 kHz, but CFC1000 requires at least 10 kHz\n"));
 }
 
 TEST_F(PulseTest, BridgesGapsOnlyIfAsked) {
   write_file(file("gap.csv"), "t_ms,a_g\n0,0\n1,1\n2,2\n3,3\n50,3\n51,2\n52,1\n");
   EXPECT_THAT(refused({file("gap.csv")}),
-              HasSubstr("gap.csv:6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms "
-                        "apart; --bridge-gaps interpolates linearly"));
+              HasSubstr("gap.csv:6: t_ms: has a gap of 47 ms between lines 5 and 6 (typical step: 1 ms); "
+                        "--bridge-gaps interpolates linearly"));
   const Outcome outcome = pulse({file("gap.csv"), "--bridge-gaps"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              HasSubstr("REMARK: between lines 5 and 6 47 ms are missing; interpolated linearly\n"));
+  EXPECT_THAT(
+      outcome.out,
+      HasSubstr("REMARK: the gap of 47 ms between lines 5 and 6 was bridged by linear interpolation\n"));
   EXPECT_EQ(pulse({file("test"), "--channel", "1", "--bridge-gaps"}).exit_code, 0)
       << "explicit times may have gaps";
 }
@@ -258,8 +260,8 @@ TEST_F(PulseTest, RoundingNoiseInTimesIsShownAsZero) {
 TEST_F(PulseTest, SaysWhatWasRepaired) {
   write_file(file("repaired.csv"), "\xef\xbb\xbftime [ms];acc [g]\n0,0;1,5\n\n1,0;2,5\n");
   EXPECT_THAT(pulse({file("repaired.csv")}).out,
-              AllOf(HasSubstr("REMARK: a byte order mark"), HasSubstr("REMARK: decimal commas"),
-                    HasSubstr("REMARK: 1 line without content left out")));
+              AllOf(HasSubstr("REMARK: the byte order mark"), HasSubstr("REMARK: decimal commas"),
+                    HasSubstr("REMARK: 1 line without content was left out")));
 }
 
 TEST_F(PulseTest, ListsAndChoosesChannels) {
@@ -288,10 +290,10 @@ TEST_F(PulseTest, RefusesWithAllThatIsWrong) {
       refused({file("bad.csv"), "--window", "-1", "--resample", "5", "--dwell", "x", "--corner", "iso",
                "--json", file("none/x.json")}),
       AllOf(HasSubstr("bad.csv:3: acc [g] = x: must be a number\n"),
-            HasSubstr("bad.csv:5: time [ms]: several samples share a time"),
+            HasSubstr("bad.csv:5: time [ms]: 1 sample has the same time"),
             HasSubstr("--window -1: must be more than 0 ms\n"), HasSubstr("--resample 5: a time needs"),
             HasSubstr("--dwell x: "), HasSubstr("--corner: applies only with --filter"),
-            HasSubstr("there is no folder"), HasSubstr("7 faults")));
+            HasSubstr("there is no folder"), HasSubstr("7 errors")));
 }
 
 TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
@@ -302,12 +304,12 @@ TEST_F(PulseTest, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refused({file("drop.csv"), "--filter", "CFC100"}), HasSubstr("CFC60"));
   EXPECT_THAT(refused({file("drop.csv"), "--list", "--json", "-"}), Not(IsEmpty()));
   EXPECT_THAT(refused({file("drop.csv"), "--json", file("drop.csv"), "--force"}),
-              HasSubstr("choose another"));
+              HasSubstr("choose another name"));
   write_file(file("uneven.csv"), "time [ms],acc [g]\n0,1\n1,2\n3,3\n");
   EXPECT_THAT(
       pulse({file("uneven.csv"), "--filter", "CFC60"}).out,
       HasSubstr(
-          "REMARK: the samples are not evenly spaced, as a filter needs them; they were resampled at 1 ms"));
+          "REMARK: a filter needs evenly spaced samples, so these were resampled at intervals of 1 ms"));
   EXPECT_EQ(pulse({file("uneven.csv"), "--filter", "CFC60", "--resample", "0.1 ms"}).exit_code, 0);
 }
 

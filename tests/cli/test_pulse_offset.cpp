@@ -102,7 +102,8 @@ TEST_F(PulseOffsetTest, SaysWhatAnOffsetDoesToHic) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("\nQuiet part    1.2 g, the mean of "),
                                  HasSubstr("samples from -8 to -"), HasSubstr(" ms; scatter 0 g\n")));
   EXPECT_THAT(unwrapped(outcome.out),
-              AllOf(HasSubstr("REMARK: an offset of 1.2 g before the impact: HIC15 is " + two_digits(higher) +
+              AllOf(HasSubstr("REMARK: there is an offset of 1.2 g before the impact: HIC15 is " +
+                              two_digits(higher) +
                               " % higher with the offset than without; --zero auto subtracts it\n"),
                     Not(HasSubstr("PULSE CUT"))));
   const json offset = result({drop}).at("offset");
@@ -171,7 +172,7 @@ TEST_F(PulseOffsetTest, ZeroAutoWantsAQuietPart) {
   EXPECT_THAT(pulse({drop}).out, Not(HasSubstr("Quiet part")));
   EXPECT_TRUE(result({drop}).at("offset").is_null());
   EXPECT_THAT(pulse({drop, "--zero", "2 ms,8 ms"}).out,
-              HasSubstr("REMARK: the interval of --zero is not quiet: its scatter is "));
+              HasSubstr("REMARK: the --zero interval is not quiet: its scatter is "));
 }
 
 TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
@@ -194,12 +195,14 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
   EXPECT_EQ(low.exit_code, 0);
   EXPECT_THAT(
       unwrapped(low.out),
-      HasSubstr("IMPOSSIBLE VELOCITY CHANGE: 6.2431 m/s is less than the impact speed, 8 m/s; likely the "
-                "pulse is cut, the unit or the sensitivity is wrong, or the sensor has an offset\n"));
+      HasSubstr(
+          "IMPOSSIBLE VELOCITY CHANGE: 6.2431 m/s is less than the impact speed of 8 m/s; most likely, the "
+          "pulse is cut, the unit or the sensitivity is wrong, or the sensor has an offset\n"));
   EXPECT_THAT(
       unwrapped(pulse({drop, "--speed", "3 m/s"}).out),
       HasSubstr(
-          "IMPOSSIBLE VELOCITY CHANGE: 6.2431 m/s is more than twice the impact speed, 3 m/s; likely the "
+          "IMPOSSIBLE VELOCITY CHANGE: 6.2431 m/s is more than twice the impact speed of 3 m/s; most likely, "
+          "the "
           "sensor has an offset, the unit or the sensitivity is wrong, or there is more than one impact"));
   const nlohmann::json fast = result({drop, "--speed", "3 m/s"}).at("flags").at(0);
   EXPECT_EQ(fast.at("name"), "IMPOSSIBLE VELOCITY CHANGE");
@@ -210,12 +213,13 @@ TEST_F(PulseOffsetTest, ASpeedGivesRestitutionAndChecksTheVelocityChange) {
 /// Cut on either side, the rest of the pulse gives less.
 TEST_F(PulseOffsetTest, ACutPulseIsToldAndItsFiguresAreLowerBounds) {
   const std::string consequence =
-      "or the sensor has an offset; HIC, clips and velocity change of an incomplete pulse are lower bounds\n";
+      "or the sensor has an offset; the HIC, clips and velocity change of an incomplete pulse are lower "
+      "bounds\n";
   const Outcome end = pulse({written(table(0, -8, 5))});
   EXPECT_EQ(end.exit_code, 0);
-  EXPECT_THAT(
-      unwrapped(end.out),
-      HasSubstr("PULSE CUT: it ends at 100 g, 100 % of its peak: its end is missing, " + consequence));
+  EXPECT_THAT(unwrapped(end.out),
+              HasSubstr("PULSE CUT: the pulse ends at 100 g, 100 % of its peak: either its end is missing " +
+                        consequence));
   const nlohmann::json cut = result({file("drop.csv")}).at("flags").at(0).at("figures");
   EXPECT_NEAR(cut.at("acceleration_m_per_s2").get<double>(), 980.665, 1e-9);
   EXPECT_NEAR(cut.at("peak_fraction").get<double>(), 1, 1e-12);
@@ -223,9 +227,11 @@ TEST_F(PulseOffsetTest, ACutPulseIsToldAndItsFiguresAreLowerBounds) {
   const Outcome begin = pulse({written(table(0, 2, 20))});
   EXPECT_THAT(
       unwrapped(begin.out),
-      AllOf(HasSubstr("PULSE CUT: it starts at 58.779 g, 59 % of its peak: its beginning is missing, " +
-                      consequence),
-            Not(HasSubstr("it ends"))));
+      AllOf(
+          HasSubstr(
+              "PULSE CUT: the pulse starts at 58.779 g, 59 % of its peak: either its beginning is missing " +
+              consequence),
+          Not(HasSubstr("the pulse ends"))));
   const json flags = result({file("drop.csv")}).at("flags");
   ASSERT_EQ(flags.size(), 1U);
   EXPECT_EQ(flags.at(0).at("name"), "PULSE CUT");
@@ -243,22 +249,23 @@ TEST_F(PulseOffsetTest, NoiseIsNoCut) {
 
 TEST_F(PulseOffsetTest, RefusesWhatHasNoMeaning) {
   const std::string drop = written(table(0));
-  EXPECT_THAT(refused({drop, "--zero", "1 ms,5", "--speed", "-3 m/s", "--drop-height", "1", "--sensitivity",
-                       "10 mV", "--interval", "0 ms"}),
-              AllOf(HasSubstr("--zero 1 ms,5: a time needs a unit"),
-                    HasSubstr("--speed -3 m/s: must be more than 0\n"),
-                    HasSubstr("--drop-height 1: a length needs a unit"),
-                    HasSubstr("--drop-height: give --speed or --drop-height, not both\n"),
-                    HasSubstr("--sensitivity 10 mV: must be a voltage per acceleration, such as \"10 mV/g\""),
-                    HasSubstr("--interval 0 ms: must be more than 0\n"), HasSubstr("6 faults")));
+  EXPECT_THAT(
+      refused({drop, "--zero", "1 ms,5", "--speed", "-3 m/s", "--drop-height", "1", "--sensitivity", "10 mV",
+               "--interval", "0 ms"}),
+      AllOf(HasSubstr("--zero 1 ms,5: a time needs a unit"),
+            HasSubstr("--speed -3 m/s: must be more than 0\n"),
+            HasSubstr("--drop-height 1: a length needs a unit"),
+            HasSubstr("--drop-height: give --speed or --drop-height, not both\n"),
+            HasSubstr("--sensitivity 10 mV: must be a voltage per unit of acceleration, such as \"10 mV/g\""),
+            HasSubstr("--interval 0 ms: must be more than 0\n"), HasSubstr("6 errors")));
   EXPECT_THAT(refused({drop, "--zero", "5 ms"}),
-              HasSubstr("must be auto, or two times with a comma between them"));
+              HasSubstr("must be auto, or two times separated by a comma"));
   EXPECT_THAT(refused({drop, "--zero", "0,5 ms,1 ms"}), HasSubstr("must be auto, or two times"));
   EXPECT_THAT(refused({drop, "--zero", "5 ms,5 ms"}),
               HasSubstr("the first time must be earlier than the second\n"));
   EXPECT_THAT(
       refused({drop, "--zero", "30 ms,40 ms"}),
-      HasSubstr("--zero 30 ms,40 ms: holds fewer than two samples; the samples are from -8 to 20 ms\n"));
+      HasSubstr("--zero 30 ms,40 ms: contains fewer than two samples; the record runs from -8 to 20 ms\n"));
   EXPECT_THAT(refused({drop, "--interval", "1 ms", "--time", "1", "--bridge-gaps"}),
               AllOf(HasSubstr("--time: applies only to a table with times"),
                     HasSubstr("--bridge-gaps: applies only to a table with")));
@@ -273,8 +280,8 @@ TEST_F(PulseOffsetTest, ReadsALoggerFileOfOneColumnWithAnInterval) {
     volts += std::to_string(10 * acceleration(0.01 * i, 0)) + "\n";
   }
   const std::string advice =
-      "has one column of numbers and no times; if that is the acceleration, give the sample interval, such "
-      "as --interval \"0.1 ms\"\n  2 | ";
+      "has one column of numbers and no times; if this column is the acceleration, give the "
+      "sampling interval, such as --interval \"0.1 ms\"\n  2 | ";
   for (const std::string& each : {text, german}) {
     EXPECT_THAT(refused({written(each)}), HasSubstr(advice));
     EXPECT_NEAR(hic15({written(each), "--interval", "0.01 ms"}), exact_hic, 1e-5 * exact_hic);
@@ -310,11 +317,11 @@ TEST_F(PulseOffsetTest, ManyFaultsOfAKindAreCounted) {
   std::string text = "time [ms],acc [g]\n0,1\n";
   for (int i = 1; i < 1000; ++i) text += std::to_string(i) + ",x" + std::to_string(i) + "\n";
   const std::string said = refused({written(text)});
-  EXPECT_THAT(
-      said, AllOf(HasSubstr("drop.csv:7: acc [g] = x5: must be a number\n  7 | 5,x5\n    |   ^^\nand 194 "
-                            "more of this kind\n"),
-                  HasSubstr("reading stopped here, after so many faults\n  202 | 200,x200\n      |     ^^^^\n"
-                            "200 faults; nothing was run\n")));
+  EXPECT_THAT(said,
+              AllOf(HasSubstr("drop.csv:7: acc [g] = x5: must be a number\n  7 | 5,x5\n    |   ^^\nand 194 "
+                              "more of this kind\n"),
+                    HasSubstr("reading stopped here, after 200 errors\n  202 | 200,x200\n      |     ^^^^\n"
+                              "200 errors; nothing was run\n")));
   EXPECT_EQ(std::ranges::count(said, '\n'), 20);
 }
 

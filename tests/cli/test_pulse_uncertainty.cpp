@@ -86,7 +86,7 @@ TEST_F(PulseUncertaintyTest, WhatIsNoCalibrationIsRefused) {
     const Outcome outcome = pulse(pulse_from("0", 0), {"--calibration", wrong});
     EXPECT_EQ(outcome.exit_code, 2) << wrong;
     EXPECT_THAT(outcome.err, HasSubstr("--calibration")) << wrong;
-    EXPECT_THAT(outcome.err, HasSubstr("1 fault")) << wrong;
+    EXPECT_THAT(outcome.err, HasSubstr("1 error")) << wrong;
     EXPECT_EQ(outcome.out, "") << wrong;
   }
 }

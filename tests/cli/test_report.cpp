@@ -36,7 +36,7 @@ TEST_F(Report, takes_no_other_file_s_place) {
   write_file(file("page.html"), "mine");
   const Outcome kept = dashpad({"run", case_file(), "--report", file("page.html")});
   EXPECT_EQ(kept.exit_code, 2);
-  EXPECT_THAT(kept.err, HasSubstr("exists already"));
+  EXPECT_THAT(kept.err, HasSubstr("already exists"));
   EXPECT_EQ(read_file(file("page.html")), "mine");
   const Outcome forced = dashpad({"run", case_file(), "--report", file("page.html"), "--force"});
   EXPECT_EQ(forced.exit_code, 0) << forced.err;

@@ -23,7 +23,7 @@ TEST_F(ResultFilesTest, AnExistingFileIsKept) {
   const Outcome outcome =
       dashpad({"run", case_file(), "--json", file("result.json"), "--csv", file("history.csv")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--force"), HasSubstr("1 fault; nothing was run\n")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--force"), HasSubstr("1 error; nothing was run\n")));
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(read_file(file("result.json")), "precious");
   EXPECT_THAT(other_files(), ElementsAre("result.json"));
@@ -35,7 +35,7 @@ TEST_F(ResultFilesTest, BothExistingFilesAreNamedAtOnce) {
   const Outcome outcome = dashpad({"run", case_file(), "--json", file("a.json"), "--csv", file("a.csv")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("a.json"), HasSubstr("a.csv"), HasSubstr("2 faults; nothing was run\n")));
+              AllOf(HasSubstr("a.json"), HasSubstr("a.csv"), HasSubstr("2 errors; nothing was run\n")));
 }
 
 TEST_F(ResultFilesTest, ForceOverwrites) {
@@ -73,7 +73,7 @@ TEST_F(ResultFilesTest, TwoResultsCannotShareAFile) {
   for (const std::string& other : {name, fs::path{name}.parent_path().string() + "/./both"}) {
     const Outcome outcome = dashpad({"run", case_file(), "--json", name, "--csv", other, "--force"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("also the file of --json"));
+    EXPECT_THAT(outcome.err, HasSubstr("also given for --json"));
   }
   EXPECT_THAT(other_files(), IsEmpty());
 }

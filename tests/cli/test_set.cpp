@@ -70,7 +70,8 @@ TEST_F(SetTest, ReachesALayer) {
   const std::string mat = examples + "playground-mat-in-layers.toml";
   EXPECT_NE(result(mat, {"pad.layers[2].thickness=30 mm"}).at("peak_force_N"),
             result(mat, {}).at("peak_force_N"));
-  EXPECT_THAT(complaint(mat, "pad.layers[9].thickness=30 mm"), HasSubstr("there are 2 of them"));
+  EXPECT_THAT(complaint(mat, "pad.layers[9].thickness=30 mm"),
+              HasSubstr("there is no such entry; the last is number 2"));
 }
 
 TEST_F(SetTest, FaultsAreThoseOfTheOption) {
@@ -83,7 +84,7 @@ TEST_F(SetTest, FaultsAreThoseOfTheOption) {
             "--set: pad.parameters.frction = 0.1: is not a numeric key of this case"},
            {"pad.thickness.x=3", "--set: pad.thickness.x = 3: thickness is a value"},
            {"pad.thickness", "--set: pad.thickness must be KEY=VALUE"}})
-    EXPECT_THAT(complaint(helmet, setting), AllOf(StartsWith(words), HasSubstr("1 fault; nothing was run")));
+    EXPECT_THAT(complaint(helmet, setting), AllOf(StartsWith(words), HasSubstr("1 error; nothing was run")));
 }
 
 TEST_F(SetTest, IsThereInEveryCommandThatReadsACase) {

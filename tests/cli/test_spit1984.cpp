@@ -194,7 +194,7 @@ TEST_F(Spit1984Test, AFullHistoryOrContactFieldIsAnAbend) {
 }
 
 TEST_F(Spit1984Test, WarnsOfALongTimeStep) {
-  const std::string warning = "the report advises at most 1.64 ms for this support";  // 0.25 sqrt(M/K)
+  const std::string warning = "the report recommends at most 1.64 ms for this support";  // 0.25 sqrt(M/K)
   EXPECT_THAT(dashpad({"spit1984", nine, "--time-step", "1.65"}).err,
               HasSubstr("TIME STEP of 1.65 ms: " + warning));
   EXPECT_THAT(dashpad({"spit1984", nine, "--time-step", "1.64"}).err, Not(HasSubstr("TIME STEP")));
@@ -231,8 +231,8 @@ TEST_F(Spit1984Test, RefusesACaseThatRunRefuses) {
 }
 
 TEST_F(Spit1984Test, WantsACaseOrATerminal) {
-  EXPECT_THAT(refused({}).err, HasSubstr("CASE is missing; --interactive"));
-  EXPECT_THAT(refused({nine, "--interactive"}).err, HasSubstr("leave CASE out"));
+  EXPECT_THAT(refused({}).err, HasSubstr("CASE is missing; use --interactive"));
+  EXPECT_THAT(refused({nine, "--interactive"}).err, HasSubstr("leave out CASE"));
   EXPECT_THAT(refused({"--interactive", "--time-step", "0.2"}).err, HasSubstr("--time-step"));
   EXPECT_THAT(refused({"--interactive", "--print-interval", "5"}).err, HasSubstr("--print-interval"));
 }

@@ -82,7 +82,7 @@ TEST_F(Spit1984TerminalTest, AsksAgainAfterATypingError) {
   Terminal terminal{{"spit1984", "--interactive"}};
   ASSERT_TRUE(terminal.shows(dialogue[0].prompt));
   terminal.type("five\r");
-  ASSERT_TRUE(terminal.shows("That is not a whole number. Please type it again: "));
+  ASSERT_TRUE(terminal.shows("That is not a whole number. Please try again: "));
   terminal.type("6\r");
   ASSERT_TRUE(terminal.shows("Please type a whole number from 1 to 5: "));
   terminal.type("5\r");
@@ -90,7 +90,7 @@ TEST_F(Spit1984TerminalTest, AsksAgainAfterATypingError) {
   terminal.type("1\r");
   ASSERT_TRUE(terminal.shows(dialogue[2].prompt));
   terminal.type("3 inch\r");
-  ASSERT_TRUE(terminal.shows("That is not a number. Please type it again: "));
+  ASSERT_TRUE(terminal.shows("That is not a number. Please try again: "));
   terminal.type(
       "4\x7f"
       "3.\r");  // a slip of the finger, rubbed out
@@ -127,7 +127,7 @@ TEST_F(Spit1984TerminalTest, EndOfInputInTheMiddleIsOneClearLine) {
   ASSERT_TRUE(terminal.shows(dialogue[4].prompt));
   terminal.type("\x04");
   EXPECT_EQ(terminal.end(), 2);
-  EXPECT_THAT(terminal.shown(), HasSubstr("\r\nthe input ended before the last answer\r\n1 fault"));
+  EXPECT_THAT(terminal.shown(), HasSubstr("\r\nthe input ended before the last answer\r\n1 error"));
   EXPECT_THAT(terminal.shown(), Not(HasSubstr("RUN SUMMARY")));
   EXPECT_THAT(other_files(), IsEmpty());
 }
@@ -183,7 +183,7 @@ TEST_F(Spit1984TerminalTest, RefusesAnswersThatMakeNoImpact) {
   const Outcome outcome =
       shell("yes '' | head -n 20 | sed '1s/.*/1/; 2s/.*/1/' | $DASHPAD spit1984 --interactive");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("RAD = 0: "), HasSubstr("THK = 0: "), HasSubstr("7 faults")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("RAD = 0: "), HasSubstr("THK = 0: "), HasSubstr("7 errors")));
 }
 
 TEST_F(Spit1984TerminalTest, AnEmptyOrClosedInputIsRefused) {

@@ -56,7 +56,7 @@ TEST_F(StudyDoctored, a_level_that_the_study_does_not_have_is_no_level) {
     change(sql);
     const auto summary = dashpad({"study", "summary", file("s.db"), "--report", file("s.html")});
     EXPECT_EQ(summary.exit_code, 2) << sql;
-    EXPECT_NE(summary.err.find("which is none of its levels"), std::string::npos) << summary.err;
+    EXPECT_NE(summary.err.find("which is not one of its levels"), std::string::npos) << summary.err;
     EXPECT_FALSE(fs::exists(file("s.html")));
   }
 }
@@ -162,7 +162,7 @@ TEST_F(StudyDoctored, is_refused_where_a_number_cannot_be) {
           {"study", "replay", file("s.db"), "2"}}) {
       const Outcome outcome = dashpad(command);
       EXPECT_EQ(outcome.exit_code, 2) << number << command[1];
-      EXPECT_NE(outcome.err.find("it is damaged (peak_force"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("the store is damaged (peak_force"), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.out, "");
     }
     EXPECT_FALSE(fs::exists(file("rows.csv")));
@@ -185,7 +185,8 @@ TEST_F(StudyDoctored, is_refused_alike_whatever_the_damage) {
           {"study", "replay", file("s.db"), "0"}}) {
       const Outcome outcome = dashpad(command);
       EXPECT_EQ(outcome.exit_code, 2) << sql << "\n" << command[1];
-      EXPECT_NE(outcome.err.find("s.db: it is damaged"), std::string::npos) << sql << "\n" << outcome.err;
+      EXPECT_NE(outcome.err.find("s.db: the store is damaged"), std::string::npos) << sql << "\n"
+                                                                                   << outcome.err;
       for (const char* word : {"coalesce", "count(", "no such", "sqlite", "SQL"})
         EXPECT_EQ(outcome.err.find(word), std::string::npos) << sql << "\n" << outcome.err;
     }

@@ -158,7 +158,7 @@ TEST_F(StudyKill, leaves_out_a_second_run_at_the_same_time) {
             file("s.db") + "' --quiet; second=$?; wait $first; echo $? $second");
   // The one is refused while the other runs, whichever came first; on a fast machine the first may be over.
   if (both.out.find("0 2") != std::string::npos || both.out.find("2 0") != std::string::npos) {
-    EXPECT_NE(both.err.find("another run is writing it"), std::string::npos) << both.err;
+    EXPECT_NE(both.err.find("another run is writing to it"), std::string::npos) << both.err;
   } else {
     EXPECT_NE(both.out.find("0 0"), std::string::npos) << both.out << both.err;
   }

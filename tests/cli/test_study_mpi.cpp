@@ -26,7 +26,7 @@ class StudyMpiTest : public CommandTest {
   void SetUp() override {
     CommandTest::SetUp();
     if (shell("command -v mpirun").exit_code != 0) GTEST_SKIP() << "mpirun is not installed";
-    if (dashpad({"--version"}).out.find("with MPI") == std::string::npos)
+    if (dashpad({"--version"}).out.find("MPI         supported") == std::string::npos)
       GTEST_SKIP() << "this dashpad was built without MPI";
   }
   void write_study(const std::string& samples) {
@@ -56,8 +56,8 @@ class StudyMpiTest : public CommandTest {
   void expect_refused(const Outcome& outcome, const std::string& words) const {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\n" << outcome.err;
-    EXPECT_EQ(outcome.err.find("1 fault"), outcome.err.rfind("1 fault")) << outcome.err;
-    EXPECT_NE(outcome.err.find("1 fault; nothing was run"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("1 error"), outcome.err.rfind("1 error")) << outcome.err;
+    EXPECT_NE(outcome.err.find("1 error; nothing was run"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(file("new.db")));
   }
   std::string rows_of(const std::string& store) {
@@ -112,7 +112,7 @@ TEST_F(StudyMpiTest, AFaultIsSaidOnceAndEndsAllRanks) {
   write_study("200");
   const std::string missing = with(command("new.db"), "study.toml", "missing.toml");
   for (const auto& [arguments, words] :
-       {std::pair{command("one.db"), "--extend keeps its rows"}, std::pair{missing, "missing.toml"},
+       {std::pair{command("one.db"), "--extend to keep these rows"}, std::pair{missing, "missing.toml"},
         std::pair{command("new.db") + " --threads 2", "--threads"},
         std::pair{command("no/such/folder.db"), "no folder"},
         std::pair{command("study.toml"), "not the store"}})
@@ -125,10 +125,10 @@ TEST_F(StudyMpiTest, RefusesBadStudiesWithOneMessage) {
   const std::string grid = "case = \"case.toml\"\n" + speed;
   for (const auto& [text, words] :
        {std::pair{with(drawn, "impactor.speed", "impactor.sped"), "did you mean \"impactor.speed\"?"},
-        std::pair{with(drawn, "3 m/s", "3 kg"), "\"kg\" gives a mass"},
+        std::pair{with(drawn, "3 m/s", "3 kg"), "\"kg\" denotes a mass"},
         std::pair{with(drawn, "hic15", "hic51"), "hic51"},
         std::pair{with(drawn, "samples = 100", "samples = 1000000000000"), "from 1 to 1000000000"},
-        std::pair{grid + "values = []\n", "must hold at least one value"},
+        std::pair{grid + "values = []\n", "must have at least one value"},
         std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 0\n", "count = 0"},
         std::pair{grid + "from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 1000000000000\n", "from 2 to 1000000"}}) {
     write_file(file("study.toml"), text);
@@ -142,8 +142,8 @@ TEST_F(StudyMpiTest, RefusesAReadOnlyFolder) {
   fs::create_directory(file("closed"));
   fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
   if (::access(file("closed").c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everywhere";
-  expect_refused(with_ranks(2, "$RANKS " + command("closed/new.db")), "its folder is read-only");
-  expect_refused(shell(command("closed/new.db")), "its folder is read-only");
+  expect_refused(with_ranks(2, "$RANKS " + command("closed/new.db")), "the folder is read-only");
+  expect_refused(shell(command("closed/new.db")), "the folder is read-only");
 }
 
 /// Two ranks, the second one with another word in its command.

@@ -43,7 +43,7 @@ TEST_F(ValidateTest, WritesPageJsonAndFigures) {
   EXPECT_THAT(outcome.err, MatchesRegex("([A-Z][a-z ]+ will take about [0-9]+ minutes\n)*"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("33 tests"), HasSubstr("verdict"), HasSubstr("anomaly")));
   EXPECT_THAT(read_file(folder / "validation.html"),
-              HasSubstr("The 1986 tests are not all reproduced within the rules"));
+              HasSubstr("foam law does not meet all the rules for the 1986 tests"));
   EXPECT_THAT(read_file(folder / "validation.json"), StartsWith("{\n  \"format\": 3,\n"));
   const json study = json::parse(read_file(folder / "validation.json"));
   EXPECT_EQ(study["tests"].size(), 33U);
@@ -61,7 +61,7 @@ TEST_F(ValidateTest, KeepsWhatIsThere) {
   fs::create_directory(file("figures"));
   write_file(file("figures/figure-3-4.svg"), "mine");
   EXPECT_THAT(refused({"--json", file("v.json"), "--figures", file("figures")}).err,
-              AllOf(HasSubstr("v.json: exists already"), HasSubstr("figure-3-4.svg: exists already")));
+              AllOf(HasSubstr("v.json: already exists"), HasSubstr("figure-3-4.svg: already exists")));
   EXPECT_EQ(read_file(file("v.json")), "mine");
 }
 
@@ -79,14 +79,14 @@ TEST_F(ValidateTest, RefusesFoldersThatCannotBe) {
   EXPECT_THAT(refused({"--figures", file("none/figures")}).err, HasSubstr("there is no folder"));
   EXPECT_THAT(refused({"--figures", case_file()}).err, HasSubstr("is not a folder"));
   EXPECT_THAT(refused({"--figures", file("one"), "--json", file("one")}).err,
-              HasSubstr("is also the file of --json"));
+              HasSubstr("is also given for --json"));
   EXPECT_THAT(refused({"--figures", file("one/"), "--report", file("one")}).err,
-              HasSubstr("is also the file of --report"));
+              HasSubstr("is also given for --report"));
   EXPECT_THAT(refused({"--format", "png"}).err, HasSubstr("--figures"));
   if (::geteuid() == 0) GTEST_SKIP() << "nothing is closed to root";
   fs::create_directory(file("closed"));
   fs::permissions(file("closed"), fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_THAT(refused({"--json", file("closed/v.json")}).err, HasSubstr("no file can be created"));
+  EXPECT_THAT(refused({"--json", file("closed/v.json")}).err, HasSubstr("cannot create a file"));
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ test("the verdict is the heading, in its colour and with a sign", async () => {
   const passes = await open(pages.passes);
   assert.match(await words(passes.locator("h1.good")), /^✓ Passes: HIC15 has \d+ to spare$/);
   const narrow = await open(pages.narrow);
-  assert.match(await words(narrow.locator("h1.doubtful")), /^\? Undecided: 3 ms clip is [\d.]+ to [\d.]+ g, but must be at most 80 g$/);
-  assert.match(await narrow.locator(".reservation").innerText(), /^EXTRAPOLATED STRAIN: strain reaches/);
-  assert.match((await narrow.locator(".subject").allInnerTexts()).join("\n"), /The case: Dashboard[\s\S]*Replaced in the case: .*speed/);
+  assert.match(await words(narrow.locator("h1.doubtful")), /^\? Undecided: 3 ms clip could be anywhere from [\d.]+ to [\d.]+ g, but must be at most 80 g$/);
+  assert.match(await narrow.locator(".reservation").innerText(), /^EXTRAPOLATED STRAIN: the strain reaches/);
+  assert.match((await narrow.locator(".subject").allInnerTexts()).join("\n"), /Case: Dashboard[\s\S]*Replaced in the case: .*speed/);
   const fails = await open(pages.fails);
-  assert.match(await words(fails.locator("h1.bad")), /^✕ Fails: the pad bottoms out with \d\.\d+ m\/s left$/);
+  assert.match(await words(fails.locator("h1.bad")), /^✕ Fails: the pad bottoms out with the impactor still moving at \d\.\d+ m\/s$/);
   assert.match(await passes.title(), /^Passes: /);
 });
 

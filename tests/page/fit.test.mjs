@@ -14,7 +14,7 @@ execFileSync(command, ["fit", join(source, "examples/fits/vn600.toml"), "--repor
 test("the answer is the heading, what is left open stands below it", async () => {
   const page = await open(file, { viewport: { width: 1300, height: 2700 } });
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
-  assert.match(await words(page.locator("h1")), /^The data determine 4 of 5 unknowns, and leave 1 open; the model deviates from the tests by 1\.2 %/);
+  assert.match(await words(page.locator("h1")), /^The data determine 4 of 5 unknowns and leave 1 open; the model deviates from the tests by 1\.2 %/);
   assert.match(await page.locator(".reservation").innerText(), /LEFT OPEN: the data do not determine the modulus of the foam/);
   assert.equal(await page.locator("main .dp-panel").count(), 2);
   for (const { size } of await drawn(page)) assert.ok(size > 300);
@@ -22,7 +22,7 @@ test("the answer is the heading, what is left open stands below it", async () =>
   const open_end = page.locator(".ranges > li", { hasText: "Modulus of the foam" });
   const fading = await open_end.locator(".interval").evaluateAll((all) => all.map((each) => Number(each.getAttribute("opacity"))));
   assert.ok(fading.at(-1) < 0.1 && fading[0] > 0.5, String(fading));
-  assert.match(await open_end.innerText(), /from 45\d\.?\d* kPa, with no upper limit; the bar is logarithmic/);
+  assert.match(await open_end.innerText(), /from 45\d\.?\d* kPa, with no upper bound; the bar is logarithmic/);
   await page.screenshot({ path: picture("fit.png") });
   await page.context().close();
 });

@@ -52,7 +52,7 @@ test("the mouse over a loop finds the branch that is nearest", async () => {
 
 test("the mouse over the contact shows the stress at that radius", async () => {
   const page = await open(file);
-  await page.mouse.move(...(await place(figure(page, "Stress over the contact"), 0.5, 0.4)));
+  await page.mouse.move(...(await place(figure(page, "Stress across the contact"), 0.5, 0.4)));
   assert.match((await tip(page))[0], /ms, .*\nRadius \(mm\): [23]\d(\.\d+)?\nStress \(kPa\): /);
 });
 

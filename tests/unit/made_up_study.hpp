@@ -104,7 +104,7 @@ inline v::Study made_up_study() {
   v::Study study;
   study.data = made_up_data();
   study.constants = {{.name = "travel_in",
-                      .title = "V T, load cell",
+                      .title = "VT, load cell",
                       .unit = "in",
                       .printed = 1.65,
                       .value = 1.7,

@@ -259,11 +259,11 @@ TEST(assessment, an_unknown_range_is_no_unqualified_pass) {
   EXPECT_EQ(to_string(assessment), "pass, with reservations");
   EXPECT_THAT(
       assessment.reservations,
-      ElementsAre(says("UNKNOWN RANGE: the card does not state the range in which its law was fitted")));
+      ElementsAre(says("UNKNOWN RANGE: the card does not state the range over which its law was fitted")));
   impact.pad.material.name = foam_of_the_case;
   EXPECT_THAT(
       injury::assess(standard, impact, half_sine()).reservations,
-      ElementsAre(says("UNKNOWN RANGE: the case does not state the range in which its law was fitted")));
+      ElementsAre(says("UNKNOWN RANGE: the case does not state the range over which its law was fitted")));
 }
 
 TEST(assessment, a_bottomed_result_is_no_unqualified_pass) {
@@ -288,9 +288,9 @@ TEST(assessment, unverified_values_are_no_unqualified_pass) {
   for (injury::Criterion& criterion : standard.criteria) criterion.origin.verified = false;
   standard.radius.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
-              ElementsAre(says(
-                  AllOf(StartsWith("UNVERIFIED"),
-                        HasSubstr(": radius, limit on peak acceleration, limit on dwell time above 50 g")))));
+              ElementsAre(says(AllOf(
+                  StartsWith("UNVERIFIED"),
+                  HasSubstr(": radius, limit on peak acceleration, limit on dwell time above 50 g (")))));
 }
 
 TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
@@ -298,9 +298,10 @@ TEST(assessment, values_that_were_read_elsewhere_are_no_unqualified_pass) {
       standard_with({criterion(Metric::peak_acceleration, 200 * g), criterion(Metric::dwell_time, 1)});
   standard.mass.origin.kind = injury::SourceKind::secondary;
   standard.criteria[1].origin.kind = injury::SourceKind::secondary;
-  EXPECT_THAT(assess(standard, half_sine()).reservations,
-              ElementsAre(says("SECONDARY SOURCE: found in a source that quotes the standard, not in the "
-                               "standard itself: mass, limit on dwell time above 50 g")));
+  EXPECT_THAT(
+      assess(standard, half_sine()).reservations,
+      ElementsAre(says("SECONDARY SOURCE: mass, limit on dwell time above 50 g (found in a source that "
+                       "quotes the standard, not in the standard itself)")));
   // What was not even read there is named once.
   standard.mass.origin.verified = false;
   EXPECT_THAT(assess(standard, half_sine()).reservations,
@@ -390,7 +391,7 @@ TEST(assessment, a_pulse_without_its_falling_flank_is_judged_by_nothing_but_its_
     EXPECT_EQ(mild.verdict, is_peak ? Verdict::pass : Verdict::undecided) << quantity_of(metric).key;
     EXPECT_EQ(mild.results[0].lower_bound, !is_peak) << quantity_of(metric).key;
     EXPECT_EQ(mild.results[0].margin.has_value(), is_peak) << quantity_of(metric).key;
-    EXPECT_THAT(mild.results[0].reason, StartsWith(is_peak ? "" : "PULSE CUT: it ends at its peak"));
+    EXPECT_THAT(mild.results[0].reason, StartsWith(is_peak ? "" : "the pulse ends at its peak"));
     // What is there already is above: it can only grow.
     const Assessment harsh = assess(standard_with({criterion(metric, 1e-30)}), rising_flank());
     EXPECT_EQ(harsh.verdict, Verdict::fail) << quantity_of(metric).key;
@@ -412,7 +413,7 @@ TEST(assessment, an_impact_that_was_not_computed_to_its_end_cannot_pass) {
   for (const Metric metric : injury::metrics()) {
     const Assessment below = assess(standard_with({criterion(metric, 1e30)}), solution);
     EXPECT_EQ(below.verdict, Verdict::undecided) << quantity_of(metric).key;
-    EXPECT_THAT(below.results[0].reason, StartsWith("PULSE CUT: it ends while")) << quantity_of(metric).key;
+    EXPECT_THAT(below.results[0].reason, StartsWith("the pulse ends with")) << quantity_of(metric).key;
     EXPECT_THAT(below.reservations,
                 ElementsAre(says(StartsWith("TIME LIMIT")), says(StartsWith("PULSE CUT"))));
     EXPECT_TRUE(below.figures.peak_acceleration.lower_bound && below.figures.peak_strain.lower_bound);
@@ -479,10 +480,10 @@ std::string answer_to(const Standard& standard, const Solution& solution) {
 TEST(assessment_answer, a_pass_of_a_pad_that_is_struck_through_is_doubtful) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
   Solution solution = half_sine();
-  EXPECT_EQ(answer_to(standard, solution), "Passes: Peak acceleration has 50 g to spare");
+  EXPECT_EQ(answer_to(standard, solution), "Passes: peak acceleration has 50 g to spare");
   solution.summary.peak_penetration = 0.9999 * test::example_case().pad.thickness;
   EXPECT_THAT(answer_to(standard, solution),
-              StartsWith("Passes: Peak acceleration has 50 g to spare, but "
+              StartsWith("Passes: peak acceleration has 50 g to spare, but "
                          "less than 0.1 % of the pad thickness is left, at a peak of"));
 }
 
@@ -521,16 +522,17 @@ TEST(assessment, without_intervals_or_with_what_has_none_is_no_unqualified_pass)
 
 TEST(assessment_answer, gives_the_interval_that_leaves_it_undecided) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
-  EXPECT_EQ(answer_to(standard, half_sine_between(95, 140)), "Passes: Peak acceleration has 50 g to spare");
+  EXPECT_EQ(answer_to(standard, half_sine_between(95, 140)), "Passes: peak acceleration has 50 g to spare");
   EXPECT_EQ(answer_to(standard, half_sine_between(95, 160)),
-            "Undecided: Peak acceleration is 95 to 160 g, but must be at most 150 g");
+            "Undecided: peak acceleration could be anywhere from 95 to 160 g, but must be at most 150 g");
 }
 
 TEST(assessment_text, names_what_the_interval_comes_from) {
   const Standard standard = standard_with({criterion(Metric::peak_acceleration, 150 * g)});
-  EXPECT_THAT(test::in_one_line(write(standard, half_sine_between(95, 160)).text),
-              HasSubstr("95 % interval 95 to 160 g. The largest source of uncertainty by itself would give: "
-                        "the stress beyond a strain of 0.75, 95 to 160 g."));
+  EXPECT_THAT(
+      test::in_one_line(write(standard, half_sine_between(95, 160)).text),
+      HasSubstr("95 % interval 95 to 160 g. The only contributing source of uncertainty is the stress "
+                "beyond a strain of 0.75."));
 }
 
 TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
@@ -538,15 +540,15 @@ TEST(assessment_text, says_what_was_replaced_and_how_large_the_margin_is) {
   standard.radius = {};
   standard = injury::with_user_values(standard, {.mass = {}, .radius = {}, .speed = 8, .drop_height = {}});
   const std::string text = write(standard, half_sine()).text;
-  EXPECT_THAT(text, StartsWith("Fails: Peak acceleration is 20 g above its limit\nMade up (made-up)\n"));
+  EXPECT_THAT(text, StartsWith("Fails: peak acceleration is 20 g above its limit\nMade up (made-up)\n"));
   EXPECT_THAT(test::in_one_line(text),
-              AllOf(HasSubstr("5 kg, from the standard; the case has 4.5 kg"),
-                    HasSubstr("8 m/s, given by you; the case has 8.9408 m/s, the standard 6 m/s"),
-                    HasSubstr("Kept from the case: radius (76.2 mm), pad, support, solver.")));
-  EXPECT_THAT(text, AllOf(HasSubstr("fail by 20 g (25.0 %)"), HasSubstr("\nREPLACED: "),
-                          HasSubstr(output::assessment_caveat())));
+              AllOf(HasSubstr("mass, 5 kg from the standard instead of 4.5 kg; "),
+                    HasSubstr("; speed, 8 m/s given by you instead of 8.9408 m/s (6 m/s in the standard)."),
+                    HasSubstr("Kept from the case: radius (76.2 mm), pad, support and solver settings."),
+                    HasSubstr(output::assessment_caveat())));
+  EXPECT_THAT(text, AllOf(HasSubstr("fail by 20 g (25.0 %)"), HasSubstr("\nREPLACED: ")));
   // Also true of an assessment that keeps the nose of the case.
-  EXPECT_THAT(output::assessment_caveat(), HasSubstr("one rigid nose on a flat pad"));
+  EXPECT_THAT(output::assessment_caveat(), HasSubstr("a rigid nose on a flat pad"));
 }
 
 TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
@@ -554,10 +556,10 @@ TEST(assessment_text, an_unqualified_pass_has_no_reservations) {
       write(standard_with({criterion(Metric::peak_acceleration, 125 * g)}), half_sine()).text;
   EXPECT_THAT(text,
               AllOf(HasSubstr("pass with 25 g (20.0 %) to spare"),
-                    StartsWith("Passes: Peak acceleration has 25 g to spare\nMade up (made-up)\n"),
-                    HasSubstr("from the\n  standard; the case has 76.2 mm; speed 6 m/s, from the standard; "
-                              "the case has 8.9408 m/s.\n\n  Peak"),
-                    HasSubstr("nor a certification")));
+                    StartsWith("Passes: peak acceleration has 25 g to spare\nMade up (made-up)\n"),
+                    ContainsRegex("instead\\s+of\\s+76.2 mm;\\s+speed,\\s+6 m/s\\s+from\\s+the\\s+standard"
+                                  "\\s+instead\\s+of\\s+8.9408 m/s[.]\n\n  Peak"),
+                    ContainsRegex("nor\\s+a\\s+certification")));
 }
 
 TEST(assessment_text, names_the_blow_that_its_figures_are_of) {
@@ -565,7 +567,7 @@ TEST(assessment_text, names_the_blow_that_its_figures_are_of) {
   Solution solution = half_sine();
   EXPECT_THAT(write(standard, solution).text, Not(HasSubstr("blow")));
   solution.summary.blow = solution.summary.blows = 3;
-  EXPECT_THAT(write(standard, solution).text, HasSubstr("\nFigures of blow 3 of 3\n"));
+  EXPECT_THAT(write(standard, solution).text, HasSubstr("\nFigures for blow 3 of 3\n"));
 }
 
 TEST(assessment_text, a_lower_bound_has_a_margin_only_where_it_fails) {
@@ -576,10 +578,11 @@ TEST(assessment_text, a_lower_bound_has_a_margin_only_where_it_fails) {
                                   "more\n")));
   EXPECT_EQ(nlohmann::json::parse(failed.json)["criteria"][0]["margin_is_upper_bound"], true);
   const Written open = write(standard_with({criterion(Metric::hic15, 1000)}), rising_flank());
-  EXPECT_THAT(open.text,
-              AllOf(StartsWith("Undecided: the run ends before the impact does\n"),
-                    ContainsRegex("HIC15 +≥ [0-9.]+ +± [0-9.]+ % +at most 1000 +undecided: PULSE CUT: "),
-                    Not(HasSubstr("spare"))));
+  EXPECT_THAT(
+      open.text,
+      AllOf(StartsWith("Undecided: the run ends before the impact does\n"),
+            ContainsRegex("HIC15 +≥ [0-9.]+ +± [0-9.]+ % +at most 1000 +undecided: the\\s+pulse\\s+ends"),
+            Not(HasSubstr("spare"))));
   const auto json = nlohmann::json::parse(open.json);
   EXPECT_EQ(json["verdict"], "undecided");
   EXPECT_EQ(json["criteria"][0]["margin"], nullptr);
@@ -592,10 +595,12 @@ TEST(assessment_text, a_lower_bound_has_a_margin_only_where_it_fails) {
 
 TEST(assessment_text, says_at_which_speed_the_pad_was_struck_through) {
   const Written written = write(standard_with({criterion(Metric::clip_3ms, 80 * g)}), bottomed_out());
-  EXPECT_THAT(
-      written.text,
-      AllOf(StartsWith("Fails: the pad bottoms out with 5.05 m/s left\n"), HasSubstr("\nBOTTOMED"),
-            ContainsRegex("3 ms clip +none +at most 80 g +fail: bottomed out"), Not(HasSubstr("100.0 %"))));
+  EXPECT_THAT(written.text,
+              AllOf(StartsWith("Fails: the pad bottoms out with the impactor still moving at 5.05 m/s\n"),
+                    HasSubstr("\nBOTTOMED"),
+                    ContainsRegex("3 ms clip +none +at most 80 g +fail: "
+                                  "bottomed\\s+out\\s+on\\s+a\\s+rigid\\s+support"),
+                    Not(HasSubstr("100.0 %"))));
   const auto json = nlohmann::json::parse(written.json);
   EXPECT_EQ(json["criteria"][0]["margin"], nullptr);
   EXPECT_EQ(json["criteria"][0]["margin_fraction"], nullptr);
@@ -613,9 +618,10 @@ TEST(assessment_text, only_what_differs_was_replaced) {
   Standard standard = standard_with({criterion(Metric::peak_acceleration, 125 * g)});
   standard.mass = verified(4.5);
   const Written written = write(standard, half_sine());
-  EXPECT_THAT(written.text, AllOf(Not(HasSubstr("the case has 4.5 kg")),
-                                  HasSubstr("Replaced in the case: radius 80 mm, from the standard"),
-                                  HasSubstr("Kept from the case: mass (4.5 kg), pad, support, solver.")));
+  EXPECT_THAT(test::in_one_line(written.text),
+              AllOf(Not(HasSubstr("instead of 4.5 kg")),
+                    HasSubstr("Replaced in the case: radius, 80 mm from the standard"),
+                    HasSubstr("Kept from the case: mass (4.5 kg), pad, support and solver settings.")));
   const auto impactor = nlohmann::json::parse(written.json)["impactor"];
   EXPECT_EQ(impactor["mass_kg"]["replaced"], false);
   EXPECT_EQ(impactor["radius_m"]["replaced"], true);
@@ -630,8 +636,8 @@ TEST(assessment_text, says_what_kind_of_sources_the_figures_have) {
   standard.radius.origin = {};
   standard.speed = {};
   const Written written = write(standard, half_sine());
-  EXPECT_THAT(written.text,
-              HasSubstr("own text (limit on peak acceleration), secondary (mass), no\n  source (radius)."));
+  EXPECT_THAT(test::in_one_line(written.text),
+              HasSubstr("own text (limit on peak acceleration), secondary (mass), no source (radius); "));
   const auto json = nlohmann::json::parse(written.json);
   EXPECT_EQ(json["criteria"][0]["source_kind"], "own text");
   EXPECT_EQ(json["impactor"]["mass_kg"]["source_kind"], "secondary");

@@ -72,9 +72,9 @@ TEST(BlowRules, AreOneFaultEach) {
     EXPECT_EQ(broken(struck(foam, 2, recovery)), "blows.recovery: must be from 0 (none) to 1 (full)\n");
   EXPECT_EQ(broken(struck(sample_law<CrushableFoam>(), 2, 0)), "");
   EXPECT_EQ(broken(struck(sample_law<CrushableFoam>(), 2, 0.5)),
-            "blows.recovery: must be 0: a pad of the law crushable-foam does not recover\n");
+            "blows.recovery: must be 0: a pad with the crushable-foam law does not recover\n");
   EXPECT_EQ(broken(struck(sample_law<RigidFoam>(), 2, 1)),
-            "blows.recovery: must be 0: a pad of the law rigid-foam does not recover\n");
+            "blows.recovery: must be 0: a pad with the rigid-foam law does not recover\n");
   EXPECT_EQ(broken(struck(sample_law<Elastic>(), 2, 0.5)), "");
 }
 
@@ -83,7 +83,7 @@ TEST(BlowRules, OfWhatEarlierOnesLeft) {
   EXPECT_EQ(broken(struck_before(foam, 0.02)), "");
   const std::string range = "pad.earlier_penetration: must be at least 0 and less than pad.thickness\n";
   for (const double earlier : {-1e-6, 0.03, 1.0, nan}) EXPECT_EQ(broken(struck_before(foam, earlier)), range);
-  EXPECT_THAT(broken(struck_before(sample_law<Elastic>(), 0.01)), HasSubstr("elastic recovers fully"));
+  EXPECT_THAT(broken(struck_before(sample_law<Elastic>(), 0.01)), HasSubstr("elastic law recovers fully"));
   EXPECT_THAT(broken(struck_before(sample_law<NineParameter>(), 0.01)), HasSubstr("recovers fully"));
   EXPECT_EQ(broken(struck_before(sample_law<RigidFoam>(), 0.01)), "");
   // A thickness that is wrong itself says nothing about what is less than it.
@@ -192,12 +192,14 @@ std::string told(const ImpactCase& impact) {
 
 TEST(BlowTexts, AnswerFirstHowThePeaksGrow) {
   const std::string text = told(struck(sample_law<Foam>(), 3, 0));
-  EXPECT_THAT(text, testing::ContainsRegex("^Blow 3 peaks at [0-9.]+ g, [0-9.]+ % above blow 1; HIC15 "));
-  EXPECT_LT(text.find("\nBlow 3: The "), text.find("  Peak acceleration"));
+  EXPECT_THAT(text, testing::ContainsRegex(
+                        "^Blow 3 peaks at [0-9.]+ g, [0-9.]+ % higher than blow 1; its HIC15 is "));
+  EXPECT_LT(text.find("\nBlow 3: the "), text.find("  Peak acceleration"));
   EXPECT_LT(text.find("  Peak acceleration"), text.find("Peak acceleration, g"));
-  EXPECT_THAT(told(struck(sample_law<Foam>(), 3, 1)), HasSubstr("All 3 blows are alike: the pad recovers"));
+  EXPECT_THAT(told(struck(sample_law<Foam>(), 3, 1)),
+              HasSubstr("All 3 blows are identical: the pad recovers"));
   EXPECT_THAT(told(struck(sample_law<Elastic>(), 3, 0)),
-              HasSubstr("according to the law elastic the pad recovers fully"));
+              HasSubstr("according to the elastic law, the pad recovers fully"));
 }
 
 TEST(BlowTexts, HaveATableOfTheFiguresOfEachBlow) {

@@ -137,7 +137,7 @@ TEST(Exports, SayWhenceTheyComeAndWhatToMind) {
                       comment("Units: kg-m-s"), comment("Signs: force and penetration are positive in"),
                       comment("FLAG: EXTRAPOLATED: strain reaches 0.96"), HasSubstr("a remark")));
   }
-  EXPECT_THAT(radioss_text(file), HasSubstr("# Unit triple, as in /BEGIN: kg m s\n"));
+  EXPECT_THAT(radioss_text(file), HasSubstr("# Units of mass, length and time, as in /BEGIN: kg m s\n"));
 }
 
 TEST(Exports, FlagWhatIsNotToBeReliedOn) {

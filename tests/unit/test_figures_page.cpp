@@ -44,7 +44,7 @@ TEST(figures_page, refuses_what_does_not_fit_together) {
       fault_of(page_with({{.label = "band", .style = SeriesStyle::band, .x = two, .y = two, .y2 = one}})),
       HasSubstr("\"band\" differ in length"));
   EXPECT_THAT(fault_of(page_with({}, {.label = "x", .low = 2, .high = 1})),
-              HasSubstr("\"x\" ends at 1, not above"));
+              HasSubstr("\"x\" ends at 1, which is not above its start at 2"));
   EXPECT_THAT(fault_of(page_with({}, {}, {.label = "y", .logarithmic = true, .low = 0})),
               HasSubstr("\"y\" cannot end at 0"));
   Document page;

@@ -405,23 +405,25 @@ TEST_F(FitFileTest, NamesEachFault) {
     std::string old, fresh, said;
   };
   const std::vector<Row> rows{
-      {"strain_unit = \"fraction\"\n", "strain_unit = \"kPa\"\n", "strain_unit fraction or percent says"},
+      {"strain_unit = \"fraction\"\n", "strain_unit = \"kPa\"\n",
+       "give strain_unit fraction or strain_unit percent"},
       {"file = \"test.csv\"", "file = \"nowhere.csv\"", "nowhere.csv"},
       {"rate = \"0.01 1/s\"\nnoise", "noise", "tests[1].rate"},
       {"noise = \"2 kPa\"", "noise = \"2 mm\"", "tests[1].noise"},
-      {"noise = \"2 kPa\"", "columns = {strain = \"e\"}", "no column for the strain"},
+      {"noise = \"2 kPa\"", "columns = {strain = \"e\"}", "there is no column for the strain"},
       {"\"pad.curve.modulus\"", "\"pad.curve.plateau_stress\"", "has the form power"},
       {"bounds = [0, 4]", "bounds = [4, 0]", "the lower one first"},
-      {"bounds = [0, 4]", "bounds = [0, 9]", "the upper bound 9"},
+      {"bounds = [0, 4]", "bounds = [0, 9]", "the upper bound, 9, is not allowed"},
       {"bounds = [0, 4]", "bounds = [2, 4]", "must lie within the bounds"},
-      {"bounds = [0, 4]", "bounds = [0, 4], prior = {mean = 5, deviation = 1}", "its mean 5 must lie within"},
+      {"bounds = [0, 4]", "bounds = [0, 4], prior = {mean = 5, deviation = 1}",
+       "its mean, 5, must lie within"},
       {"\"pad.curve.compaction_exponent\" = {bounds = [0, 4]}", "\"pad.rate.exponent\" = {bounds = [0, 0.5]}",
-       "all tests have the same rate"},
+       "all tests have the same strain rate"},
       {"\"pad.curve.compaction_exponent\" = {bounds = [0, 4]}",
        "\"impactor.mass\" = {bounds = [\"1 kg\", \"2 kg\"]}", "needs [[impacts]]"},
       {"law = \"foam\"", "law = \"foamy\"", "did you mean \"foam\""},
       {"noise = \"2 kPa\"", "range = [0.5, 0.51]", "fewer than two points"},
-      {"noise = \"2 kPa\"", "hold_out = true", "there is nothing to fit"},
+      {"noise = \"2 kPa\"", "hold_out = true", "there are no data to fit"},
       {"[[tests]]", "[fit]\nstarts = 0\n[[tests]]", "fit.starts"},
   };
   for (const Row& row : rows)
@@ -437,8 +439,9 @@ TEST_F(FitFileTest, AsksForUnknowns) {
 
 TEST_F(FitFileTest, AsksForAsManyDataAsUnknowns) {
   write("test.csv", "strain,stress_kPa\n0.1,10\n0.3,40\n");
-  EXPECT_THAT(faults_of(edited(good_fit, "noise =", "offset = true\nnoise =")),
-              HasSubstr("only 2 measured numbers"));
+  EXPECT_THAT(
+      faults_of(edited(good_fit, "noise =", "offset = true\nnoise =")),
+      HasSubstr("the number of measured values and priors, 2, must be at least the number of unknowns, "));
 }
 
 TEST_F(FitFileTest, NamesTheLinesOfBadData) {
@@ -452,10 +455,10 @@ TEST_F(FitFileTest, NamesTheLinesOfBadData) {
   EXPECT_THAT(said, HasSubstr("must be later than the previous time"));
   write("test.csv", "strain,stress_kPa\n10,10\n20,20\n");
   EXPECT_THAT(faults_of(good_fit), HasSubstr("test.csv:2: strain"));
-  EXPECT_THAT(faults_of(good_fit), HasSubstr("is it in per cent?"));
+  EXPECT_THAT(faults_of(good_fit), HasSubstr("if it is in per cent"));
   write("test.csv", "strain,load_N\n0.1,10\n0.2,20\n");
   EXPECT_THAT(faults_of(good_fit),
-              HasSubstr("over the area of the specimen it is a stress: area \"25 cm2\""));
+              HasSubstr("for a stress, give the specimen area, such as area \"25 cm2\""));
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ case = "drop.toml"
   EXPECT_FALSE(report.comparison[4].is_held_out);
   const std::string text =
       output::to_terminal(output::fit_document(report, plain_si()), output::Detail::main);
-  EXPECT_THAT(text, HasSubstr("measured and of the model"));
+  EXPECT_THAT(text, HasSubstr("measured and computed"));
   EXPECT_THAT(text, HasSubstr("Unlimited HIC"));
   EXPECT_THAT(report.material.reservations,
               Contains(HasSubstr("the modelled peak penetration is 13 % below the measured one")));
@@ -291,7 +291,7 @@ TEST_F(FitImpactsTest, ImpactsTestRatesButNoStrains) {
   EXPECT_EQ(report.material.fitted->highest_strain, 0.7);
   EXPECT_EQ(report.material.fitted->lowest_rate, 0.01);
   EXPECT_GT(report.material.fitted->highest_rate, 120);
-  EXPECT_THAT(report.material.reservations, Contains(HasSubstr("Rates above 100 per second")));
+  EXPECT_THAT(report.material.reservations, Contains(HasSubstr("For strain rates from 100 to")));
   EXPECT_THAT(report.material.reservations, Contains("One batch."));
 }
 
@@ -361,7 +361,7 @@ TEST_F(RecoilTest, IsSoughtWhereNobodyStatedItAndImpactsShowIt) {
   EXPECT_NEAR(value_of(report, "pad.parameters.recoil"), 0.2, 0.02);
   EXPECT_TRUE(report.unknowns[1].is_added);
   EXPECT_THAT(output::to_terminal(output::fit_document(report, plain_si()), output::Detail::main),
-              HasSubstr("pad.parameters.recoil is\n  fitted too"));
+              testing::ContainsRegex("pad.parameters.recoil\\s+is\\s+fitted\\s+too"));
   const auto& range = report.material.uncertainty.recoil;
   ASSERT_TRUE(range);
   EXPECT_LT(range->low, 0.2);

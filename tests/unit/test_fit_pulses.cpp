@@ -98,7 +98,7 @@ std::string fault_in(const Pulse& pulse) {
 }
 
 TEST(DecelerationOf, RefusesPulsesWithoutOnsetWithoutHeightAndWithTooFewSamples) {
-  EXPECT_THAT(fault_in(half_sine(0.025)), HasSubstr("the onset is not in the record"));
+  EXPECT_THAT(fault_in(half_sine(0.025)), HasSubstr("the record does not include the onset"));
   Pulse flat = half_sine();
   for (double& a : flat.acceleration) a = 0;
   EXPECT_THAT(fault_in(flat), HasSubstr("its acceleration is 0 throughout"));
@@ -229,12 +229,12 @@ TEST_F(FitPulseTest, PulsesOfOtherImpactsAreReservations) {
   EXPECT_EQ(reservations(""), "");
   EXPECT_EQ(reservations("speed = \"3.02 m/s\", "), "");
   EXPECT_EQ(reservations("speed = \"3.04 m/s\", "),
-            "drop.toml strikes at 3 m/s, but the impact recorded in drop.csv was at 3.04 m/s.");
+            "drop.toml has an impact speed of 3 m/s, but the impact recorded in drop.csv was at 3.04 m/s.");
   EXPECT_THAT(reservations("drop_height = \"1 m\", "), HasSubstr("drop.csv was at 4.429 m/s."));
   EXPECT_EQ(reservations("", 0.91), "");  // 2.9 m/s: 5 % below 3 m/s are forgiven
-  EXPECT_THAT(reservations("", 0.88), HasSubstr("changes the velocity by 2.8"));
+  EXPECT_THAT(reservations("", 0.88), HasSubstr("has a velocity change of 2.8"));
   EXPECT_EQ(reservations("", 1.97), "");
-  EXPECT_THAT(reservations("", 2), HasSubstr("which an impact at the 3 m/s of drop.toml cannot"));
+  EXPECT_THAT(reservations("", 2), HasSubstr("for an impact at 3 m/s, the speed in drop.toml"));
 }
 
 TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {
@@ -259,7 +259,7 @@ TEST_F(FitPulseTest, NamesFileAndLineOfBadSamples) {
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_THAT(faults[0].file, testing::EndsWith("fit.toml"));
   EXPECT_EQ(faults[0].line, 6);
-  EXPECT_THAT(faults[0].rule, HasSubstr("the onset is not in the record"));
+  EXPECT_THAT(faults[0].rule, HasSubstr("the record does not include the onset"));
 }
 
 }  // namespace

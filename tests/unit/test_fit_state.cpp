@@ -81,7 +81,7 @@ TEST_F(FitStateTest, RefusesTheStateOfAnEarlierVersion) {
     check_state(made.fit, options());
     ADD_FAILURE() << "it was taken";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("fit.state: is the state of a fit by an earlier version"));
+    EXPECT_THAT(error.what(), HasSubstr("fit.state: is a fit state from an earlier version"));
   }
 }
 
@@ -102,7 +102,7 @@ TEST_F(FitStateTest, RefusesWhatWasChanged) {
       std::ofstream(folder.path() / "fit.state") << changed;
       EXPECT_THAT(
           [&] { check_state(made.fit, options()); },
-          testing::ThrowsMessage<std::runtime_error>(HasSubstr("fit.state: is not the state of a fit: ")))
+          testing::ThrowsMessage<std::runtime_error>(HasSubstr("fit.state: is not a valid fit state: ")))
           << key << value;
     }
 }

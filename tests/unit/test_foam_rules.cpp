@@ -128,7 +128,7 @@ TEST(foam_rules, there_are_points_enough_and_as_many_of_both) {
   EXPECT_EQ(faults(foam_with(many)), "");
   TableCurve uneven = table();
   uneven.stress.pop_back();
-  expect_fault(foam_with(uneven), "curve.stress", "has 3 numbers where strain has 4");
+  expect_fault(foam_with(uneven), "curve.stress", "the number of entries, 3, must equal that of strain, 4");
 }
 
 TEST(foam_rules, the_slowest_curve_rises) {
@@ -159,7 +159,7 @@ TEST(foam_rules, faster_curves_do_not_cross_slower_ones) {
   crossing.stress[3] = 165e3;
   for (const Violation& broken : violations(PadLaw(foam_with(CurvesRateEffect{{{5, crossing}}}))))
     if (broken.key == "rate.curves[1].stress") {
-      EXPECT_THAT(broken.rule, HasSubstr("at 5 1/s crosses that at 0.01 1/s: at a strain of "));
+      EXPECT_THAT(broken.rule, HasSubstr("at 5 1/s crosses the one at 0.01 1/s: at a strain of "));
       const auto at = broken.rule.find("strain of ") + 10;
       const double strain = std::stod(broken.rule.substr(at));
       EXPECT_GT(strain, 0.5) << broken.rule;
@@ -167,7 +167,7 @@ TEST(foam_rules, faster_curves_do_not_cross_slower_ones) {
     }
   expect_fault(foam_with(CurvesRateEffect{{{5, crossing}}}), "rate.curves[1].stress", "crosses");
   expect_fault(foam_with(CurvesRateEffect{{{5, times(2)}, {50, times(1.8)}}}), "rate.curves[2].stress",
-               "the curve at 50 1/s crosses that at 5 1/s");
+               "the curve at 50 1/s crosses the one at 5 1/s");
   // What a plotter leaves.
   EXPECT_EQ(faults(foam_with(CurvesRateEffect{{{5, times(0.985)}}})), "");
   expect_fault(foam_with(CurvesRateEffect{{{5, times(0.97)}}}), "rate.curves[1].stress", "crosses");
@@ -202,14 +202,14 @@ TEST(foam_rules, a_faster_curve_falls_by_a_tenth_at_most) {
 }
 
 TEST(foam_rules, there_is_a_faster_curve_where_curves_are_said_to_be) {
-  EXPECT_THAT(faults(foam_with(CurvesRateEffect{})), HasSubstr("rate.curves: must hold"));
+  EXPECT_THAT(faults(foam_with(CurvesRateEffect{})), HasSubstr("rate.curves: must have between 1 and"));
   EXPECT_THAT(faults(foam_with(FactorRateEffect{})), HasSubstr("rate.factors: "));
   EXPECT_THAT(faults(foam_with(FactorRateEffect{{1, 2}, {1.1}})), HasSubstr("rate.factors: "));
 }
 
 TEST(foam_rules, factors_do_not_fall) {
   expect_fault(foam_with(FactorRateEffect{{1, 10}, {1.3, 1.2}}), "rate.factors[2]",
-               "at least 1.3, the factor before");
+               "at least 1.3, the previous factor");
   expect_fault(foam_with(FactorRateEffect{{1}, {0.9}}), "rate.factors[1]", "at least 1");
 }
 
@@ -217,12 +217,12 @@ TEST(foam_rules, the_way_back_is_not_above_the_way_in) {
   Foam law = foam();
   law.unloading_curve = times(0.5);
   law.unloading_curve->stress[2] = 90e3;
-  expect_fault(law, "unloading.stress[3]", "not be above the loading curve, 80000");
+  expect_fault(law, "unloading.stress[3]", "at most the loading stress, 80000");
   law.unloading_curve = times(1.01);
   EXPECT_EQ(faults(law), "");
   law.unloading_curve = times(0.5);
   law.unloading_curve->strain[3] = 0.75;
-  expect_fault(law, "unloading.strain[4]", "at most the last strain of the curve, 0.7");
+  expect_fault(law, "unloading.strain[4]", "at most the last strain of the loading curve, 0.7");
 }
 
 TEST(foam_rules, a_foam_that_stays_crushed_unloads_at_least_as_steeply_as_it_loads) {

@@ -290,7 +290,7 @@ TEST(ImpactDrawing, LayersHaveNamesAndShareThePenetration) {
     expect_sound(svg);
     for (std::size_t i = 0; i < count; ++i) EXPECT_THAT(svg, HasSubstr("foam-" + std::to_string(i)));
     EXPECT_THAT(svg, HasSubstr(">Strain<"));
-    EXPECT_THAT(svg, HasSubstr("Less than 0.1 % left: layer 2"));
+    EXPECT_THAT(svg, HasSubstr("Less than 0.1 % left in layer 2"));
     EXPECT_THAT(svg, HasSubstr("hatching-" + std::to_string(count)));
   }
 }

@@ -203,11 +203,11 @@ TEST(Intervals, WhatHasNoIntervalSaysWhy) {
     return all;
   };
   ImpactCase impact = head_on_pillar();
-  EXPECT_THAT(reasons(impact), HasSubstr("the sample-to-sample scatter: no measurement is stated for "));
+  EXPECT_THAT(reasons(impact), HasSubstr("the sample-to-sample scatter: no measured value is given for "));
   impact.pad.material.uncertainty.scatter = 0.05;
   EXPECT_THAT(reasons(impact), IsEmpty());
   impact.impactor.nose = Cone{.radius = 0.08, .half_angle = 1.2};
-  EXPECT_THAT(reasons(impact), HasSubstr("it is not known for a cone"));
+  EXPECT_THAT(reasons(impact), HasSubstr("its size is not known for a cone"));
   impact = head_on_pillar();
   impact.pad.material.law = Elastic{2e6};
   impact.pad.material.fitted = FittedRange{0.2, 0.01, 1000};
@@ -221,10 +221,10 @@ TEST(Intervals, ColumnsAreOffByTheNoseOverThePad) {
   EXPECT_EQ(with_intervals(impact).summary.intervals->warning, "");
   impact.impactor.nose = Sphere{0.0125};
   EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
-              HasSubstr("SMALL NOSE: the nose has a radius of 0.5 times"));
+              HasSubstr("SMALL NOSE: the nose radius is 0.5 times"));
   impact.impactor.nose = FlatDisc{0.04};
   EXPECT_THAT(with_intervals(impact).summary.intervals->warning,
-              HasSubstr("SMALL NOSE: the flat face has a radius of 1.6"));
+              HasSubstr("SMALL NOSE: the flat-face radius is 1.6"));
   impact.pad.area = 0.001;
   EXPECT_EQ(with_intervals(impact).summary.intervals->warning, "");
   EXPECT_EQ(part(interval(with_intervals(impact), "peak_acceleration"), Source::neighbours), nullptr);
@@ -247,7 +247,7 @@ TEST(Intervals, ExtrapolationIsAFlagWhereItMatters) {
   const Solution solution = with_intervals(impact);
   std::string all;
   for (const Flag& flag : flags(solution.summary)) all += flag.text + "\n";
-  EXPECT_THAT(all, HasSubstr("EXTRAPOLATED STRAIN: strain reaches"));
+  EXPECT_THAT(all, HasSubstr("EXTRAPOLATED STRAIN: the strain reaches"));
   EXPECT_THAT(all, testing::AllOf(HasSubstr("; depending on the extrapolation, which is a guess, "),
                                   HasSubstr(" % higher\n")));
   foam_of(impact).gentlest_continuation = foam_of(impact).steepest_continuation = 2;

@@ -199,7 +199,7 @@ TEST(iso_mme, remarks) {
   EXPECT_THAT(input::read_iso_mme(folder.path(), {.channel = "1", .acceleration_unit = "m/s2"})
                   .value()
                   .measured.remarks,
-              ElementsAre("11HEAD0000H3ACXA: the file says g; m/s2 was given and is used"));
+              ElementsAre("11HEAD0000H3ACXA: the unit in the file is g, but m/s2 was given and is used"));
 }
 
 injury::MeasuredPulse read(const Files& files, const input::PulseOptions& options) {
@@ -277,13 +277,14 @@ TEST(iso_mme, choices_that_are_not_clear_are_told) {
   EXPECT_THAT(rule({.channel = "HEAD"}), HasSubstr("a number or a code of 16 characters"));
   EXPECT_THAT(rule({.channel = "11PELV0000H3ACXA"}), HasSubstr("no such channel"));
   EXPECT_THAT(rule({.channel = "4"}), HasSubstr("Channel/v1.004:4: Unit = kN: an acceleration is needed"));
-  EXPECT_THAT(rule({.channel = "1", .resultant = true}), HasSubstr("needs two or three of the directions"));
+  EXPECT_THAT(rule({.channel = "1", .resultant = true}),
+              HasSubstr("needs two or three directions (X, Y, Z)"));
   EXPECT_THAT(rule({.channel = "????????????????", .resultant = true}),
               HasSubstr("several resultants are possible"));
   EXPECT_THAT(rule({.channel = "1", .acceleration_unit = "kg"}), HasSubstr("--acceleration-unit kg"));
   Files two = sample_test();
   two["other.mme"] = "Title :x\n";
-  EXPECT_THAT(said(two), HasSubstr("holds 2 tests: other, v1; choose one with --test"));
+  EXPECT_THAT(said(two), HasSubstr("contains 2 tests: other, v1; choose one with --test"));
   EXPECT_EQ(said(two, {.test = "V1", .channel = "1"}), "");
   EXPECT_EQ(said(two, {.test = "v1.mme", .channel = "1"}), "");
   EXPECT_THAT(said(two, {.test = "v2", .channel = "1"}),
@@ -304,11 +305,12 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
   };
   EXPECT_EQ(of("0\n1\n"), "");
   EXPECT_THAT(of("0\nNOVALUE\n1\n"),
-              HasSubstr("v1.001:10: sample = NOVALUE: is missing between two others; a pulse cannot"));
-  EXPECT_THAT(of("0\nNOVALUE\nNOVALUE\n1\nNOVALUE\n2\n"),
-              HasSubstr("v1.001:10: sample = NOVALUE: is missing between two others, as are 2 more;"));
+              HasSubstr("v1.001:10: sample = NOVALUE: is missing between two other samples; a pulse must"));
+  EXPECT_THAT(
+      of("0\nNOVALUE\nNOVALUE\n1\nNOVALUE\n2\n"),
+      HasSubstr("v1.001:10: sample = NOVALUE: is missing between two other samples (3 missing in all);"));
   EXPECT_THAT(of("NOVALUE\n1\nNOVALUE\n"), HasSubstr("a pulse needs at least two samples"));
-  EXPECT_THAT(of("0\n\n1\n"), HasSubstr("v1.001:10: sample: is missing; there must be no gap"));
+  EXPECT_THAT(of("0\n\n1\n"), HasSubstr("v1.001:10: sample: is missing; gaps are not allowed"));
   EXPECT_THAT(of("0\nx\n1\n"), HasSubstr("v1.001:10: sample = x: must be a number"));
   EXPECT_THAT(of("0\n1,5\n1\n"), HasSubstr("must be a number"));
   EXPECT_THAT(of("0\nnan\n1\n"), HasSubstr("must be a finite number"));
@@ -319,34 +321,35 @@ TEST(iso_mme, each_kind_of_bad_channel_is_told) {
   EXPECT_THAT(of("0\n1\n", "no label\n"), HasSubstr("v1.001:9: sample = no label: must be a number"));
   EXPECT_THAT(of(std::string("0\n\0\n", 4)), HasSubstr("is not text"));
   EXPECT_THAT(changed("samples           :3", "samples           :4"),
-              HasSubstr(":8: Number of samples = 4: is not"));
+              HasSubstr(":8: Number of samples = 4: must be the number of samples in the file, 3"));
   EXPECT_THAT(changed("samples           :3", "samples           :99999999999999999999"),
-              HasSubstr("is not the number"));
-  EXPECT_THAT(changed("samples           :3", "samples           :-1"), HasSubstr("is not the number"));
+              HasSubstr("must be the number"));
+  EXPECT_THAT(changed("samples           :3", "samples           :-1"), HasSubstr("must be the number"));
   EXPECT_THAT(changed("interval           :0.001", "interval           :0"),
               HasSubstr("must be more than 0"));
   EXPECT_THAT(changed("interval           :0.001", "interval           :1e-30"),
-              HasSubstr("times that increase"));
+              HasSubstr("does not give increasing times"));
   // 1e16, 1.0000000000000002e16 and the same again: between 1e16 and 2e16 doubles are 2 apart.
   EXPECT_THAT(changed("sample        :-0.001\nSampling interval           :0.001",
                       "sample        :1e16\nSampling interval           :1.2"),
-              HasSubstr("times that increase"));
+              HasSubstr("does not give increasing times"));
   EXPECT_THAT(changed("interval           :0.001", "interval           :NOVALUE"), HasSubstr("is missing"));
   EXPECT_THAT(changed("interval ", "intervall"), HasSubstr("Sampling interval: is missing"));
   EXPECT_THAT(changed("sample        :-0.001", "sample        :x"), HasSubstr("must be a number"));
-  EXPECT_THAT(changed(":implicit", ":explicit"), HasSubstr("needs a channel of times"));
+  EXPECT_THAT(changed(":implicit", ":explicit"), HasSubstr("needs a time channel"));
   EXPECT_THAT(changed(":implicit", ":explicit\nReference channel name :10TIRS000000TI00"),
-              HasSubstr("the channel of times, 10TIRS000000TI00, is missing"));
+              HasSubstr("the time channel, 10TIRS000000TI00, is missing"));
   EXPECT_THAT(changed(":implicit", ":other"), HasSubstr("must be implicit or explicit"));
-  EXPECT_THAT(changed(":g", ":NOVALUE"), HasSubstr("the acceleration needs a unit"));
+  EXPECT_THAT(changed(":g", ":NOVALUE"), HasSubstr("the acceleration has no unit"));
   EXPECT_THAT(changed(":g", ":furlong"), HasSubstr("Unit = furlong"));
 }
 
 TEST(iso_mme, files_that_are_missing_are_told) {
   Files files = sample_test();
   files.erase("v1.mme");
-  EXPECT_THAT(said(files), HasSubstr("holds no .mme file"));
-  EXPECT_THAT(said({{"v1.mme", "Title :x\n"}}), HasSubstr("holds no channel: no file Channel/v1.001"));
+  EXPECT_THAT(said(files), HasSubstr("contains no .mme file"));
+  EXPECT_THAT(said({{"v1.mme", "Title :x\n"}}),
+              HasSubstr("contains no channels: there is no file Channel/v1.001"));
   files = sample_test();
   files.erase("Channel/v1.001");
   EXPECT_THAT(said(files, {.channel = "11HEAD0000H3ACXA"}), HasSubstr("its file is missing"));
@@ -369,10 +372,10 @@ TEST(iso_mme, nothing_outside_of_the_folder_is_read) {
   EXPECT_EQ(said(test, {.channel = "2"}), "");
   fs::remove_all(test / "Channel");
   fs::create_directory_symlink(secret / "Channel", test / "Channel");
-  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("holds no channel"));
+  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("contains no channels"));
   fs::remove(test / "v1.mme");
   fs::create_symlink(secret / "v1.mme", test / "v1.mme");
-  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("holds no .mme file"));
+  EXPECT_THAT(said(test, {.channel = "1"}), HasSubstr("contains no .mme file"));
 }
 
 }  // namespace

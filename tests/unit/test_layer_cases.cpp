@@ -75,11 +75,10 @@ TEST(LayerCases, AreWrittenAsTheyAreRead) {
 TEST(LayerCases, AreShown) {
   const input::CaseFile file = read(layered_case);
   const UnitSystem units = unit_system("si");
-  EXPECT_THAT(
-      output::case_text(file.impact, units),
-      HasSubstr(
-          "in 2 layers, 20 mm team-wendy-hard-pu (foam law), then 30 mm foam of the case (elastic law), "
-          "cut to 0.02 m2, on"));
+  EXPECT_THAT(output::case_text(file.impact, units),
+              HasSubstr("a pad of 2 layers, 20 mm of team-wendy-hard-pu (foam law), then 30 mm of foam of "
+                        "the case (elastic "
+                        "law), 50 mm thick in all, cut to an area of 0.02 m2, on"));
   const std::string si = output::case_in_si(file.impact, file.options);
   EXPECT_THAT(si, HasSubstr("pad.layers[2].scale = 1.5\n"));
   EXPECT_THAT(si, HasSubstr("pad.layers[2].parameters.modulus = 300000 Pa\n"));
@@ -95,11 +94,11 @@ TEST(LayerCases, ThatAreBadAreRefusedWithOneFault) {
   std::string many = "area = \"0.02 m2\"";
   for (int i = 0; i < 7; ++i) many += "\n[[pad.layers]]\nthickness = \"5 mm\"\nmaterial = \"eps-15\"";
   const std::vector<BadCase> cases{
-      {"20 mm", "1e-9 mm", "pad.layers[1].thickness", "at least 1e-06 of the pad thickness"},
+      {"20 mm", "1e-9 mm", "pad.layers[1].thickness", "at least 1e-06 times the pad thickness"},
       {"20 mm", "-1 mm", "pad.layers[1].thickness", "more than 0"},
       {"20 mm", "20 s", "pad.layers[1].thickness", "a length is needed"},
       {"20 mm", "200 m", "pad.thickness", "between"},
-      {"area = \"0.02 m2\"", "thickness = \"50 mm\"", "pad.thickness", "the sum of the layers"},
+      {"area = \"0.02 m2\"", "thickness = \"50 mm\"", "pad.thickness", "the layers determine it"},
       {"area = \"0.02 m2\"", "material = \"eps-15\"", "pad.material", "each layer has its own"},
       {"area = \"0.02 m2\"", "scale = 2", "pad.scale", "each layer has its own"},
       {"area = \"0.02 m2\"", many, "pad.layers", "1 to 8 layers"},
@@ -108,14 +107,15 @@ TEST(LayerCases, ThatAreBadAreRefusedWithOneFault) {
       {first, first + "\ndensity = \"1e9 kg/m3\"", "pad.layers[1].density", ""},
       {first, first + "\ncolour = \"red\"", "pad.layers[1].colour", "unknown key"},
       {"300 kPa", "-1 Pa", "pad.layers[2].parameters.modulus", "more than 0"},
-      {first, "material = \"ensolite-aac-9\"", "pad.layers[1].material", "nine-parameter jumps and falls"},
+      {first, "material = \"ensolite-aac-9\"", "pad.layers[1].material",
+       "nine-parameter law jumps and falls"},
       {first, "material = \"ensolite-aac-21\"", "pad.layers[1].material",
-       "twenty-one-parameter jumps and falls"},
+       "twenty-one-parameter law jumps and falls"},
       {first, "material = \"vn600\"", "pad.layers[1].material", "at 10.5 per second falls"},
       {law,
        "law = \"rigid-foam\"\n[pad.layers.parameters]\ncrush_stress = \"200 kPa\"\ncrush_strain = 0.6\n"
        "second_stress = \"400 kPa\"\nsecond_strain = 0.8",
-       "pad.layers[2].law", "rigid in unloading"},
+       "pad.layers[2].law", "rigid on unloading"},
       {law,
        "law = \"viscoelastic-foam\"\n[pad.layers.parameters]\nfirst_modulus = \"30 kPa\"\nfirst_exponent = "
        "6\n"
@@ -227,8 +227,8 @@ TEST(LayerCases, SayWhatEachLayerWentThrough) {
   EXPECT_GT(solution.summary.layers[0].peak_strain_rate, 50);
   const std::string text =
       test::impact_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::main);
-  EXPECT_THAT(text, HasSubstr("EXTRAPOLATED STRAIN: layer 1 (team-wendy-hard-pu): strain reaches"));
-  EXPECT_THAT(text, HasSubstr("Strain of layer 2"));
+  EXPECT_THAT(text, HasSubstr("EXTRAPOLATED STRAIN: in layer 1 (team-wendy-hard-pu), the strain reaches"));
+  EXPECT_THAT(text, HasSubstr("Peak strain in layer 2"));
   EXPECT_THAT(text, testing::ContainsRegex("rate\\s+up\\s+to\\s+[0-9]+"));
   const std::string all =
       test::impact_text(impact, solution.summary, std::nullopt, unit_system("si"), output::Detail::all);

@@ -157,7 +157,7 @@ TEST_F(MaterialDeckTest, FuChangFoamWithEachKindOfTable) {
   EXPECT_EQ(foam_of_table.curves.base, BaseCurve(soft_in_si));
   EXPECT_EQ(foam_of_table.curves.rate_effect, RateEffect(CurvesRateEffect{{{50, stiff_in_si}}, true}));
   EXPECT_THAT(all[0].assumptions, IsEmpty());
-  EXPECT_THAT(all[0].differences, Contains(HasSubstr("extrapolates")));
+  EXPECT_THAT(all[0].differences, Contains(HasSubstr("solvers extrapolate")));
   EXPECT_THAT(all[0].material.reservations, Contains(HasSubstr("jumps")));
 
   const std::string by_number = points({{"0.002", "1"}, {"50.0", "2"}});
@@ -199,7 +199,7 @@ TEST_F(MaterialDeckTest, WhatACardCannotSayIsListed) {
       "*DEFINE_CURVE\n1\n-0.5,-1\n-0.1,-0.5\n0,0\n.1,.02\n.4,.03\n.7,.11\n");
   for (const char* const name : {"TC", "BETA", "DAMP", "FAIL", "BVFLAG", "ED", "BETA1", "KCON", "REF"})
     EXPECT_THAT(all[0].differences, Contains(testing::StartsWith(std::string(name) + " = ")));
-  EXPECT_THAT(all[0].differences, Contains(HasSubstr("curve 1: 2 points of tension were left out")));
+  EXPECT_THAT(all[0].differences, Contains(HasSubstr("curve 1: 2 points in tension were left out")));
   EXPECT_EQ(std::get<Foam>(all[0].material.law).curves.base, BaseCurve(soft_in_si));
 }
 
@@ -230,7 +230,7 @@ TEST_F(MaterialDeckTest, AYieldStressAtStrainZeroIsReachedAlongTheModulus) {
   EXPECT_THAT(std::vector(curve.strain.begin() + 3, curve.strain.end()), ElementsAre(0.5, 0.7));
   EXPECT_TRUE(violations(all[0].material).empty());
   EXPECT_GE(foam.unloading_modulus, 4e6);
-  EXPECT_THAT(all[0].differences, Contains(HasSubstr("rises along the modulus")));
+  EXPECT_THAT(all[0].differences, Contains(HasSubstr("rises along the elastic line")));
 }
 
 TEST_F(MaterialDeckTest, AModulusThatIsTooLowIsRaised) {
@@ -360,16 +360,16 @@ TEST_F(MaterialDeckTest, WhatLaw62SaysMoreIsListed) {
 
 TEST_F(MaterialDeckTest, Law62ThatACardCannotSayIsRefused) {
   EXPECT_THAT(faults(law_62("                 0.0         3         2\n")),
-              ElementsAre(HasSubstr("5: /MAT/LAW62: N = 3: must be between 1 and 2")));
+              ElementsAre(HasSubstr("5: /MAT/LAW62: N = 3: must be from 1 to 2")));
   EXPECT_THAT(faults(law_62("                 0.0         2         3\n")),
-              ElementsAre(HasSubstr("5: /MAT/LAW62: M = 3: must be between 0 and 2")));
+              ElementsAre(HasSubstr("5: /MAT/LAW62: M = 3: must be from 0 to 2")));
   for (const char* const ratios : {"                 0.6                 0.4\n", "                 1.1\n",
                                    "                -0.1                 0.2\n"})
     EXPECT_THAT(faults(law_62(law_62_flags, ratios)), ElementsAre(HasSubstr("8: /MAT/LAW62: gamma_i = ")));
   EXPECT_THAT(faults(law_62(law_62_flags, "                 0.6                   x\n")),
               ElementsAre(HasSubstr("8: /MAT/LAW62: gamma_2 = x")));
   EXPECT_THAT(faults("/MAT/LAW62/7\nFoam\n             6.0E-11\n" + law_62_flags),
-              ElementsAre(HasSubstr("ends after 2 lines")));
+              ElementsAre(HasSubstr("ends after only 2 lines")));
   std::string negative = law_62(law_62_flags);
   negative.replace(negative.find(" 0.04"), 5, "-0.04");
   EXPECT_THAT(faults(negative), ElementsAre(HasSubstr("1: /MAT/LAW62: parameters.second_modulus")));
@@ -381,7 +381,7 @@ TEST_F(MaterialDeckTest, TheUnitsOfARadiossDeckMustBeThoseStated) {
       "                  kg                  mm                  ms\n";
   EXPECT_NO_THROW(read(begin + law_90 + radioss_functions, "kg-mm-ms"));
   EXPECT_THAT(faults(begin + law_90 + radioss_functions),
-              ElementsAre(HasSubstr("4: units = kg: is not t"), HasSubstr("4: units = ms: is not s")));
+              ElementsAre(HasSubstr("4: units = kg: must be t"), HasSubstr("4: units = ms: must be s")));
 }
 
 TEST_F(MaterialDeckTest, SeveralMaterialsHaveNamesOfTheirOwn) {
@@ -411,8 +411,7 @@ TEST_F(MaterialDeckTest, EachFaultNamesItsLine) {
               ElementsAre(HasSubstr("6: curve 1: A1 = 0.1       0.02: is not a number (columns 1 to 20)")));
   EXPECT_THAT(curve("0.1\t0.02\n"), Contains(HasSubstr("6: contains a tab")));
   EXPECT_THAT(curve("0.1,0.02\n0.4,0.03\n"), ElementsAre(HasSubstr("4: curve 1: has 2 points")));
-  EXPECT_THAT(curve("0.1,&peak\n"),
-              ElementsAre(HasSubstr("is a parameter that no *PARAMETER of this deck defines")));
+  EXPECT_THAT(curve("0.1,&peak\n"), ElementsAre(HasSubstr("is not defined by any *PARAMETER in this deck")));
   EXPECT_THAT(curve("0.1,1e999\n"), ElementsAre(HasSubstr("is too large or too small")));
   EXPECT_THAT(curve("\xff\xfe,1\n"), Contains(HasSubstr("6: curve 1: A1 = ")));
 }
@@ -431,14 +430,14 @@ TEST_F(MaterialDeckTest, ParametersStandForNumbers) {
               ElementsAre());
   for (const auto& [expression, rule] : std::vector<std::pair<std::string, std::string>>{
            {"1/(2-2)", "divides by zero"},
-           {"2*b", "uses b, which is not defined before it"},
-           {"a", "uses a, which is not defined before it"},
-           {"(1+2", "a bracket that is not closed"},
-           {"1 2", "does not end before"},
-           {"ln(2)", "uses the function ln, which is not read"},
-           {"exp(1000)", "is no finite number"},
-           {std::string(30, '(') + "1" + std::string(30, ')'), "more than 20 brackets"},
-           {"", "needs a number before"}})
+           {"2*b", "uses b, which is not defined above it"},
+           {"a", "uses a, which is not defined above it"},
+           {"(1+2", "an unclosed bracket"},
+           {"1 2", "has unexpected text at its end: \"2\""},
+           {"ln(2)", "uses the function ln, which is not supported"},
+           {"exp(1000)", "is not a finite number"},
+           {std::string(30, '(') + "1" + std::string(30, ')'), "is nested more than 20 levels deep"},
+           {"", "ends where a number is needed"}})
     EXPECT_THAT(
         faults("*PARAMETER_EXPRESSION\nR a       " + expression + "\n" + low_density_foam() + curve_1),
         Contains(AllOf(HasSubstr("2: parameter a"), HasSubstr(rule))))
@@ -449,12 +448,12 @@ TEST_F(MaterialDeckTest, ParametersStandForNumbers) {
 
 TEST_F(MaterialDeckTest, CurvesOutOfReachAreNamedForWhatTheyAre) {
   EXPECT_THAT(faults(low_density_foam() + "*DEFINE_CURVE_SMOOTH\n1,0,1,0,0.01,0.1\n"),
-              ElementsAre(HasSubstr("curve 1 is a *DEFINE_CURVE_SMOOTH, which is not read")));
+              ElementsAre(HasSubstr("curve 1 is a *DEFINE_CURVE_SMOOTH; only *DEFINE_CURVE is read")));
   EXPECT_THAT(
       faults(low_density_foam() + "-----BEGIN PGP MESSAGE-----\nhQEM\n-----END PGP MESSAGE-----\n*END\n"),
-      ElementsAre(HasSubstr("a part of the deck is encrypted, from line 4 on, so *DEFINE_CURVE 1 cannot")));
+      ElementsAre(HasSubstr("part of the deck is encrypted, from line 4 on, so *DEFINE_CURVE 1 cannot")));
   EXPECT_THAT(faults("*MAT_063\n3,4e-11,50,0,1,0.1,0.1,1\n0.3,1.2,0.1\n" + curve_1),
-              ElementsAre(HasSubstr("MODEL = 1: is not read; must be 0")));
+              ElementsAre(HasSubstr("MODEL = 1: must be 0 (a curve against volumetric strain)")));
 }
 
 TEST_F(MaterialDeckTest, PlateausOfEqualStressAreRead) {
@@ -509,14 +508,14 @@ TEST_F(MaterialDeckTest, FoamsOfAbaqusAreRead) {
   EXPECT_EQ(curve.second_exponent, -2);
   const auto damped =
       read("*MATERIAL, NAME=F\n*HYPERFOAM, N=1\n0.03,6,0\n*MULLINS EFFECT\n1.5,0.1,0.1\n").at(0);
-  EXPECT_THAT(damped.differences, Contains(HasSubstr("*MULLINS EFFECT is left out")));
-  EXPECT_THAT(damped.assumptions, Contains(HasSubstr("without loss")));
+  EXPECT_THAT(damped.differences, Contains(HasSubstr("*MULLINS EFFECT and its energy loss are left out")));
+  EXPECT_THAT(damped.assumptions, Contains(HasSubstr("without loss at that rate")));
   EXPECT_THAT(faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=3\n1,2,3,4,5,6,0,0\n"),
               ElementsAre(HasSubstr("must be 1 or 2")));
   EXPECT_THAT(faults("*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n"),
               ElementsAre(HasSubstr("has no *UNIAXIAL TEST DATA")));
   EXPECT_THAT(faults("*MATERIAL, NAME=F\n*ELASTIC\n1,0\n"),
-              ElementsAre(HasSubstr("holds no *LOW DENSITY FOAM")));
+              ElementsAre(HasSubstr("contains no Abaqus *LOW DENSITY FOAM")));
 }
 
 TEST_F(MaterialDeckTest, DecksThatAreCutShortAreRefused) {
@@ -526,20 +525,23 @@ TEST_F(MaterialDeckTest, DecksThatAreCutShortAreRefused) {
   EXPECT_THAT(faults("*MAT_057\n7,1e-10,0.5,1\n" + curve_1),
               ElementsAre(HasSubstr("1: *MAT_057: ends after 1 of 2 lines")));
   EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards), ElementsAre(HasSubstr("there is no *DEFINE_TABLE 3")));
-  EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n0.01\n10\n" + curve_1),
-              ElementsAre(HasSubstr("9: table 3: has 2 rates")));
+  EXPECT_THAT(
+      faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n0.01\n10\n" + curve_1),
+      ElementsAre(HasSubstr(
+          "9: table 3: must be directly followed by one *DEFINE_CURVE per rate, 2 in all; number 2")));
   EXPECT_THAT(faults("*MAT_083\n" + fu_chang_cards + "*DEFINE_TABLE\n3\n10\n0.01\n" + curve_1 + curve_2),
               ElementsAre(HasSubstr("9: *MAT_083: rate = 0.01: must be more than the previous rate")));
   EXPECT_THAT(faults(law_90), testing::SizeIs(2));
-  EXPECT_THAT(faults("/MAT/LAW90/7\nFoam\n"), ElementsAre(HasSubstr("1: /MAT/LAW90: ends after 0 lines")));
+  EXPECT_THAT(faults("/MAT/LAW90/7\nFoam\n"),
+              ElementsAre(HasSubstr("1: /MAT/LAW90: ends after only 0 lines")));
   EXPECT_THAT(faults("*MAT_ELASTIC\n1\n"),
-              ElementsAre(AllOf(HasSubstr("holds no *MAT_057"), HasSubstr("*MAT_ELASTIC"))));
+              ElementsAre(AllOf(HasSubstr("contains no *MAT_057"), HasSubstr("*MAT_ELASTIC"))));
   EXPECT_THAT(faults("/MAT/LAW1/1\n"), ElementsAre(HasSubstr("/MAT/LAW1")));
   EXPECT_THAT(faults("title = \"a card\"\n"), ElementsAre(HasSubstr("is not a deck")));
   EXPECT_THAT(faults(""), ElementsAre(HasSubstr("is empty")));
   EXPECT_THAT(faults(std::string("*MAT\0", 5)), ElementsAre(HasSubstr("is not text")));
   EXPECT_THAT(faults(low_density_foam() + curve_1 + curve_1),
-              ElementsAre(HasSubstr("10: curve 1: appears twice; first in line 4")));
+              ElementsAre(HasSubstr("10: curve 1: is defined twice, first on line 4")));
 }
 
 TEST_F(MaterialDeckTest, OptionsWithoutACounterpartAreRefused) {
@@ -654,7 +656,7 @@ TEST_P(RoundTrip, ViscoelasticFoams) {
   const std::string deck =
       output::material_deck(material_of(foam), {"radioss-62", consistent_system(GetParam())});
   EXPECT_THAT(read(deck, GetParam())[0].differences, ElementsAre(HasSubstr("Piola")));  // Flag_Visc is 1
-  EXPECT_THAT(deck, HasSubstr("# Not in this deck: In the solver the second Piola-Kirchhoff stress relaxes"));
+  EXPECT_THAT(deck, HasSubstr("# Difference from the card: In the solver the second Piola-Kirchhoff"));
   foam.first_share = 987.654321, foam.second_share = 0.123456789;
   EXPECT_EQ(there_and_back(foam, "radioss-62"), foam);
   foam.second_share = 0, foam.second_time = 1;

@@ -154,11 +154,12 @@ TEST(measured_tests, files_that_are_no_tables) {
   data.remove(rows).remove(groups);
   data.replace("table-3-2.csv", "projectile,speed_mph", "speed_mph,projectile");
   data.replace("supports.csv", "plate,1,5180", "plate,1");
-  EXPECT_THAT(data.faults(),
-              ElementsAre("table-3-1.csv: no such file", "table-3-1-unplaced.csv: no such file",
-                          HasSubstr("table-3-2.csv:3: must name these columns first: projectile, speed_mph"),
-                          HasSubstr("supports.csv:8: has 2 fields; the columns are 3"),
-                          "supports.csv: has no point of the plate"));
+  EXPECT_THAT(
+      data.faults(),
+      ElementsAre("table-3-1.csv: no such file", "table-3-1-unplaced.csv: no such file",
+                  HasSubstr("table-3-2.csv:3: must name these columns, in this order: projectile, speed_mph"),
+                  HasSubstr("supports.csv:8: must have 3 fields, not 2"),
+                  "supports.csv: has no point for the plate"));
 }
 
 struct WrongText {
@@ -181,30 +182,31 @@ TEST_P(measured_tests_rules, is_a_fault) {
 constexpr WrongText wrong_texts[] = {
     {"energy", rows, "13.2,290", "13.2,300",
      "energy_in_lb = 300: must be within 1 % of M V^2/2, which is 289.8"},
-    {"rebound", rows, "187,3.7", "187,10.6", "rebound_mph = 10.6: must be less than the speed of the impact"},
+    {"rebound", rows, "187,3.7", "187,10.6", "rebound_mph = 10.6: must be less than the impact speed"},
     {"weight", rows, "3,aluminium,4.13,load-cell,12.9,277", "3,aluminium,4.14,load-cell,12.9,277",
-     "weight_lb = 4.14: must be that of the rows before: 4.13"},
+     "weight_lb = 4.14: must be 4.13, as in earlier rows for this projectile"},
     {"strain", rows, "0.82", "1", "plug_strain = 1: must be less than 1"},
     {"infinite", rows, "4390", "inf", "peak_force_lb = inf: must be a finite number"},
     {"half_a_test", rows, "\n1,aluminium", "\n0.5,aluminium", "test = 0.5: must be a whole number"},
     {"total_time", rows, "354.5,9.1,,,", "354.5,9.1,5.0,4.0,",
      "time_to_peak_ms = 5.0: must be less than the total time"},
-    {"too_many", groups, "1060 686 636 1873 819", "1 2 3 4 5 6 7 8", "8 readings cannot belong to 7 tests"},
+    {"too_many", groups, "1060 686 636 1873 819", "1 2 3 4 5 6 7 8", "must be at most 7, not 8"},
     {"over_a_reading", groups, "peak_force_lb,7,13", "peak_force_lb,6,13", "test 6 has a reading of its own"},
     {"no_test", groups, "rebound_mph,3,18", "rebound_mph,0.1,18", "first_test = 0.1: must be a whole number"},
     {"backwards", groups, "peak_force_lb,7,13", "peak_force_lb,13,7", "the last test must not come before"},
     {"beyond", groups, "plug_strain,28,33", "plug_strain,28,34", "there is no test 34 in table-3-1.csv"},
-    {"shared", groups, "plug_strain,19,24", "plug_strain,18,24", "shares tests with the group 1 to 18"},
-    {"reading", groups, "0.93", "-0.93", "\"-0.93\": must be more than 0"},
+    {"shared", groups, "plug_strain,19,24", "plug_strain,18,24",
+     "shares tests with the group for tests 1 to 18"},
+    {"reading", groups, "0.93", "-0.93", "\"-0.93\" must be more than 0"},
     {"no_reading", groups, "19,24,0.94", "19,24,", "readings: is missing"},
     {"twice", "printed-constants.csv", "\nexpected_travel_in", "\ntravel_in,1,in,here\nexpected_travel_in",
-     "name = travel_in: is there twice"},
+     "name = travel_in: appears twice"},
     {"no_stiffness", "supports.csv", "plate,1,5180", "plate,1e300,1e-300",
      "force_lb = 1e-300: gives a stiffness that is too large or too small"},
     {"endless_stiffness", "supports.csv", "plate,1,5180", "plate,1e-300,1e300",
      "force_lb = 1e300: gives a stiffness that is too large or too small"},
     {"two_plates", "supports.csv", "plate,1,5180", "plate,1,5180\nplate,2,10360",
-     "the plate is linear: one point"},
+     "the plate must have only one point"},
 };
 INSTANTIATE_TEST_SUITE_P(each, measured_tests_rules, ::testing::ValuesIn(wrong_texts),
                          [](const auto& rule) { return std::string(rule.param.name); });
@@ -212,10 +214,12 @@ INSTANTIATE_TEST_SUITE_P(each, measured_tests_rules, ::testing::ValuesIn(wrong_t
 TEST(measured_tests, constant_that_the_study_needs) {
   Data data;
   data.replace("printed-constants.csv", "expected_travel_in", "expected_trip_in");
-  EXPECT_THAT(data.faults(), ElementsAre("printed-constants.csv: has no constant expected_travel_in"));
+  EXPECT_THAT(data.faults(),
+              ElementsAre("printed-constants.csv: does not contain the constant expected_travel_in"));
   data.replace("printed-constants.csv", "inch_per_s_of_mph", "inch_per_s_of_knot");
-  EXPECT_THAT(data.faults(), ElementsAre("printed-constants.csv: has no constant inch_per_s_of_mph",
-                                         "printed-constants.csv: has no constant expected_travel_in"));
+  EXPECT_THAT(data.faults(),
+              ElementsAre("printed-constants.csv: does not contain the constant inch_per_s_of_mph",
+                          "printed-constants.csv: does not contain the constant expected_travel_in"));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(NoseRadius, MissingFiguresAreNoMisfit) {
   });
   EXPECT_TRUE(std::isnan(criterion.misfit[0]));
   EXPECT_NEAR(criterion.favoured_in, 3, 1e-12);
-  EXPECT_NE(criterion.remark.find("no figure at 3 of 11 radii"), std::string::npos) << criterion.remark;
+  EXPECT_NE(criterion.remark.find("no result at 3 of 11 radii"), std::string::npos) << criterion.remark;
   const RadiusCriterion bound = found([](double radius) -> Residuals {
     return {radius < 1.7 ? std::nullopt : std::optional(radius - 1.0), 0.01};
   });

@@ -73,7 +73,7 @@ TEST_F(Page, has_all_plots_without_its_script) {
   EXPECT_EQ(count(text_, "class=\"dp-plot\""), 10U) << "the curve that decides, the foam's, and all others";
   for (const char* heading : {"Force over time", "Deceleration over time", "Force against penetration",
                               "Force against displacement", "Penetration and displacement over time",
-                              "Energy over time", "Stress over the contact", "Strain over the contact"})
+                              "Energy over time", "Stress across the contact", "Strain across the contact"})
     EXPECT_TRUE(has("<h3>" + std::string{heading} + "</h3>")) << heading;
 }
 

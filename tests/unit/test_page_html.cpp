@@ -113,7 +113,7 @@ TEST(PageHtml, LeavesPointsOutAndSaysSo) {
   Document page;
   page.sections = {{.figures = {{.plot = many}}}};
   const std::string body = body_of(page);
-  EXPECT_THAT(body, HasSubstr("Of many points only one in 25 is drawn here."));
+  EXPECT_THAT(body, HasSubstr("Only one point in 25 is drawn."));
   EXPECT_LT(body.size(), 40'000U);
 }
 

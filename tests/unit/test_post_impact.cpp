@@ -93,7 +93,7 @@ TEST(PostImpact, NamesWhatIsWrong) {
   EXPECT_EQ(message({infinite, 1}, {infinite, 0}, 0.5), "post impact: both masses are infinite");
   EXPECT_EQ(message({1, 1}, {1, 1}, 0.5), "post impact: the bodies do not approach each other");
   for (const double absorbed : {-0.01, 1.01, unknown})
-    EXPECT_EQ(message({1, 1}, {1, 0}, absorbed), "post impact: the absorbed fraction is not in [0, 1]");
+    EXPECT_EQ(message({1, 1}, {1, 0}, absorbed), "post impact: the absorbed fraction is not between 0 and 1");
 }
 
 /// The velocities move by what the error makes of sqrt(C), within the linear range and at C = 0.

@@ -74,29 +74,29 @@ TEST_F(ProfileCsvTest, ReadsUnitsFromTheHeader) {
 TEST_F(ProfileCsvTest, SaysWhatIsWrongWithTheHeader) {
   expect_fault("", 0, "is empty");
   expect_fault("0,0\n5,20\n", 1, "names the columns");
-  expect_fault("depth_mm,width_mm\n0,0\n5,20\n", 1, "a column called radius or area is needed");
-  expect_fault("s_mm,radius_mm\n0,0\n5,20\n", 1, "a column called depth is needed");
+  expect_fault("depth_mm,width_mm\n0,0\n5,20\n", 1, "needs a radius or area column in the header");
+  expect_fault("s_mm,radius_mm\n0,0\n5,20\n", 1, "needs a depth column in the header");
   expect_fault("depth_mm,radius_mm,area_mm2\n0,0,0\n5,20,30\n", 1, "not both");
-  expect_fault("depth,radius_mm\n0,0\n5,20\n", 1, "needs a unit");
+  expect_fault("depth,radius_mm\n0,0\n5,20\n", 1, "the depth column needs a unit");
   expect_fault("depth_mm,radius_kg\n0,0\n5,20\n", 1, "a length is needed");
-  expect_fault("depth_mm,depth_cm,radius_mm\n0,0,0\n5,20,30\n", 1, "a second column called depth");
+  expect_fault("depth_mm,depth_cm,radius_mm\n0,0,0\n5,20,30\n", 1, "is a second column called depth");
 }
 
 TEST_F(ProfileCsvTest, SaysWhatIsWrongWithARow) {
   const std::string head = "depth_mm,radius_mm\n0,0\n";
-  expect_fault(head, 0, "needs two rows or more");
+  expect_fault(head, 0, "needs at least two rows");
   expect_fault("depth_mm,radius_mm\n1,0\n5,20\n", 2, "the first depth must be 0");
   expect_fault(head + "5,20\n4,30\n", 4, "the depth must exceed the previous depth");
   expect_fault(head + "5,20\n5,30\n", 4, "the depth must exceed the previous depth");
-  expect_fault(head + "5,20\n6,19\n", 4, "must not fall");
-  expect_fault("depth_mm,radius_mm\n0,-1\n5,20\n", 2, "must not be below 0");
+  expect_fault(head + "5,20\n6,19\n", 4, "the radius must not decrease");
+  expect_fault("depth_mm,radius_mm\n0,-1\n5,20\n", 2, "the radius must not be negative");
   expect_fault(head + "5,nan\n", 3, "finite");
   expect_fault(head + "5,wide\n", 3, "number");
   expect_fault(head + "5\n", 3, "");
   expect_fault(head + "5,0\n", 3, "must be more than 0");
   std::string many = head;
   for (int i = 1; i <= 10'000; ++i) many += fmt::format("{0},{0}\n", i);
-  expect_fault(many, 10'002, "more than 10000 rows");
+  expect_fault(many, 10'002, "has more than 10000 rows; thin them out");
   expect_fault(head + std::string(2 << 20, '1'), 0, "larger than 1 MiB");
 }
 

@@ -78,26 +78,26 @@ const std::vector<Style> styles{
     {"\"Time, of day [ms]\",\"Acc \"\"x\"\" [g]\"\n\"0\",\"1\"\n2,3\n", {}},
     {"\"Time\n(ms)\",Acc (g)\n0,1\n2,3\n", {}},
     {"# drop 7\nt_ms,a_g\n0,1\n# tea\n2,3\n",
-     {"1 line that begins with # among the numbers was left out, in line 4"}},
+     {"1 line that begins with # among the numbers was left out (line 4)"}},
     {"t_ms,a_g\n0,1\n#1,2\n2,3\n# 3,4\n#\n",
-     {"3 lines that begin with # among the numbers were left out, the first in line 3"}},
-    {"t_ms,a_g\n0,1\n0,1\n2,3\n", {"1 sample that repeats the previous one was left out, in line 3"}},
+     {"3 lines that begin with # among the numbers were left out (the first on line 3)"}},
+    {"t_ms,a_g\n0,1\n0,1\n2,3\n", {"1 sample that repeats the previous one was left out (line 3)"}},
     {"  t_ms   a_g\n   0.0   1.0\n +2.0   3.0\n", {}},
     {"0,1\n2,3\n", {}, {.time = "1", .acceleration = {"2"}, .time_unit = "ms", .acceleration_unit = "g"}},
     {"a_g,t_ms,note\n1,0,begin\n3,2,end\n", {}},
     {"time_s,force_N,acceleration_g,velocity_m_per_s\n0,9,1,9\n0.002,9,3,9\n", {}},
-    {"\xef\xbb\xbft_ms,a_g\n0,1\n2,3\n", {"a byte order mark at the beginning was left out"}},
+    {"\xef\xbb\xbft_ms,a_g\n0,1\n2,3\n", {"the byte order mark at the beginning was ignored"}},
     {"t_ms,a_g\r\n0,1\r\n2,3\r\n", {}},
     {"t_ms,a_g\r0,1\r2,3\r", {}},
     {"t_ms,a_g\n0,1\r\n2,3\r", {"the file has mixed line endings"}},
-    {"t_ms;a_g\n0,0;1,0\n2,0;3,0\n", {"decimal commas were read as points"}},
-    {"t_ms\ta_g\n0,0\t1,0\n2,0\t3\n", {"decimal commas were read as points"}},
-    {"t_ms a_g\n0,0 1,0\n2,0 3,0\n", {"decimal commas were read as points"}},
+    {"t_ms;a_g\n0,0;1,0\n2,0;3,0\n", {"decimal commas were read as decimal points"}},
+    {"t_ms\ta_g\n0,0\t1,0\n2,0\t3\n", {"decimal commas were read as decimal points"}},
+    {"t_ms a_g\n0,0 1,0\n2,0 3,0\n", {"decimal commas were read as decimal points"}},
     {"t_ms,a_g,,\n0,1,,\n2,3,,\n", {"empty columns at the end were left out"}},
-    {"t_ms,a_g\n\n0,1\n,\n2,3\n\n\n", {"1 line without content left out"}},
+    {"t_ms,a_g\n\n0,1\n,\n2,3\n\n\n", {"1 line without content was left out"}},
     {"t_ms,a_g\n0,1\n0,1\n0,1\n2,3\n",
-     {"2 samples that repeat the previous one were left out, the first in line 3"}},
-    {"# t_ms a_g\n0 1\n2 3\n", {"names of columns were read from the comment in line 1"}},
+     {"2 samples that repeat the previous one were left out (the first on line 3)"}},
+    {"# t_ms a_g\n0 1\n2 3\n", {"the column names were read from the comment on line 1"}},
     {"0,1\n2,3\n",
      {"the first of the two columns is used as the time, the second as the acceleration"},
      in_ms_and_g},
@@ -108,8 +108,13 @@ const std::vector<Style> styles{
     {"TIME (MSEC);HEAD ACC (GS)\n0;1\n2;3\n", {}},
     {"t_ms,acc (Gs)\n0,1\n2,3\n", {}},
     {"Timestamp [milliseconds];a_g\n0;1\n2;3\n", {}},
-    {"\"Time (ms)\",\"Acc (g)\"\n\"0,0\",\"1,0\"\n\"2,0\",\"3,0\"\n", {"decimal commas were read as points"}},
+    {"\"Time (ms)\",\"Acc (g)\"\n\"0,0\",\"1,0\"\n\"2,0\",\"3,0\"\n",
+     {"decimal commas were read as decimal points"}},
     {"t_ms,a_g\n-1,NaN\n0,1\n2,3\n", {"the first row has no value and was left out"}},
+    {"t_ms,a_g\n-1,#N/A\n0,1\n2,3\n", {"the first row has no value and was left out"}},
+    {"t_ms,a_g\n0,1\n2,3\n4,null\n6,n/a\n", {"the last 2 rows have no value and were left out"}},
+    {"t/ms;a/g\n0;1\n2;3\n", {}},
+    {"t/ms,a/(m/s^2)\n0,9.80665\n2,29.41995\n", {}},
     {"t_ms,a_g,comment,operator\n0,1\n2,3\n", {}},
     {"t_ms,a_g,comment\n0,1\n2,3,\n", {"empty columns at the end were left out"}},
     {"\n          X         A:A3 PI: HEAD N: 1\n\n     0.0E+00     1.0E+00\n     2.0E-03     3.0E+00\n",
@@ -120,7 +125,9 @@ const std::vector<Style> styles{
      in_ms_and_g},
     {"t_ms,a_g,F_N\n-1,,7\n0,1,7\n2,3,7\n4,,7\n6,NaN,7\n",
      {"the first row has no value and was left out", "the last 2 rows have no value and were left out"}},
-    {"t_s,a_g\n0,1\n2,3\n", {"t_s: the file says s; ms was given and is used"}, {.time_unit = "ms"}},
+    {"t_s,a_g\n0,1\n2,3\n",
+     {"t_s: the unit in the file is s, but ms was given and is used"},
+     {.time_unit = "ms"}},
 };
 
 TEST(pulse_csv, every_style_gives_the_same_pulse) {
@@ -199,19 +206,20 @@ std::string at_times(const std::vector<double>& times) {
 TEST(pulse_csv, missing_rows_are_refused_unless_they_are_to_be_bridged) {
   const std::string text = at_times({0, 1, 2, 3, 50, 51, 52});
   EXPECT_EQ(said(text),
-            ":6: t_ms: between lines 5 and 6 47 ms are missing, where samples are 1 ms apart; --bridge-gaps "
+            ":6: t_ms: has a gap of 47 ms between lines 5 and 6 (typical step: 1 ms); --bridge-gaps "
             "interpolates linearly");
   const injury::MeasuredPulse bridged = read(text, {.bridge_gaps = true});
-  EXPECT_THAT(bridged.remarks, ElementsAre("between lines 5 and 6 47 ms are missing; interpolated linearly"));
+  EXPECT_THAT(bridged.remarks,
+              ElementsAre("the gap of 47 ms between lines 5 and 6 was bridged by linear interpolation"));
   EXPECT_EQ(bridged.pulse.time.size(), 7U);
-  EXPECT_THAT(
-      said(at_times({0, 1, 2, 3, 5, 6, 7, 9, 10})),
-      ::testing::AllOf(HasSubstr("lines 5 and 6 2 ms"), HasSubstr("\n:9: t_ms: between lines 8 and 9 2 ms")));
+  EXPECT_THAT(said(at_times({0, 1, 2, 3, 5, 6, 7, 9, 10})),
+              ::testing::AllOf(HasSubstr("2 ms between lines 5 and 6"),
+                               HasSubstr("\n:9: t_ms: has a gap of 2 ms between lines 8 and 9")));
 }
 
 TEST(pulse_csv, a_gap_in_uneven_times_is_longer_than_all_around_it) {
   EXPECT_THAT(said(at_times({0, 1, 1.5, 3, 3.6, 5, 30, 31, 31.5, 33})),
-              HasSubstr("between lines 7 and 8 25 ms"));
+              HasSubstr("25 ms between lines 7 and 8"));
   EXPECT_EQ(said(at_times({0, 1, 1.5, 3, 3.6, 5, 13, 14, 14.5, 16})), "");  // 8 ms: less than 10 times 1 ms
 }
 
@@ -252,7 +260,7 @@ TEST(pulse_csv, a_table_without_times_is_read_with_an_interval) {
     EXPECT_EQ(measured.time.unit_origin, "given");
   }
   EXPECT_THAT(read("time [ms],a_g\n0,1\n0,3\n", {.interval = 2e-3}).remarks,
-              ElementsAre("the times of column 1, time [ms], were not read: --interval was given"));
+              ElementsAre("the times in column 1, time [ms], were not read because --interval was given"));
   EXPECT_THAT(read("count,a_g\n7,NaN\n8,1\n9,3\n", {.interval = 2e-3}).pulse.time, ElementsAre(2e-3, 4e-3));
   EXPECT_THAT(read("1,5\n3,5\n-2,5\n", {.acceleration_unit = "g", .interval = 2e-3}).pulse.acceleration,
               Pointwise(DoubleEq(), {1.5 * g, 3.5 * g, -2.5 * g}));
@@ -273,7 +281,7 @@ TEST(pulse_csv, times_of_a_clock_count_from_the_first_sample) {
   for (const char sign : {'.', ','}) {
     const injury::MeasuredPulse measured = read(table("1764068400", sign));
     EXPECT_EQ(measured.counts_from, std::string("1764068400") + sign + "1234 s");
-    EXPECT_THAT(measured.remarks.back(), HasSubstr("here they count from the first sample"));
+    EXPECT_THAT(measured.remarks.back(), HasSubstr("Dashpad counts them from the first sample"));
     for (std::size_t i = 1; i < 400; ++i)
       EXPECT_NEAR((measured.pulse.time[i] - measured.pulse.time[i - 1]) / 1e-4, 1, 1e-9) << i;
     EXPECT_EQ(measured.pulse.time.front(), 0);
@@ -297,6 +305,9 @@ TEST(pulse_csv, times_of_day_count_from_the_first_sample) {
            {"2024/05/01 10:00:00.000-0530", "2024/05/01 10:00:00.002-0530"},
            {"28.02.2024 23:59:59.999", "29.02.2024 00:00:00.001"},
            {"05/31/2024 11:59:59.999 PM", "06/01/2024 12:00:00.001 AM"},
+           {"05/31/2024 11:59:59.999 p.m.", "06/01/2024 12:00:00.001 a.m."},
+           {"2024-05-01 10:00:00.000 CEST", "2024-05-01 08:00:00.002 UTC"},
+           {"10:00:00.000 Uhr", "10:00:00.002 Uhr"},
            {"59:59.9990", "00:00.0010"},
            {"7:05:03.1234567", "7:05:03.1254567"}}) {
     SCOPED_TRACE(first);
@@ -319,14 +330,14 @@ TEST(pulse_csv, times_of_day_count_from_the_first_sample) {
               HasSubstr("must be a time of day, as in the first row of numbers"));
   EXPECT_THAT(said("Time,a_g\n10:00:01,1\n10:00:00,3\n"), HasSubstr("is earlier than the previous time"));
   EXPECT_THAT(said("Time,a_g\n10:00:01,1\n10:00:02,3\n", {.time_unit = "ms"}),
-              HasSubstr("is a time of day, which has no other unit: leave out --time-unit"));
+              HasSubstr("is a time of day and takes no unit: leave out --time-unit"));
 }
 
 /// Whole numbers beside 1,234 in one column: it may be 1234.
 TEST(pulse_csv, commas_of_thousands_are_not_taken_for_decimals) {
   EXPECT_THAT(said("t_ms;a_g\n0;987\n1;1,234\n2;12,345\n"),
-              HasSubstr(":3: its comma may separate thousands"));
-  EXPECT_THAT(said("t_ms,a_g\n0,987\n1,\"1,234\"\n"), HasSubstr(":3: its comma may separate thousands"));
+              HasSubstr(":3: the comma here may separate thousands"));
+  EXPECT_THAT(said("t_ms,a_g\n0,987\n1,\"1,234\"\n"), HasSubstr(":3: the comma here may separate thousands"));
   EXPECT_THAT(read("t_ms;a_g\n0;0\n1;1,234\n2;12,345\n").pulse.acceleration,
               Pointwise(DoubleEq(), {0.0, 1.234 * g, 12.345 * g}));
   EXPECT_EQ(said("t_ms;a_g\n0;987\n1;1,23\n"), "");
@@ -339,7 +350,7 @@ TEST(pulse_csv, samples_that_share_a_time_are_one_fault_with_the_interval_that_h
     packets += std::to_string(10 * (i / 5)) + "," + std::to_string(i) + "\n";
   }
   EXPECT_THAT(said(rounded), HasSubstr("--interval \"0.3878 ms\" (19 ms over 49 steps)"));
-  EXPECT_THAT(said(packets), HasSubstr("several samples share a time, 40 with the previous one"));
+  EXPECT_THAT(said(packets), HasSubstr("40 samples have the same time as the previous one"));
   EXPECT_THAT(said(packets), HasSubstr("--interval \"2 ms\" (90 ms over 45 steps)"));
   EXPECT_EQ(std::ranges::count(said(packets), '\n'), 0);
 }
@@ -352,8 +363,8 @@ TEST(pulse_csv, is_cut_on_the_printed_scale) {
   EXPECT_THAT(measured.remarks, ElementsAre("only the samples from 3 to 5 ms are used, 2 of 6"));
   EXPECT_THAT(said(text, {.cut = {.from = 2e-3}}), HasSubstr(":4: a_g = bad: must be a number"));
   EXPECT_THAT(said(text, {.cut = {.from = 8e-3}}),
-              HasSubstr("--from, --to: no sample is from 8 to 7 ms; the samples are from 0 to 7 ms"));
-  EXPECT_THAT(said(text, {.cut = {.to = 0.5e-3}}), HasSubstr("only one sample is from 0 to 0.5 ms"));
+              HasSubstr("--from, --to: there is no sample from 8 to 7 ms; the record runs from 0 to 7 ms"));
+  EXPECT_THAT(said(text, {.cut = {.to = 0.5e-3}}), HasSubstr("there is only one sample from 0 to 0.5 ms"));
   const injury::MeasuredPulse of_clock =
       read("Time,a_g\n10:00:00.000,7\n10:00:00.001,1\n10:00:00.003,3\n", {.cut = {.from = 1e-3}});
   EXPECT_EQ(of_clock.pulse.time.size(), 2U);
@@ -374,8 +385,8 @@ TEST(pulse_csv, labview_files_say_their_units_and_times) {
   const injury::MeasuredPulse none =
       read(lvm("No", "X_Value\tForce\tHead\tComment\n\t5,0\t1,0\tstart\n\t5,0\t3,0\n"));
   EXPECT_THAT(none.pulse.time, Pointwise(DoubleEq(), {1e-3, 3e-3}));
-  EXPECT_THAT(none.remarks, ElementsAre("the sampling interval, 2 ms, is that of the header",
-                                        "decimal commas were read as points"));
+  EXPECT_THAT(none.remarks, ElementsAre("the sampling interval, 2 ms, was read from the header",
+                                        "decimal commas were read as decimal points"));
   const injury::MeasuredPulse one =
       read(lvm("One", "X_Value\tForce\tHead\tComment\n0,0\t5,0\t1,0\n0,002\t5,0\t3,0\n"));
   EXPECT_THAT(one.pulse.time, Pointwise(DoubleEq(), {0.0, 2e-3}));
@@ -389,10 +400,10 @@ TEST(pulse_csv, labview_files_say_their_units_and_times) {
     EXPECT_EQ(measured.format, "LVM");
   }
   EXPECT_THAT(said(lvm("No", "X_Value\tF\tA\n\t5\t1\n\t5\t3\n") + lvm("No", "X_Value\tF\tA\n\t5\t1\n")),
-              HasSubstr("holds 3 measurements; put each into a file of its own"));
+              HasSubstr("contains 3 measurements; put each in a separate file"));
   EXPECT_THAT(said(lvm("Multi", "X_Value\tA\tX_Value\tB\n0\t5\t0\t1\n1\t5\t1\t3\n"),
                    {.time = "1", .acceleration = {"A", "B"}, .acceleration_unit = "g", .resultant = true}),
-              HasSubstr("X_Columns = Multi: each channel has times of its own"));
+              HasSubstr("X_Columns = Multi: each channel has its own times"));
   EXPECT_THAT(said("LabVIEW Measurement\nSeparator\tTab\n"), HasSubstr("has no line ***End_of_Header***"));
 }
 
@@ -436,98 +447,96 @@ struct Bad {
 std::vector<Bad> bad_files() {
   return {
       // Units.
-      {"time,acc\n0,1\n2,3\n", ":1: time: the time needs a unit; none is in the header: give --time-unit"},
-      {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration needs a unit; none is in the header"},
-      {"0,1\n2,3\n", ": column 2: the acceleration needs a unit"},
-      {"time [ms],acc [mile]\n0,1\n2,3\n", "no column is recognized as the acceleration"},
+      {"time,acc\n0,1\n2,3\n", ":1: time: the time has no unit in the header; give one with --time-unit"},
+      {"time,acc\n0,1\n2,3\n", ":1: acc: the acceleration has no unit in the header"},
+      {"0,1\n2,3\n", ": column 2: the acceleration has no unit"},
+      {"time [ms],acc [mile]\n0,1\n2,3\n", "no acceleration column was recognized"},
       {"time [ms],acc [kg]\n0,1\n2,3\n", "an acceleration is needed", {.acceleration = {"acc"}}},
       {"t_ms,a_g\n0,1\n2,3\n",
        "--acceleration-unit kg: an acceleration is needed",
        {.acceleration_unit = "kg"}},
       {"time_ms,acceleration_furlong_per_ms2\n0,1\n2,3\n",
-       "needs a unit; \"furlong_per_ms2\" in the header is not a known unit"},
+       "\"furlong_per_ms2\" in the header is not a known unit of acceleration; give one with"},
       {"time [ms],acc [mile]\n0,1\n2,3\n", "the unit \"mile\" of column 2 is not a unit of acceleration"},
       {"time [ms],acc [mm/fortnite2]\n0,1\n2,3\n", "unknown unit \"mm/fortnite2\""},
       {"t_ms,a_g\n0,1\n2,3\n", "--time-unit g: a time is needed", {.time_unit = "g"}},
       // Columns.
       {"t_ms,a_g,b_g\n0,1,2\n2,3,4\n",
-       "several columns may be the acceleration: a_g (2), b_g (3); choose with"},
-      {"t_ms,t2_ms,a_g\n0,1,2\n2,3,4\n", "several columns may be the time"},
-      {"t_ms,x,y\n0,1,2\n2,3,4\n",
-       "no column is recognized as the acceleration; name it with --acceleration"},
+       "several columns could be the acceleration: a_g (2), b_g (3); choose one with"},
+      {"t_ms,t2_ms,a_g\n0,1,2\n2,3,4\n", "several columns could be the time"},
+      {"t_ms,x,y\n0,1,2\n2,3,4\n", "no acceleration column was recognized; name it with --acceleration"},
       {"t_ms,a_g\n0,1\n2,3\n",
        "--acceleration b: no such column; available: t_ms (1), a_g (2)",
        {.acceleration = {"b"}}},
-      {"t_ms,a_g\n0,1\n2,3\n", "--time 3: the columns are 1 to 2", {.time = "3"}},
-      {"t_ms,a_g\n0,1\n2,3\n", "--time 0: the columns are 1 to 2", {.time = "0"}},
-      {"t_ms,a_g,a_g\n0,1,1\n2,3,1\n", "several columns have that name", {.acceleration = {"a_g"}}},
-      {"t_ms,a_g\n0,1\n2,3\n", "is both the time and an acceleration", {.acceleration = {"1"}}},
+      {"t_ms,a_g\n0,1\n2,3\n", "--time 3: columns are numbered 1 to 2", {.time = "3"}},
+      {"t_ms,a_g\n0,1\n2,3\n", "--time 0: columns are numbered 1 to 2", {.time = "0"}},
+      {"t_ms,a_g,a_g\n0,1,1\n2,3,1\n", "since several have that name", {.acceleration = {"a_g"}}},
+      {"t_ms,a_g\n0,1\n2,3\n", "was chosen both as the time and as an acceleration", {.acceleration = {"1"}}},
       {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "is named twice", {.acceleration = {"a_g", "2"}, .resultant = true}},
       {"t_ms,a_g,b_g\n0,1,1\n2,3,1\n", "combine them with --resultant", {.acceleration = {"2", "3"}}},
-      {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three accelerations, not 1", {.resultant = true}},
-      {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns may be", {.resultant = true}},
+      {"t_ms,a_g\n0,1\n2,3\n", "a resultant needs two or three columns, not 1", {.resultant = true}},
+      {"t_ms,a_g,b_g,c_g,d_g\n0,1,1,1,1\n2,3,1,1,1\n", "several columns could be", {.resultant = true}},
       // Numbers.
-      {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; there must be no gap"},
+      {"t_ms,a_g\n0,1\n1,\n2,3\n", ":3: a_g: is missing; gaps are not allowed"},
       {"t_ms,a_g\n0,1\n,2\n2,3\n", ":3: t_ms: is missing"},
       {"t_ms,a_g\n0,1\n1,x\n2,3\n", ":3: a_g = x: must be a number"},
       {"t_ms,a_g\n0,x\n1,2\n2,3\n", ":2: a_g = x: must be a number"},
       {"t_ms,a_g\nx,5\n1,2\n2,3\n", ":2: t_ms = x: must be a number"},
       {"t_ms,a_g\n0,1\n1,nan\n2,3\n", ":3: a_g = nan: must be a finite number"},
-      {"t_ms,a_g\n0,1\n1,NaN\n2,\n3,3\n", ":3: a_g = NaN: must be a finite number (and 1 more that follow)"},
+      {"t_ms,a_g\n0,1\n1,NaN\n2,\n3,3\n", ":3: a_g = NaN: must be a finite number (2 rows in succession)"},
       {"t_ms,a_g\n0,1\n1,-inf\n2,3\n", ":3: a_g = -inf: must be a finite number"},
       {"t_ms,a_g\n0,1\n1,1e400\n2,3\n", ":3: a_g = 1e400: is too large or too small"},
       {"t_ms,a_g\n0,1\n1,1e308\n2,3\n", ":3: a_g = 1e308: is too large or too small"},
       {"t_ms,a_g\n0,1\n1,0x10\n2,3\n", ":3: a_g = 0x10: must be a number"},
       {"t_ms,a_g\n0,1\n1,5 g\n2,3\n", ":3: a_g = 5 g: must be a number"},
-      {"t_ms;a_g\n0;1,5\n1;2.5\n2;3\n", ":3: a_g = 2.5: has a decimal point, but line 2 has a comma"},
-      {"t_ms;a_g\n0.0;1\n1;2,5\n2;3\n", ":3: a_g = 2,5: has a decimal comma, but line 2 has a point"},
+      {"t_ms;a_g\n0;1,5\n1;2.5\n2;3\n", ":3: a_g = 2.5: has a decimal point, but line 2 has a decimal comma"},
+      {"t_ms;a_g\n0.0;1\n1;2,5\n2;3\n", ":3: a_g = 2,5: has a decimal comma, but line 2 has a decimal point"},
       {"t_ms;a_g\n0;1.000,5\n1;2,5\n2;3\n", ":2: a_g = 1.000,5: must be a number"},
-      {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "decimal commas need another separator"},
+      {"t_ms,a_g\n0,0,1,0\n1,0,2,5\n", "with decimal commas, use another separator"},
       // Times.
       {"t_ms,a_g\n0,1\n0,2\n2,3\n",
-       ":3: t_ms: several samples share a time, 1 with the previous one: the times are rounded"},
+       ":3: t_ms: 1 sample has the same time as the previous one: either the times are rounded"},
       {"t_ms,a_g\n0,1\n2,2\n1,3\n", ":4: t_ms = 1: is earlier than the previous time"},
-      {"t_ms,a_g\n1,1\n", "has one sample only"},
-      {"t_ms,a_g\n1,1\n1,1\n", "has one sample only"},
+      {"t_ms,a_g\n1,1\n", "has only one sample"},
+      {"t_ms,a_g\n1,1\n1,1\n", "has only one sample"},
       // Rows.
       {"t_ms,a_g\n0,1\n1\n2,3\n", ":3: has 1 field where 2 are expected"},
       {"t_ms,a_g\n0,1\n1,2,3\n2,3\n", ":3: has 3 fields where 2 are expected"},
-      {"t_ms,a_g\n0,1\n\"1,2\n2,3\n", ":3: has a quote that is not closed"},
-      {"t_ms,a_g\n0,1\n\"1\"x,2\n2,3\n", ":3: has text after a closing quote"},
+      {"t_ms,a_g\n0,1\n\"1,2\n2,3\n", ":3: has a quotation mark that is not closed"},
+      {"t_ms,a_g\n0,1\n\"1\"x,2\n2,3\n", ":3: has text after a closing quotation mark"},
       {"", ": is empty"},
-      {"\n\n", "has no row of two numbers"},
-      {"t_ms,a_g\n", "has no row of two numbers"},
+      {"\n\n", "has no row with two or more numbers"},
+      {"t_ms,a_g\n", "has no row with two or more numbers"},
       // One column.
       {"t_ms\n1\n2\n", ":2: has one column of numbers and no times"},
       {"acc [g]\n0.1\n0.3\n0.2\n",
-       ":2: has one column of numbers and no times; if that is the acceleration, give the sample interval, "
-       "such as --interval \"0.1 ms\""},
+       ":2: has one column of numbers and no times; if this column is the acceleration, give the "
+       "sampling interval, such as --interval \"0.1 ms\""},
       {"acc [g]\n0,1\n0,3\n0,2\n", ":2: has one column of numbers"},
       {"Logger 12 34\nacc [g]\n0.1\n0.3\n0.2\n0.1\n", ":3: has one column of numbers"},
-      {"1\n3\n", ": column 1: the acceleration needs a unit", {.interval = 2e-3}},
-      {"acc [g]\n1\n\n3\n",
-       ":3: has no content; without times a sample may be missing here",
-       {.interval = 2e-3}},
+      {"1\n3\n", ": column 1: the acceleration has no unit", {.interval = 2e-3}},
+      {"acc [g]\n1\n\n3\n", ":3: is blank; without times, a sample may be missing here", {.interval = 2e-3}},
       {"acc [g]\n1\nx\n3\n", ":3: acc [g] = x: must be a number", {.interval = 2e-3}},
-      {"acc [g]\n1\n", "has one sample only", {.interval = 2e-3}},
-      {"ax [g],ay [g]\n1,2\n3,4\n", "several columns may be the acceleration", {.interval = 2e-3}},
+      {"acc [g]\n1\n", "has only one sample", {.interval = 2e-3}},
+      {"ax [g],ay [g]\n1,2\n3,4\n", "several columns could be the acceleration", {.interval = 2e-3}},
       // Volts.
       {"t_ms,ch1 [mV]\n0,1\n2,3\n",
-       "no column is recognized as the acceleration; name it with --acceleration: t_ms (1), ch1 [mV] (2); "
-       "column 2 "
-       "is in mV, for which --sensitivity is needed, such as \"10 mV/g\""},
+       "no acceleration column was recognized; name it with --acceleration; available: t_ms (1), ch1 [mV] "
+       "(2); column 2 is in mV and needs a sensitivity, such as --sensitivity \"10 mV/g\""},
       {"t_ms,ch1 [mV]\n0,1\n2,3\n",
-       ":1: ch1 [mV]: is in mV; --sensitivity, such as \"10 mV/g\", converts it to an acceleration",
+       ":1: ch1 [mV]: is in mV and needs a sensitivity, such as --sensitivity \"10 mV/g\"",
        {.acceleration = {"2"}}},
       {"t_ms,a_g\n0,1\n2,3\n",
-       ":1: a_g: is in g; --sensitivity is for a column in V or mV",
+       ":1: a_g: is in g, but --sensitivity applies only to voltages (V, mV)",
        {.sensitivity = {ten_mv_per_g()}}},
-      {"t_ms,acc\n0,1\n2,3\n", "give --acceleration-unit V, mV", {.sensitivity = {ten_mv_per_g()}}},
+      {"t_ms,acc\n0,1\n2,3\n",
+       "give one with --acceleration-unit (V, mV)",
+       {.sensitivity = {ten_mv_per_g()}}},
       {"t_ms,x [V],y [V],z [V]\n0,1,1,1\n2,3,3,3\n",
-       "2 sensitivities were given for 3 accelerations; give one for all, or one for each",
+       "2 sensitivities were given for 3 acceleration signals; give one for all or one for each",
        {.resultant = true, .sensitivity = {ten_mv_per_g(), ten_mv_per_g()}}},
       // No text.
-      {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it holds the byte 0"},
+      {std::string("t_ms,a_g\n0,1\n\0,2", 15), ":3: is not text: it contains the byte 0"},
       {"\xff\xfet", ":1: is UTF-16; save it as UTF-8"},
       {"\x7f"
        "ELF\x02\x01\x01",
@@ -544,11 +553,10 @@ TEST(pulse_csv, each_kind_of_bad_file_is_told) {
 
 TEST(pulse_csv, all_faults_are_told_at_once_but_not_without_end) {
   EXPECT_EQ(said("t_ms,a_g\n0,x\n1,2\n1,3\n4,\n5,1\n"),
-            ":2: a_g = x: must be a number\n:5: a_g: is missing; there must be no gap\n:4: t_ms: several "
-            "samples share a "
-            "time, 1 with the previous one: the times are rounded, or one stands for a packet of samples; if "
-            "the samples are "
-            "evenly spaced, give their interval: --interval \"2 ms\" (4 ms over 2 steps)");
+            ":2: a_g = x: must be a number\n:5: a_g: is missing; gaps are not allowed\n:4: t_ms: 1 sample "
+            "has the same time as the previous one: either the times are rounded, or each time applies to a "
+            "packet of samples; if the samples are evenly spaced, give their interval with --interval \"2 "
+            "ms\" (4 ms over 2 steps)");
   std::string text = "t_ms,a_g\n0,1\n";
   for (int i = 0; i < 100'000; ++i) text += "x,y\n";
   try {

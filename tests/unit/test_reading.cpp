@@ -75,7 +75,7 @@ TEST(reading, gives_all_faults_with_their_lines_and_throws_nothing) {
 
 TEST(reading, of_what_is_no_toml_is_a_fault_too) {
   EXPECT_THAT(shown(input::read_case_text("[impactor\nspeed = 1\n", "case.toml", materials).faults()),
-              ElementsAre(::testing::StartsWith("case.toml:1: is not TOML: ")));
+              ElementsAre(::testing::StartsWith("case.toml:1: is not valid TOML: ")));
   EXPECT_FALSE(input::read_case_text(std::string(20'000, '.') + " = 1", "case.toml", materials));
   EXPECT_FALSE(input::read_case_text("", "case.toml", materials));
 }

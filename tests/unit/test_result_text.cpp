@@ -64,7 +64,7 @@ TEST(ResultText, SaysWhereAFoamWasGivenNoLoss) {
   foam.curves.rate_effect = NoRateEffect{};
   EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
   foam.unloading_factor = 1;
-  EXPECT_THAT(shown_of(foam), HasSubstr("restitution 0.9622: no loss was stated for the pad"));
+  EXPECT_THAT(shown_of(foam), HasSubstr("restitution 0.9622; no loss is specified for the pad"));
   foam.unloading_curve = test::soft_table();
   EXPECT_THAT(shown_of(foam), Not(HasSubstr("no loss")));
 }
@@ -86,17 +86,18 @@ TEST(Numbers, HaveFiveSignificantDigits) {
 
 TEST(SummaryText, SaysFirstHowItEndedAndLastWhatStruckWhat) {
   const std::string head = "Peak 130 g\nHead on a dashboard\nThe impactor rebounded and left the pad.\n\n";
-  EXPECT_THAT(shown(test::example_summary(), "si", Detail::main),
-              AllOf(StartsWith(head + "  Peak "),
-                    HasSubstr("\n\nA sphere of mass 4.5 kg and radius 76.2 mm strikes, at 8.9408 m/s,\n"
-                              "a pad of 25.4 mm soft-foam (linear-viscoelastic law) on a support with a "
-                              "stiffness of 105 N/mm.\n"
-                              "Estimated numerical error")));
+  EXPECT_THAT(
+      shown(test::example_summary(), "si", Detail::main),
+      AllOf(StartsWith(head + "  Peak "),
+            HasSubstr("\n\nA sphere of mass 4.5 kg and radius 76.2 mm strikes, at 8.9408 m/s,\n"
+                      "a pad of soft-foam (linear-viscoelastic law), 25.4 mm thick, on a support with a "
+                      "stiffness of\n  105 N/mm.\n"
+                      "Estimated numerical error")));
   EXPECT_THAT(shown(test::example_summary()), StartsWith(head + "The impact:\n  Peak "));
   EXPECT_THAT(in_markdown(test::example_summary()),
               AllOf(StartsWith("# Peak 130 g\n\nHead on a dashboard\n\nThe impactor"),
                     HasSubstr("| Impactor | a sphere of mass 4.5 kg and radius 76.2 mm, at 8.9408 m/s | "),
-                    HasSubstr("| Pad | 25.4 mm soft-foam (linear-viscoelastic law) | "),
+                    HasSubstr("| Pad | soft-foam (linear-viscoelastic law), 25.4 mm thick | "),
                     HasSubstr("| Support | a support with a stiffness of 105 N/mm | ")));
 }
 
@@ -106,7 +107,7 @@ TEST(SummaryText, SaysEqualWindowsAndErrorsOnce) {
       AllOf(ContainsRegex("  Peak acceleration +100.0 g +at 5 ms\n"),
             ContainsRegex(
                 "  HIC15 +414\\.[67] +from [0-9.]+ to [0-9.]+ ms; the same for HIC36 and\\s+unlimited "
-                "HIC\n  3 ms clip +89.10 g +from 3.5 to 6.5 ms; the same for\\s+"
+                "HIC\n  3 ms clip +89.10 g +from 3.5 to 6.5 ms; the same for\\s+the\\s+"
                 "cumulative\\s+3 ms\\s+clip\n"),
             HasSubstr("Estimated numerical error at most 0.1 %, energy residual 0.005 %;"),
             Not(HasSubstr("±"))));
@@ -149,16 +150,17 @@ TEST(SummaryText, Fits100Columns) {
 }
 
 TEST(SummaryText, HasEachControlledFigureWithItsError) {
-  EXPECT_THAT(shown(test::example_summary()),
-              AllOf(ContainsRegex("Peak force +5768.8 N +± 0.003 %"),
-                    ContainsRegex("Peak acceleration +130.00 g +± 0.003 %"),
-                    ContainsRegex("Time to peak force +13.023 ms +± 0.002 %"),
-                    ContainsRegex("Peak penetration +20.320 mm +± 0.0003 % +80.000 % of the pad"),
-                    ContainsRegex("Peak displacement +79.965 mm +± 0.0001 %"),
-                    ContainsRegex("Rebound speed +8.6031 m/s +± 0.001 % +restitution 0.96223"),
-                    ContainsRegex("End of contact +24.200 ms +± 0.004 % +force below 0.1 % of its peak"),
-                    ContainsRegex("Energy absorbed by the pad +7.4147 % +± 0.002 % +of the 180 J"),
-                    ContainsRegex("Peak strain rate +")));
+  EXPECT_THAT(
+      shown(test::example_summary()),
+      AllOf(ContainsRegex("Peak force +5768.8 N +± 0.003 %"),
+            ContainsRegex("Peak acceleration +130.00 g +± 0.003 %"),
+            ContainsRegex("Time to peak force +13.023 ms +± 0.002 %"),
+            ContainsRegex("Peak penetration +20.320 mm +± 0.0003 % +80.000 % of the pad"),
+            ContainsRegex("Peak displacement +79.965 mm +± 0.0001 %"),
+            ContainsRegex("Rebound speed +8.6031 m/s +± 0.001 % +restitution 0.96223"),
+            ContainsRegex("End of contact +24.200 ms +± 0.004 % +force below 0.1 % of its peak"),
+            ContainsRegex("Energy absorbed by the pad +7.4147 % +± 0.002 % +of the impact energy, 180 J"),
+            ContainsRegex("Peak strain rate +")));
   EXPECT_THAT(
       in_markdown(test::example_summary()),
       HasSubstr("| to a tolerance of 0.01 % for peak forces, distances and rebound: 240 steps, 80 sampling "
@@ -170,7 +172,7 @@ TEST(SummaryText, SaysWhatTheWeightAddsToTheEnergy) {
   Summary summary = test::example_summary();
   summary.energy.weight = 25;
   EXPECT_THAT(shown(summary),
-              ContainsRegex("of the 180 J of the\\s+impact;\\s+the\\s+weight\\s+adds\\s+25\\s+J"));
+              ContainsRegex("of the impact\\s+energy,\\s+180\\s+J;\\s+gravity\\s+adds\\s+25\\s+J"));
 }
 
 TEST(SummaryText, SpeaksTheUnitsOfTheReport) {
@@ -179,7 +181,7 @@ TEST(SummaryText, SpeaksTheUnitsOfTheReport) {
                     ContainsRegex("Rebound speed +19.245 mph"), HasSubstr("1593.1 in·lbf")));
   EXPECT_THAT(
       shown(test::example_summary(), "us", Detail::main),
-      AllOf(HasSubstr("of mass 9.9208 lb and radius 3 in strikes, at 20 mph,"), HasSubstr("a pad of 1 in")));
+      AllOf(HasSubstr("of mass 9.9208 lb and radius 3 in strikes, at 20 mph,"), HasSubstr(", 1 in thick")));
 }
 
 TEST(SummaryText, SpeaksTheUnitsOfCrashLaboratories) {
@@ -193,7 +195,7 @@ TEST(SummaryText, SaysThatThePadBottomedOut) {
   EXPECT_THAT(
       shown(test::bottomed_out_summary()),
       AllOf(HasSubstr("bottomed out"),
-            HasSubstr("BOTTOMED at 5.9307 ms, the impactor still moving at 5.05 m/s"),
+            HasSubstr("BOTTOMED at 5.9307 ms with the impactor still moving at 5.05 m/s"),
             ContainsRegex("Peak force +none"), Not(HasSubstr("Rebound speed")), Not(HasSubstr("nan"))));
 }
 
@@ -226,9 +228,8 @@ TEST(SummaryText, SaysThatThePadStoppedTheImpactorAlsoWithTheToleranceMissed) {
   summary.contact_end.reset();
   for (const Status status : {Status::released, Status::tolerance_not_met}) {
     summary.status = status;
-    EXPECT_THAT(shown(summary),
-                AllOf(HasSubstr("\nThe pad stopped the impactor and does not push it back.\n"),
-                      Not(HasSubstr("rebounded"))));
+    EXPECT_THAT(shown(summary), AllOf(HasSubstr("\nThe pad stopped the impactor without pushing it back.\n"),
+                                      Not(HasSubstr("rebounded"))));
   }
   summary.release.reset();
   EXPECT_THAT(shown(summary), HasSubstr("\nThe computation stopped before the impactor left the pad.\n"));
@@ -240,7 +241,7 @@ TEST(SummaryText, TellsARigidSupportFromOneThatYieldsAlsoWithTheToleranceMissed)
   for (const Status status : {Status::bottomed_out, Status::tolerance_not_met}) {
     summary.status = status;
     EXPECT_THAT(shown(summary),
-                AllOf(ContainsRegex("5.05 m/s;\\s+figures\\s+are\\s+up\\s+to\\s+that\\s+moment"),
+                AllOf(ContainsRegex("5.05 m/s;\\s+the\\s+figures\\s+cover\\s+the\\s+time\\s+until\\s+then"),
                       Not(HasSubstr("yielded"))));
   }
   summary = test::example_summary();
@@ -273,7 +274,7 @@ TEST(CaseText, NamesTheSupport) {
   EXPECT_THAT(output::case_text(impact, unit_system("si")), HasSubstr("on a rigid support."));
   impact.support = Support::through({{0.001, 100}, {0.002, 900}});
   EXPECT_THAT(output::case_text(impact, unit_system("si")),
-              HasSubstr("a support with a force curve of 2 points, the last 900 N at 2 mm."));
+              HasSubstr("a support with a force curve of 2 points (up to 900 N at 2 mm)."));
 }
 
 TEST(CaseText, EchoesEveryValueInSI) {

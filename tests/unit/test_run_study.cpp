@@ -141,7 +141,7 @@ TEST_F(RunStudy, says_why_more_draws_cannot_be_taken_up) {
   };
   using enum study::Sampling;
   EXPECT_THAT(refusal(drawn_study(sobol, 16), drawn_study(sobol, 32), false),
-              testing::HasSubstr("with 16 rows, and the study has 32: --extend keeps its rows"));
+              testing::HasSubstr("has 16 rows where the study has 32; use --extend to keep these rows"));
   EXPECT_THAT(refusal(drawn_study(sobol, 32), drawn_study(sobol, 16), true),
               testing::HasSubstr("give another name"));
   EXPECT_THAT(refusal(drawn_study(latin_hypercube, 16), drawn_study(latin_hypercube, 32), true),

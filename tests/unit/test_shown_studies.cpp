@@ -215,7 +215,7 @@ TEST(ShownStudies, IndicesStandUnderTheirNames) {
   const Panel panel = index_figures(study_answers).at(0).plot.panels.at(0);
   std::vector<double> first, total, first_bands, total_bands;
   for (const Series& series : panel.series) {
-    const bool is_first = (series.label + series.of).starts_with("alone");
+    const bool is_first = (series.label + series.of).starts_with("by itself");
     if (series.style == SeriesStyle::points) (is_first ? first : total).push_back(series.x.at(0));
     if (series.style == SeriesStyle::band)
       (is_first ? first_bands : total_bands)

@@ -216,7 +216,7 @@ TEST(ShownValues, OfALongRecordTheImpactIsInTheMiddle) {
 
 TEST(ShownValues, OfDwellTimesAreAllAndTheLongest) {
   const std::string text = to_markdown(pulse_document(two_humps(-1), unit_system("si")));
-  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in total; longest 6 ms"));
+  EXPECT_THAT(text, testing::ContainsRegex("11.000 ms \\| in total; longest interval 6 ms"));
 }
 
 TEST(ShownValues, OfAPulseAreTheSameInAllUnits) {
@@ -268,7 +268,8 @@ TEST(ShownValues, OfTwoPulsesAreBothWithTheShiftThatIsTold) {
     const double peak =
         pulse_comparison.computed->peak.magnitude / pulse_comparison.measured.peak.magnitude - 1;
     ASSERT_GT(std::abs(peak), 0.01);
-    EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% below that" : "% above that"));
+    EXPECT_THAT(comparison_answer(both), testing::HasSubstr(peak < 0 ? "% lower than the measured one"
+                                                                     : "% higher than the measured one"));
     EXPECT_THAT(to_markdown(pulse_comparison_document(both, unit_system("si"))),
                 testing::HasSubstr(later > 0 ? "ms subtracted from the measured times"
                                              : "ms added to the measured times"));

@@ -99,7 +99,7 @@ TEST_F(Simulations, RunThatBreaksDownOnTheReboundKeepsWhatCameBefore) {
   EXPECT_NEAR(late.time_to_peak_ms.value_or(0), 6.3, 1e-3);
   EXPECT_NEAR(late.peak_strain.value_or(0), 1.1302733 / 1.2, 1e-4);
   EXPECT_NEAR(late.rebound_mph.value_or(0), 177.66 / 17.64, 0.01);
-  EXPECT_NE(late.remark.find("used up to 10.0 ms, where 5 % of the peak force is left"), std::string::npos)
+  EXPECT_NE(late.remark.find("used up to 10.0 ms, when the force is 5 % of its peak"), std::string::npos)
       << late.remark;
 }
 
@@ -124,7 +124,7 @@ TEST_F(Simulations, EarlyBreakdownOnTheReboundLeavesThePeaksAlone) {
   EXPECT_NEAR(late.time_to_peak_ms.value_or(0), 6.3, 1e-3);
   EXPECT_TRUE(late.peak_strain);
   EXPECT_FALSE(late.rebound_mph);
-  EXPECT_NE(late.remark.find("where 48 % of the peak force is left"), std::string::npos) << late.remark;
+  EXPECT_NE(late.remark.find("when the force is 48 % of its peak"), std::string::npos) << late.remark;
 }
 
 TEST_F(Simulations, AllOfThemComeInOrderAndAreRunOnce) {

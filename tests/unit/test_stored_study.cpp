@@ -371,7 +371,7 @@ TEST_F(StoredStudyTest, RowsThatStruckThroughHaveAColumnOfTheirOwn) {
     const study::StudyAnswers answers = answers_of_a_thousand(file(grid ? "grid.db" : "drawn.db"), grid);
     const std::string text = told(answers);
     EXPECT_THAT(text, AllOf(HasSubstr("BOTTOMED OUT: in 229 of 1000 rows (22.9 %)"),
-                            HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: 3 of 1000")));
+                            HasSubstr("TIME LIMIT: in 1 of 1000 rows"), HasSubstr("DOUBTFUL: in 3 of 1000")));
     EXPECT_THAT(
         tables_of(answers),
         AllOf(

@@ -58,7 +58,7 @@ TEST_F(StrainCsvTest, ReadsUnitsFromTheHeader) {
 TEST_F(StrainCsvTest, BeginsAtFirstContact) {
   const input::StrainTable table = read("time_s,strain\n2,0\n2.5,0.25\n");
   EXPECT_THAT(table.time, ElementsAre(0, 0.5));
-  EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("2 s, is first contact")));
+  EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("2 s, was taken as first contact and subtracted")));
 }
 
 TEST_F(StrainCsvTest, LeavesOutRowsThatRepeat) {
@@ -69,13 +69,13 @@ TEST_F(StrainCsvTest, LeavesOutRowsThatRepeat) {
 }
 
 TEST_F(StrainCsvTest, NeedsAHeaderThatSaysWhatIsWhat) {
-  EXPECT_THAT(first_rule("0,0\n1,0.5\n"), HasSubstr("needs a line above the numbers"));
+  EXPECT_THAT(first_rule("0,0\n1,0.5\n"), HasSubstr("needs a header line"));
   EXPECT_THAT(first_rule("time,strain\n0,0\n1,0.5\n"), HasSubstr("its unit is not stated"));
   EXPECT_THAT(first_rule("time_s,force [N]\n0,0\n1,0.5\n"), HasSubstr("no column for the strain"));
   EXPECT_THAT(first_rule("time_s,strain,strain [%]\n0,0,0\n1,0.5,50\n"),
-              HasSubstr("several columns may be the strain"));
+              HasSubstr("several columns could be the strain"));
   EXPECT_THAT(first_rule("time_s,strain [mm]\n0,0\n1,0.5\n"),
-              HasSubstr("is a displacement; over the thickness"));
+              HasSubstr("is a displacement; for a strain, give the specimen thickness"));
   EXPECT_THAT(first_rule("strain [%],x\n0,0\n1,0.5\n"), HasSubstr("no column for the time"));
   EXPECT_THAT(first_rule(""), HasSubstr("is empty"));
   EXPECT_THAT(first_rule("time_s,strain\n"), HasSubstr("no row"));
@@ -97,7 +97,7 @@ TEST_F(StrainCsvTest, RefusesTimesThatCannotBeToldApartAfterTheFirst) {
 }
 
 TEST_F(StrainCsvTest, RefusesAHistoryWithoutContent) {
-  EXPECT_THAT(first_rule("time_s,strain\n0,0\n"), HasSubstr("one row only"));
+  EXPECT_THAT(first_rule("time_s,strain\n0,0\n"), HasSubstr("only one row"));
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n1,0\n"), HasSubstr("is 0 throughout"));
   EXPECT_THAT(first_rule("time_s,strain\n0,0\n1,1e-20\n"), HasSubstr("is below 1e-12 throughout"));
   std::string text = "time_s,strain\n0,0\n";

@@ -77,8 +77,8 @@ TEST_F(StressTableTest, EveryNotationIsTheSameTest) {
   }
   EXPECT_THAT(read("stress_kPa,strain\n-40,-0.5\n-20,-0.1\n").strain, ElementsAre(0.1, 0.5));
   EXPECT_THAT(read("stress_kPa,strain\n-20,-0.1\n-40,-0.5\n").remarks,
-              ElementsAre("strain: compression is negative in the file; its sign was turned",
-                          "stress_kPa: compression is negative in the file; its sign was turned"));
+              ElementsAre("strain: compression is negative in the file; its sign was reversed",
+                          "stress_kPa: compression is negative in the file; its sign was reversed"));
   EXPECT_THAT(read("a,b,c\n0.1,1,20\n0.5,2,40\n",
                    {.strain = "a", .stress = "c", .strain_unit = "fraction", .stress_unit = "kPa"})
                   .stress,
@@ -89,15 +89,17 @@ TEST_F(StressTableTest, WhatIsNotClearIsOneFault) {
   const auto of = [&](const std::string& text, const input::StressStrainColumns& columns = {}) {
     return said([&] { read(text, columns); });
   };
-  EXPECT_THAT(of("Weg [mm];Spannung [kPa]\n1;2\n3;4\n"), HasSubstr("is a displacement; over the thickness"));
-  EXPECT_THAT(of("strain,load_N\n0.1,2\n0.3,4\n"), HasSubstr("is a force; over the area"));
+  EXPECT_THAT(of("Weg [mm];Spannung [kPa]\n1;2\n3;4\n"),
+              HasSubstr("is a displacement; for a strain, give the specimen thickness"));
+  EXPECT_THAT(of("strain,load_N\n0.1,2\n0.3,4\n"),
+              HasSubstr("is a force; for a stress, give the specimen area"));
   EXPECT_THAT(of("strain_1,strain_2,stress_kPa\n0.1,0.1,2\n0.3,0.3,4\n"),
-              HasSubstr("several columns may be the strain"));
+              HasSubstr("several columns could be the strain"));
   EXPECT_THAT(of("strain,stress_kPa\n10,2\n30,4\n50,5\n"),
-              AllOf(HasSubstr(":2: strain = 10: a strain is below 1: is it in per cent?"),
+              AllOf(HasSubstr(":2: strain = 10: a strain must be below 1; if it is in per cent"),
                     testing::Not(HasSubstr(":3:"))));
   EXPECT_THAT(of("strain,stress [s]\n0.1,2\n0.3,4\n", {.stress = "stress"}),
-              HasSubstr("--stress-unit gives another unit"));
+              HasSubstr("give another unit with --stress-unit"));
   EXPECT_THAT(of("strain,stress\n0.1,2\n0.3,4\n"), HasSubstr("its unit is not stated"));
 }
 
@@ -122,7 +124,7 @@ TEST_F(StressTableTest, AMeasuredWayBackIsTheUnloadingCurve) {
   EXPECT_EQ(back.strain.back(), base_of(made).strain.back());
   EXPECT_NEAR(back.stress[49], 0.4 * 30e3 + 0.6 * 30e3 / 64, 30);  // at a strain of 0.3
   EXPECT_THAT(made.differences,
-              Contains(AllOf(HasSubstr("turns back in line 102"), HasSubstr("the unloading curve"))));
+              Contains(HasSubstr("the strain reverses on line 102, where unloading begins")));
   EXPECT_THAT(made.assumptions, testing::Not(Contains(HasSubstr("unloading"))));
   EXPECT_THAT(material({loop(0, false)}).assumptions,
               Contains(HasSubstr("The unloading is not in the table")));
@@ -132,7 +134,7 @@ TEST_F(StressTableTest, NoiseIsTakenOutAndToldOf) {
   const input::DeckMaterial made = material({loop(0.004)});
   EXPECT_THAT(
       made.differences,
-      Contains(HasSubstr("goes up and down by noise; it was made to rise, which moved it by at most")));
+      Contains(HasSubstr("noise makes the stress rise and fall; it was smoothed so that it never falls")));
   const TableCurve& base = base_of(made);
   for (std::size_t i = 1; i < base.stress.size(); ++i) EXPECT_GE(base.stress[i], base.stress[i - 1]);
   for (std::size_t i = 0; i < base.strain.size(); ++i) {
@@ -145,7 +147,7 @@ TEST_F(StressTableTest, SofteningIsLevelledAndToldOf) {
   const input::DeckMaterial made =
       material({"strain,stress_kPa\n0,0\n0.05,40\n0.1,32\n0.2,34\n0.5,60\n0.7,200\n"});
   EXPECT_THAT(base_of(made).stress, Pointwise(DoubleNear(1), {35333.0, 35333.0, 60e3, 200e3}));
-  EXPECT_THAT(made.differences, Contains(HasSubstr("the stress falls about a strain of 0.05")));
+  EXPECT_THAT(made.differences, Contains(HasSubstr("the stress falls near a strain of 0.05")));
 }
 
 TEST_F(StressTableTest, CyclesAndRelaxationLeaveTheLoading) {
@@ -153,8 +155,8 @@ TEST_F(StressTableTest, CyclesAndRelaxationLeaveTheLoading) {
       material({"strain,stress_kPa\n0,0\n0.1,20\n0.3,30\n0.15,8\n0.05,2\n0.2,22\n0.3,29\n0.5,60\n0.7,200\n0."
                 "5,20\n0.2,5\n0,0\n"});
   EXPECT_THAT(base_of(cycles).strain, ElementsAre(0.1, 0.3, 0.5, 0.7));
-  EXPECT_THAT(cycles.differences,
-              Contains(AllOf(HasSubstr("turns back in line 4 and rises again"), HasSubstr("dashpad fit"))));
+  EXPECT_THAT(cycles.differences, Contains(AllOf(HasSubstr("the strain reverses on line 4 and rises again"),
+                                                 HasSubstr("dashpad fit"))));
   const input::DeckMaterial relaxed =
       material({"strain,stress_kPa\n0,0\n0.1,20\n0.3,30\n0.5,60\n0.5,50\n0.5,45\n0.5,43\n"});
   EXPECT_THAT(base_of(relaxed).stress, ElementsAre(20e3, 30e3, 60e3));
@@ -175,10 +177,12 @@ TEST_F(StressTableTest, SeveralFilesHaveTheirOwnRatesAndStrains) {
   EXPECT_THAT(said([&] {
                 material({fast, slow}, {40});
               }),
-              HasSubstr("with several files each needs its rate"));
+              HasSubstr("with several files, give a --rate for each"));
   const input::DeckMaterial below =
       material({slow, "strain,stress_kPa\n0,0\n0.1,18\n0.3,40\n0.7,250\n"}, {0.01, 10});
-  EXPECT_THAT(below.differences, Contains(HasSubstr("test2.txt: lies below the slower test by up to 2 kPa")));
+  EXPECT_THAT(
+      below.differences,
+      Contains(HasSubstr("test2.txt: the curve lay below the one for the next lower rate, by up to 2 kPa")));
 }
 
 TEST_F(StressTableTest, TablesAreToldFromDecksByTheirContent) {

@@ -287,7 +287,7 @@ TEST_F(StudyFile, refuses_bad_levels) {
   expect("values = [\"1 kg\"]", 3, ".values[1]", "");
   expect("values = [\"1 m/s\", 2]", 3, ".values[2]", "unit");
   expect("values = [\"nan m/s\"]", 3, ".values[1]", "");
-  expect("values = [\"1 m/s\"]\nlowest = \"1 m/s\"", 2, "", "only a distribution");
+  expect("values = [\"1 m/s\"]\nlowest = \"1 m/s\"", 2, "", "only to a distribution");
   expect("values = [\"1 m/s\"]\ncount = 2", 2, ".values", "give one of");
   expect("from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 1", 5, ".count", "from 2 to");
   expect("from = \"1 m/s\"\nto = \"2 m/s\"\ncount = 2.5", 5, ".count", "whole");
@@ -325,11 +325,11 @@ TEST_F(StudyFile, refuses_levels_and_ends_that_make_no_case) {
       "samples = 5\n" +
       grid_of("impactor.speed", "distribution = \"normal\"\nmean = \"5 m/s\"\ndeviation = \"1 m/s\"");
   expect_fault(normal, 3, "factors.impactor.speed",
-               "6 standard deviations below the centre; cut it off with lowest");
+               "6 standard deviations below the centre; use lowest to cut it off");
   EXPECT_NO_THROW(read(normal + "lowest = \"1 m/s\"\n"));
   expect_fault("samples = 5\n" + grid_of("impactor.speed",
                                          "distribution = \"uniform\"\nlow = \"-1 m/s\"\nhigh = \"5 m/s\""),
-               3, "factors.impactor.speed", "the lower end");
+               3, "factors.impactor.speed", "(at the lower end)");
 }
 
 /// Of a rule between several numbers that one is named which stands in the same table.
@@ -355,7 +355,8 @@ values = ["0 Pa"]
                  "[pad.unloading]\nstress_unit = \"kPa\"\nstrain = [0.2, 0.5, 0.8]\nstress = [50, 60, 70]\n"
                  "[pad.curve]");
   expect_fault(grid_of("pad.curve.plateau_stress", "values = [\"20 kPa\"]"), 2,
-               "factors.pad.curve.plateau_stress", "pad.unloading.stress[1] = 50000: must not be above");
+               "factors.pad.curve.plateau_stress",
+               "pad.unloading.stress[1] = 50000: must be at most the loading stress");
 }
 
 TEST_F(StudyFile, refuses_bad_sizes) {
@@ -408,11 +409,11 @@ TEST_F(StudyFile, refuses_endless_lists) {
   }
   const std::string values = "values = [\"1 m/s\"]";
   expect_fault("responses = [" + names + "]\n" + grid_of("impactor.speed", values), 1, "responses",
-               "has 5000 names, but there are only ");
+               "contains 5000 names, but there are only ");
   expect_fault(grid_of("pad.material", "values = [" + materials + "]"), 3, "factors.pad.material.values",
-               "must hold 1 to 1000 materials");
+               "must have between 1 and 1000 materials");
   expect_fault(grid_of("impactor.speed", values + "\n" + correlations), 4, "correlations",
-               "there are 5000, more than there are pairs of factors");
+               "there are 5000 correlations, but fewer pairs of factors");
 }
 
 TEST_F(StudyFile, refuses_factors_that_contradict) {

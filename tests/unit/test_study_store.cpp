@@ -140,18 +140,18 @@ TEST_F(StudyStore, of_another_study_is_refused_and_left_alone) {
   EXPECT_THAT(refusal(other), AllOf(HasSubstr(file().string()), HasSubstr("a different study")));
   other = small_study();
   other.base.pad.thickness = 0.06;
-  EXPECT_THAT(refusal(other), HasSubstr("has changed since"));
+  EXPECT_THAT(refusal(other), HasSubstr("has since changed"));
   EXPECT_FALSE(Store::open_to_read(file()).is_of(other));
   EXPECT_TRUE(Store::open_to_read(file()).is_of(small_study()));
   edit(file(), "UPDATE study SET value = '0.0.1 (abc)' WHERE key = 'program'");
-  EXPECT_THAT(refusal(), AllOf(HasSubstr("Dashpad 0.0.1 (abc) computed its 1000 of 1000 rows"),
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("Dashpad 0.0.1 (abc) computed the existing 1000 of 1000 rows"),
                                HasSubstr("give another name or delete the file")));
   EXPECT_EQ(Store::open_to_read(file()).rows_done(), 1000U);
 }
 
 TEST_F(StudyStore, has_one_writer) {
   const Store store = Store::open_for(small_study(), file());
-  EXPECT_THAT(refusal(), HasSubstr("another run is writing it"));
+  EXPECT_THAT(refusal(), HasSubstr("another run is writing to it"));
 }
 
 TEST_F(StudyStore, is_read_while_it_is_written) {
@@ -163,7 +163,7 @@ TEST_F(StudyStore, is_read_while_it_is_written) {
     EXPECT_EQ(reader.rows_done(), store.batch_size());
     EXPECT_EQ(reader.column("row").size(), store.batch_size()) << "what was there when it was opened";
     EXPECT_EQ(Store::open_to_read(file()).column("row").size(), 2 * store.batch_size());
-    EXPECT_THAT(refusal(), HasSubstr("another run is writing it"))
+    EXPECT_THAT(refusal(), HasSubstr("another run is writing to it"))
         << "also after a reader has closed the file";
   }
   EXPECT_THAT(files(), ElementsAre("study.db"));
@@ -188,8 +188,8 @@ TEST_F(StudyStore, without_shared_memory_is_written_all_the_same) {
   {
     Store store = Store::open_for(small_study(), file());
     fill(store);
-    EXPECT_THAT(refusal(), HasSubstr("another run is writing it"));
-    EXPECT_THAT(refusal_to_read(), HasSubstr("another program has it open"));
+    EXPECT_THAT(refusal(), HasSubstr("another run is writing to it"));
+    EXPECT_THAT(refusal_to_read(), HasSubstr("another program has the file open"));
   }
   EXPECT_EQ(Store::open_to_read(file()).rows_done(), 1000U);
 }
@@ -250,7 +250,7 @@ TEST_F(StudyStore, that_is_read_only_can_be_read_and_not_be_written) {
     EXPECT_THAT(refusal(), AllOf(HasSubstr(file().string()), HasSubstr("read-only")));
     EXPECT_EQ(Store::open_to_read(file()).rows_done(), 1000U);
     EXPECT_THAT(message_of([&] { Store::open_for(small_study(), folder_.path() / "new.db"); }),
-                HasSubstr("its folder is read-only"));
+                HasSubstr("the folder is read-only"));
   }
   fs::permissions(folder_.path(), fs::perms::owner_all);
   EXPECT_THAT(files(), ElementsAre("study.db"));
@@ -434,7 +434,7 @@ TEST_F(StudyStore, on_a_nearly_full_disk_is_finished_or_refused_before_it_starts
         EXPECT_FALSE(std::filesystem::exists(disk.file().string() + "-wal"));
       } else {
         ++refused;
-        EXPECT_THAT(message, HasSubstr("MB are free"));
+        EXPECT_THAT(message, HasSubstr("MB is free"));
         EXPECT_FALSE(std::filesystem::exists(disk.file()));
       }
     }
@@ -460,7 +460,7 @@ TEST_F(StudyStore, writes_its_log_back_when_the_disk_fills) {
       store.reset();
       disk.leave(of_rows / 4);
       EXPECT_THAT(message_of([&] { Store::open_for(small_study(rows), disk.file()); }),
-                  HasSubstr("MB are free"));
+                  HasSubstr("MB is free"));
       disk.leave(of_rows / 2 + of_batches + (64 << 10));
       store = Store::open_for(small_study(rows), disk.file());
     } else {
@@ -485,7 +485,7 @@ TEST_F(StudyStore, that_does_not_fit_the_disk_is_refused_before_work_starts) {
   if (static_cast<double>(std::filesystem::space(folder_.path()).available) >
       1e9 * 9.0 * static_cast<double>(study.responses.size()))
     GTEST_SKIP() << "this disk holds every study";
-  EXPECT_THAT(refusal(study), HasSubstr("MB are free"));
+  EXPECT_THAT(refusal(study), HasSubstr("MB is free"));
   EXPECT_THAT(files(), IsEmpty());
 }
 

@@ -92,7 +92,7 @@ TEST(UncertaintyTable, WhatACardLeavesOutIsNotThere) {
 TEST(UncertaintyTable, EachFaultIsSaid) {
   EXPECT_THAT(faults_of(foam + "[uncertainty]\nrecoil = [0.6, 0.9]\nscatter = 2\nrate_exponent = [0.5, 0.1]\n"
                                "lag_strain = [0.001]\nunloading = 1\n"),
-              AllOf(HasSubstr("must hold the card's own recoil"),
+              AllOf(HasSubstr("must include the card's value of recoil"),
                     HasSubstr("must be a fraction, from 0 to 1"), HasSubstr("uncertainty.rate_exponent"),
                     HasSubstr("must be two numbers, the lower first"), HasSubstr("uncertainty.unloading")));
   EXPECT_THAT(faults_of(foam + "[uncertainty.posterior]\nkeys = [\"curve.plateau\"]\nminus = [[1, 2]]\n"

@@ -219,15 +219,14 @@ TEST(Profile, NamesThePointThatBreaksARule) {
                               : fmt::format("{} faults", faults.size());
   };
   EXPECT_EQ(broken({{0, 0}, {1, 1}}), "0 faults");
-  EXPECT_EQ(broken({{0, 0}}), "0: needs two points or more");
-  EXPECT_EQ(broken({{0.1, 0}, {1, 1}}), "0: the first depth must be 0: depths are counted from the tip");
+  EXPECT_EQ(broken({{0, 0}}), "0: has fewer than two points");
+  EXPECT_EQ(broken({{0.1, 0}, {1, 1}}), "0: the first depth must be 0: depths are measured from the tip");
   EXPECT_EQ(broken({{0, 0}, {1, 1}, {1, 2}}),
-            "2: the depth must exceed the previous depth by 1e-9 m or more");
-  EXPECT_EQ(broken({{0, 0}, {1, 1}, {2, 0.5}}),
-            "2: the radius must not fall: a nose grows wider or stays as wide");
-  EXPECT_EQ(broken({{0, -1}, {1, 1}}), "0: the radius must not be below 0");
+            "2: the depth must exceed the previous depth by at least 1e-9 m");
+  EXPECT_EQ(broken({{0, 0}, {1, 1}, {2, 0.5}}), "2: the radius must not decrease with distance from the tip");
+  EXPECT_EQ(broken({{0, -1}, {1, 1}}), "0: the radius must not be negative");
   EXPECT_EQ(broken({{0, 0}, {1, nan}}), "1: must be finite");
-  EXPECT_EQ(broken({{0, 0}, {1, 0}}), "1: the radius must be more than 0 behind the tip");
+  EXPECT_EQ(broken({{0, 0}, {1, 0}}), "1: the radius must be more than 0 beyond the tip");
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ void __stack_chk_fail() { std::abort(); }
 namespace dashpad::input {
 // There is no disk, so no card and no profile of a nose.
 bool is_there(const std::filesystem::path& /*file*/) { return false; }
+bool is_link(const std::filesystem::path& /*file*/) { return false; }
 Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /*most*/) {
   return fault_of_file(file, "no such file");
 }

@@ -31,7 +31,7 @@ struct OtherWay {
   Bounds bounds = {};        ///< of the value itself; the number that follows has its own
   const char* instead_of;    ///< "impactor.speed"
   const char* meaning;       ///< "drop height"
-  const char* what_follows;  ///< "the speed of the fall": subject of broken rules
+  const char* what_follows;  ///< "the speed after the fall": subject of broken rules
   double (*get)(const ImpactCase&);
   void (*set)(ImpactCase&, double);
   const char* rule_if_missing = "is missing";  ///< for a case that states the number in neither way
@@ -41,6 +41,10 @@ struct OtherWay {
 /// The weight, M times standard gravity, and the drop height h, with the speed sqrt(2 g h); g is the gravity
 /// of the case, or standard gravity if the case has none.
 std::span<const OtherWay> other_ways();
+
+/// The key of the static stress of a flat nose on the area that it loads, which studies and fits may vary in
+/// place of the mass. It depends on that area, so it is set after all other numbers.
+inline constexpr const char* static_stress = "impactor.static_stress";
 
 /// The numbers of a case, in the order of case files and by key.
 class CaseQuantities {

@@ -81,9 +81,9 @@ inline constexpr std::array<Parameter<Pad>, 5> Pad::parameters{{
     {"area", "", "m2", &Pad::area, wide(1e-10, 1e4), "area of the pad", LeftOut::as_default},
     {"earlier_penetration", "", "m", &Pad::earlier_penetration, not_negative, "earlier penetration",
      LeftOut::as_default},
-    {"sheet_mass_per_area", "", "kg/m2", &Pad::sheet, wide(1e-3, 1e3), "mass per area of the sheet",
+    {"sheet_mass_per_area", "", "kg/m2", &Pad::sheet, wide(1e-3, 1e3), "mass per unit area of the sheet",
      LeftOut::none},
-    {"neighbours", "c", "1", &Pad::neighbours, in_words(0, 2, "from 0 (columns alone) to 2"),
+    {"neighbours", "c", "1", &Pad::neighbours, in_words(0, 2, "from 0 (isolated columns) to 2"),
      "effect of neighbouring columns", LeftOut::computed, "0.2.0"},
 }};
 

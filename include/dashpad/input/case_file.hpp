@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/impact/impact_case.hpp"
@@ -30,6 +31,19 @@ Reading<CaseFile> read_case(const std::filesystem::path& file, const std::filesy
 Reading<CaseFile> read_case_text(std::string text, const std::filesystem::path& file,
                                  const std::filesystem::path& materials,
                                  const std::vector<std::string>& settings = {});
+
+/// A case of a batch, one JSON object in a line.
+struct JsonCase {
+  std::string id;          ///< the value of "id" as JSON; empty if absent
+  Reading<CaseFile> read;  ///< faults are those of `file`, with the line of the object
+};
+
+/// Reads a line of a batch: {"id": 7, "case": "drop.toml", "set": {"pad.thickness": "30 mm"}}, with keys as
+/// for --set, or the tables of a case file as JSON: {"impactor": {"mass": "4.5 kg", ...}, "pad": {...},
+/// "support": {...}}. Values are written as in a case file: texts with units, plain numbers. Files are
+/// relative to `folder`.
+JsonCase read_case_json(std::string_view text, int line, const std::string& file,
+                        const std::filesystem::path& folder, const std::filesystem::path& materials);
 
 /// Reads and checks one material card.
 Reading<Material> read_material(const std::filesystem::path& file);

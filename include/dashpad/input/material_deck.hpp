@@ -25,11 +25,15 @@ struct DeckMaterial {
   std::vector<std::string> differences;  ///< what the card cannot hold, or is solved otherwise here
 };
 
+/// Whether the files that a deck includes are read: those in its folder and below it alone.
+enum class Includes { ignored, allowed };
+
 /// The foams of a deck, in its order, with their curves: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33,
 /// LAW62, LAW70 and LAW90 of Radioss. `units` are those of the deck, which does not state them. Reports all
 /// faults, or the first 200; a deck without such a material is a fault.
 Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
-                                                      const UnitSystem& units);
+                                                      const UnitSystem& units,
+                                                      Includes includes = Includes::ignored);
 
 /// The consistent system of that name, whose units may be in any order: "mm-t-s" is "t-mm-s". Throws
 /// std::invalid_argument with the available systems.

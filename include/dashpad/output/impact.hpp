@@ -64,6 +64,9 @@ std::string impact_drawing(const ImpactCase& impact, const Solution& solution, c
 /// The text of the drawing's `<style>`, always the same, for policies that admit styles by their hashes.
 std::string_view impact_drawing_style();
 
+/// The case as `dashpad run --json` echoes it, with its options, in SI.
+std::string case_json(const ImpactCase& impact, const Options& options);
+
 /// The result as JSON (schema/summary.schema.json): the summary, its case and the program, in SI units, which
 /// the keys name. Numbers read back exactly; figures that are absent or not finite are null, and so is
 /// "injury" without `injury`. `blows` are those of a series, the last of which is the summary.

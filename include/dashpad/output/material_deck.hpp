@@ -1,6 +1,7 @@
 #pragma once
 /// Material cards as decks of other solvers. docs/material-decks.md says what stands where.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,8 +24,16 @@ std::span<const MaterialDeckFormat> material_deck_formats();
 struct MaterialDeckOptions {
   std::string format;
   UnitSystem units = consistent_systems().front();
-  int first_id = 1;  ///< of the material and of its curves
+  int first_id = 1;                  ///< of the material and of its curves
+  std::optional<double> up_to = {};  ///< strain to which curves are continued as by the card, (0, 0.99]
+  std::optional<double> rate = {};   ///< rate of the curve, 1/s, for formats with one curve
+  std::optional<int> points = {};    ///< of each curve with its origin, 4 to 100 (100)
+  /// Evenly spaced points of six digits in place of those of the card.
+  [[nodiscard]] bool places_points() const { return up_to || rate || points; }
 };
+inline constexpr int min_deck_points = 4;    ///< of which one is the origin: a curve needs three others
+inline constexpr int max_deck_points = 100;  ///< what LS-DYNA keeps of a curve by default (LCINT)
+inline constexpr double highest_up_to = 0.99;
 
 /// The reason why the deck cannot be written: a law for which the format has no card, no density, numbers
 /// out of range, or an unknown format. Empty if it can.
@@ -37,5 +46,11 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
 /// with the same value, as far as 20 columns hold its digits. Throws std::invalid_argument with
 /// why_no_material_deck().
 std::string material_deck(const Material& material, const MaterialDeckOptions& options);
+
+/// A deck of LS-DYNA that includes that deck as the file `included` and compresses one element of the
+/// material at the highest rate of its curves, with the force by the curve in straight lines, F = A s(v t /
+/// L), as comments. Nobody ran it in that solver, which it says. For formats of LS-DYNA.
+std::string material_check_deck(const Material& material, const MaterialDeckOptions& options,
+                                const std::string& included);
 
 }  // namespace dashpad::output

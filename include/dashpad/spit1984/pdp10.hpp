@@ -33,7 +33,7 @@ class Pdp10 {
   /// half. Infinity becomes the largest number.
   /// @throws std::invalid_argument for NaN.
   constexpr Pdp10(double value) : Pdp10(rounded(value)) {
-    if (value != value) throw std::invalid_argument("the PDP-10 has no word for what is not a number");
+    if (value != value) throw std::invalid_argument("the PDP-10 cannot represent NaN");
   }
   constexpr Pdp10(int value) : Pdp10(rounded(value)) {}
 

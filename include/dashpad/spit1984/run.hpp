@@ -48,11 +48,11 @@ struct Defect {
 
 inline constexpr std::array<Defect, 4> defects{{
     {"stale-contact", &Defects::stale_contact,
-     "a rejected trial restores the contact of an earlier trial instead of that at the start of the step"},
+     "after a rejected trial, the contact is reset to an earlier trial, not to the start of the step"},
     {"idle-segments", &Defects::idle_segments,
-     "only the first slope of a piecewise-linear support ever acts"},
+     "only the first slope of a piecewise-linear support is ever used"},
     {"edge-residue", &Defects::edge_residue,
-     "the strain on the contact edge is rounding error instead of zero"},
+     "the strain at the contact edge is a rounding error instead of zero"},
     {"tension", &Defects::tension,
      "the rim of the contact pulls on the sphere during rebound (laws 4 and 5)"},
 }};

@@ -38,7 +38,16 @@ struct Empirical {
   std::vector<double> values;
 };
 
-using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empirical>;
+/// A column of the study's table of rows: all such factors change together, from row to row.
+struct ByRow {
+  std::vector<double> values;  ///< SI, one a row; for "pad.material" the numbers of Study::materials
+};
+/// A column of the study's table of draws: a draw takes the values of all such factors from one row.
+struct ByDraw {
+  std::vector<double> values;  ///< SI, one a row
+};
+
+using Spread = std::variant<Levels, Normal, Lognormal, Uniform, Triangular, Empirical, ByRow, ByDraw>;
 
 /// A quantity of the case that varies. SI.
 struct Factor {
@@ -47,7 +56,9 @@ struct Factor {
   Spread spread = {};
   /// Values outside are never drawn: the distribution is cut off there and made whole again.
   std::optional<double> lowest = {}, highest = {};
-  [[nodiscard]] bool is_sampled() const { return !std::holds_alternative<Levels>(spread); }
+  [[nodiscard]] bool is_sampled() const { return given_values() == nullptr; }
+  /// The values of levels or rows; null for what is drawn.
+  [[nodiscard]] const std::vector<double>* given_values() const;
 };
 
 /// A correlation between the normal scores of two sampled factors (Gaussian copula), in (-1, 1).
@@ -56,11 +67,17 @@ struct Correlation {
   double value = 0;
 };
 
+/// A column of the table of rows that is no number of the case: kept for those who read the results.
+struct RowLabel {
+  std::string name;
+  std::vector<std::string> texts;  ///< one a row
+};
+
 enum class Sampling { monte_carlo, latin_hypercube, sobol };
 
-/// A study. Its rows are all combinations of the levels, times `samples` draws of the sampled factors, the
-/// same draws at each combination. With `indices`, each draw becomes 2 + (number of sampled factors) rows
-/// (Saltelli's design).
+/// A study. Its rows are all combinations of the levels, at each row of the table of rows if there is one,
+/// times `samples` draws of the sampled factors, the same draws at each combination. With `indices`, each
+/// draw becomes 2 + (number of sampled factors) rows (Saltelli's design).
 struct Study {
   std::string title;
   std::string text;  ///< the study file as it is, for the store
@@ -69,6 +86,7 @@ struct Study {
   std::vector<Factor> factors;
   std::vector<Material> materials;  ///< materials that "pad.material" chooses from; empty without that factor
   std::vector<Correlation> correlations;
+  std::vector<RowLabel> labels;  ///< of the table of rows
   Sampling sampling = Sampling::sobol;
   std::uint64_t samples = 1;  ///< draws; 1 without sampled factors
   std::uint64_t seed = 1;
@@ -81,6 +99,12 @@ inline constexpr std::uint64_t max_rows = 1'000'000'000;
 
 /// The indices of the sampled factors.
 std::vector<std::size_t> sampled_factors(const Study& study);
+
+/// Rows of the table of rows; 1 without one.
+std::size_t table_rows(const Study& study);
+
+/// The place in the table of rows of a row of the study.
+std::size_t table_row_of(const Study& study, std::uint64_t row);
 
 /// Rows of the study, also where they are too many to count in an integer.
 double row_count(const Study& study);
@@ -95,8 +119,8 @@ std::vector<Violation> violations(const Study& study);
 //
 //   row = (combination of levels * samples + draw) * blocks + block
 //
-// with the levels of the first factor changing most slowly. Random numbers are counter-based (Philox
-// 4x32-10, Salmon et al. 2011): of the seed, the draw and the factor.
+// with the row of the table changing most slowly, then the levels of the first factor. Random numbers are
+// counter-based (Philox 4x32-10, Salmon et al. 2011): of the seed, the draw and the factor.
 
 /// A quantity that can be a factor.
 struct FactorKey {
@@ -125,6 +149,7 @@ class Application {
 
  private:
   std::vector<std::function<void(ImpactCase&, double)>> steps_;
+  std::size_t last_ = static_cast<std::size_t>(-1);  ///< place of the step that follows all others, if any
 };
 
 class Design {

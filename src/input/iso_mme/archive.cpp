@@ -55,7 +55,7 @@ class Archive {
       const int result = ::archive_read_next_header(archive_.get(), &entry_);
       if (result == ARCHIVE_EOF) return false;
       if (result < ARCHIVE_WARN) refuse_file(name_, no_archive);
-      if (++entries_ > max_entries) refuse_file(name_, fmt::format("holds more than {} files", max_entries));
+      if (++entries_ > max_entries) refuse_file(name_, fmt::format("has more than {} files", max_entries));
       if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR) count_size();
       name = safe_name();
       if (::archive_entry_filetype(entry_) == AE_IFREG && ::archive_entry_hardlink(entry_) == nullptr)
@@ -107,13 +107,13 @@ class Archive {
     const char* text = ::archive_entry_pathname_utf8(entry_);
     if (text == nullptr) text = ::archive_entry_pathname(entry_);
     std::string name = text == nullptr ? "" : text;
-    if (name.size() > longest_name) refuse_file(name_, "holds a name that is too long");
+    if (name.size() > longest_name) refuse_file(name_, "contains a name that is too long");
     std::ranges::replace(name, '\\', '/');
     const bool has_drive = name.size() > 1 && name[1] == ':';
     const std::string framed = "/" + name + "/";
     if (name.starts_with('/') || has_drive || framed.find("/../") != std::string::npos)
       refuse_file(name_,
-                  fmt::format("holds the name \"{}\", which points outside the archive", one_line(name)));
+                  fmt::format("contains the name \"{}\", which points outside the archive", one_line(name)));
     while (name.starts_with("./")) name.erase(0, 2);
     return name;
   }
@@ -134,7 +134,7 @@ std::vector<std::string> names_in_archive(const std::filesystem::path& archive) 
   std::string name;
   while (opened.next(name))
     if (!seen.insert(name).second)
-      refuse_file(archive.string(), fmt::format("holds \"{}\" twice", one_line(name)));
+      refuse_file(archive.string(), fmt::format("contains \"{}\" twice", one_line(name)));
   return {seen.begin(), seen.end()};
 }
 

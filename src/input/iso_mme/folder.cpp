@@ -82,7 +82,7 @@ std::vector<std::string> names_in_folder(const std::filesystem::path& folder) {
   for (const std::string& name : channel_folders)
     if (const OpenFolder channels = open_folder(::dirfd(root.get()), name, O_NOFOLLOW))
       list(channels.get(), name + "/", names);
-  if (names.size() > max_names) refuse_file(folder, "holds too many files");
+  if (names.size() > max_names) refuse_file(folder, "contains too many files");
   return names;
 }
 

@@ -73,7 +73,7 @@ Times even_times(const MmeLabels& labels, std::size_t count, MeasurementFaults& 
   if (!(*interval > 0))
     faults.add(label->line, label->name, label->value, "must be more than 0");
   else if (!increase(times.all))
-    faults.add(label->line, label->name, label->value, "does not give times that increase");
+    faults.add(label->line, label->name, label->value, "does not give increasing times");
   return times;
 }
 
@@ -99,10 +99,9 @@ Times explicit_times(const MmeLabels& labels, std::size_t count, const MmeTestFi
   if (channel == nullptr || !channel->problem.empty()) {
     const std::string name = labels.value("Reference channel name");
     faults.add(reference->line, reference->name, reference->value,
-               name.empty()
-                   ? "needs a channel of times: there is no Reference channel name, and not one channel "
-                     "of times (TI)"
-                   : fmt::format("the channel of times, {}, is missing or occurs twice", name));
+               name.empty() ? "needs a time channel: no Reference channel name is given, and there is not "
+                              "exactly one time channel (TI)"
+                            : fmt::format("the time channel, {}, is missing or occurs twice", name));
     return {};
   }
   const std::string& file = test.channels.at(channel->number);
@@ -174,7 +173,7 @@ void read_channel(const IsoMmeChannel& channel, const MmeTestFiles& test, const 
   faults.throw_if_any();
   if (const auto remark = overruled_unit(column, unit_of_file)) result.remarks.push_back(*remark);
   if (const std::string code = read.labels.value("Channel code"); !code.empty() && code != channel.code)
-    result.remarks.push_back(fmt::format("{}: its file has the code {}", channel.code, code));
+    result.remarks.push_back(fmt::format("{}: the code in its file is {}", channel.code, code));
   for (double& value : read.values) value *= column.factor;
   channels.values.push_back(std::move(read.values));
   channels.begin = std::max(channels.begin, read.begin);
@@ -218,7 +217,7 @@ void assemble(ReadChannels channels, const PulseOptions& options, MeasurementFau
       options.resultant ? injury::resultant_of(channels.values) : channels.values.front();
   if (options.resultant) result.components = std::move(channels.values);
   if (!std::ranges::all_of(result.pulse.acceleration, [](double value) { return std::isfinite(value); }))
-    faults.refuse(0, "", "", "holds a value that is too large to compute with");
+    faults.refuse(0, "", "", "contains a value that is too large to compute with");
   judge_pulse(result.pulse, 0, faults);
   if (faults.none())
     judge_gaps(result.pulse.time, {}, times.name, options.bridge_gaps, faults, result.remarks);
@@ -291,8 +290,8 @@ Channels candidates(const std::filesystem::path& file, const Channels& all, cons
   const std::string pattern = upper_case(wanted);
   if (!wanted.empty() && !number && pattern.size() != code_length)
     refuse_file(
-        file, fmt::format("--channel {}: a channel is a number or a code of {} characters; ? stands for any "
-                          "character",
+        file, fmt::format("--channel {}: must be a number or a code of {} characters, in which ? stands for "
+                          "any character",
                           wanted, code_length));
   for (const IsoMmeChannel& channel : all) {
     const bool fits = wanted.empty() ? is_acceleration(channel)
@@ -325,11 +324,12 @@ Channels directions(const std::filesystem::path& file, Channels found) {
       found, [&](const IsoMmeChannel& channel) { return place(channel) == place(found.front()); });
   const bool has_double = std::ranges::adjacent_find(found, {}, direction) != found.end();
   if (found.size() < 2)
-    refuse_file(file, fmt::format("a resultant needs two or three of the directions X, Y, Z; there is {}",
+    refuse_file(file, fmt::format("a resultant needs two or three directions (X, Y, Z); available: {}",
                                   found.empty() ? "none" : listing(found)));
   if (!is_one_place || has_double)
-    refuse_file(file, fmt::format("several resultants are possible: {}; choose with --channel, such as {}",
-                                  listing(found), place(found.front())));
+    refuse_file(file,
+                fmt::format("several resultants are possible: {}; choose one with --channel, such as {}",
+                            listing(found), place(found.front())));
   return found;
 }
 
@@ -340,7 +340,7 @@ Channels chosen_channels(const std::filesystem::path& file, const Channels& all,
   Channels found = candidates(file, all, options.channel);
   if (options.resultant) return directions(file, found);
   if (found.size() > 1)
-    refuse_file(file, fmt::format("several channels match: {}; choose with --channel{}", listing(found),
+    refuse_file(file, fmt::format("several channels match: {}; choose one with --channel{}", listing(found),
                                   ", or combine the directions of one place with --resultant"));
   return found;
 }

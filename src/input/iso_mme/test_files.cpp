@@ -59,8 +59,8 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
     stems.push_back(of.stem);
   }
   if (found.empty())
-    refuse_file(
-        file, wanted.empty() ? "holds no .mme file: not a test in ISO-MME format" : "is not a regular file");
+    refuse_file(file, wanted.empty() ? "contains no .mme file, so it is not a test in ISO-MME format"
+                                     : "is not a regular file");
   std::vector<std::string> called;
   for (std::size_t i = 0; i < found.size(); ++i)
     if (are_alike(stems[i], test) || are_alike(found[i], test) || are_alike(parts(found[i]).folder, test))
@@ -71,9 +71,9 @@ std::string main_file(const fs::path& file, const std::vector<std::string>& name
   const bool are_different = std::ranges::adjacent_find(stems) == stems.end();
   const std::string all = short_listing(are_different ? stems : found);
   if (test.empty())
-    refuse_file(file, fmt::format("holds {} tests: {}; choose one with --test", found.size(), all));
+    refuse_file(file, fmt::format("contains {} tests: {}; choose one with --test", found.size(), all));
   refuse_file(file, fmt::format("--test {}: {}; available: {}", test,
-                                called.empty() ? "no such test" : "several tests are called so", all));
+                                called.empty() ? "no such test" : "several tests have this name", all));
 }
 
 constexpr std::string_view no_value = "NOVALUE";
@@ -95,7 +95,7 @@ void check_number_of_samples(const MmeChannelText& channel, MeasurementFaults& f
   const ReadNumber claimed = read_number(label->value);
   if (claimed.kind != NumberKind::number || claimed.value != static_cast<double>(channel.values.size()))
     faults.add(label->line, label->name, label->value,
-               fmt::format("is not the number of samples in the file, {}", channel.values.size()));
+               fmt::format("must be the number of samples in the file, {}", channel.values.size()));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void check_number_of_samples(const MmeChannelText& channel, MeasurementFaults& f
 std::vector<InputFile> MmeTestFiles::files() const {
   if (in_archive) return {{"the test", source}};
   std::vector<InputFile> all{{"the .mme file of the test", source / main_file}};
-  if (!channel_list.empty()) all.push_back({"the list of the test's channels", source / channel_list});
+  if (!channel_list.empty()) all.push_back({"the channel list of the test", source / channel_list});
   for (const auto& [number, name] : channels) all.push_back({"a channel of the test", source / name});
   return all;
 }
@@ -153,7 +153,7 @@ MmeTestFiles find_mme_test(const fs::path& file, const std::string& test_name) {
       refuse_file(file, fmt::format("has channel {} twice", *number));
   }
   if (test.channels.empty())
-    refuse_file(file, fmt::format("holds no channel: no file {}/{}.001", folder, stem));
+    refuse_file(file, fmt::format("contains no channels: there is no file {}/{}.001", folder, stem));
   return test;
 }
 
@@ -191,7 +191,7 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
     if (blank_line != 0) faults.add(blank_line, "sample", "", rule_for(NumberKind::empty));
     blank_line = 0;
     if (channel.values.size() == max_samples)
-      faults.refuse(lines.number(), "", "", fmt::format("more than {} samples", max_samples));
+      faults.refuse(lines.number(), "", "", fmt::format("there are more than {} samples", max_samples));
     const bool has_value = line != no_value;
     const ReadNumber number = has_value ? read_number(line) : ReadNumber{NumberKind::number, no_number};
     if (number.kind != NumberKind::number) faults.add(lines.number(), "sample", line, rule_for(number.kind));
@@ -208,8 +208,8 @@ MmeChannelText read_mme_channel(std::string_view text, MeasurementFaults& faults
   });
   if (!missing.empty())
     faults.add(missing.front().second, "sample", no_value,
-               fmt::format("is missing between two others{}; a pulse cannot have gaps",
-                           missing.size() == 1 ? "" : fmt::format(", as are {} more", missing.size() - 1)));
+               fmt::format("is missing between two other samples{}; a pulse must not have gaps",
+                           missing.size() == 1 ? "" : fmt::format(" ({} missing in all)", missing.size())));
   check_number_of_samples(channel, faults);
   return channel;
 }

@@ -22,7 +22,8 @@ namespace {
 constexpr double assumed_strain_of_fit = 0.8;  // of coefficients, whose range is not stated
 constexpr std::size_t max_rows_of_abaqus = 100'000;
 constexpr const char* no_loss =
-    "There is no unloading curve; the foam unloads along its slowest curve, without loss on it.";
+    "There is no unloading curve, so the foam unloads along the curve for the lowest rate, without loss at "
+    "that rate.";
 
 struct AbaqusKeyword {
   std::string name;  ///< in capitals, single blanks: "LOW DENSITY FOAM"
@@ -62,11 +63,10 @@ class AbaqusReader {
       is_read_ = direction == keyword.parameters.end() || upper_case(direction->second) != "TENSION";
     } else if (foam_ && (name == "MULLINS EFFECT" || name == "VISCOELASTIC" || name == "HYSTERESIS")) {
       foam_->differences.push_back(fmt::format(
-          "*{} is left out, and the energy that it loses with it: set unloading_factor and unloading_shape.",
-          name));
+          "*{} and its energy loss are left out; set unloading_factor and unloading_shape.", name));
     } else if (name.ends_with(" TEST DATA") && foam_) {
       foam_->differences.push_back(
-          fmt::format("*{} is left out: a pad is compressed in one direction.", name));
+          fmt::format("*{} is left out: a pad is compressed in one direction only.", name));
     } else {
       is_read_ = name == "DENSITY";
     }
@@ -76,7 +76,7 @@ class AbaqusReader {
   void row(const DeckLine& line) {
     if (!is_read_) return;
     if (++rows_ > max_rows_of_abaqus)
-      faults_.refuse(line.number, "", "", fmt::format("more than {} rows", max_rows_of_abaqus));
+      faults_.refuse(line.number, "", "", fmt::format("has more than {} rows", max_rows_of_abaqus));
     DeckFields fields(line, Widths(max_fields, 20), true, faults_);
     if (keyword_.name == "DENSITY") {
       density_ = fields.number(0, "*DENSITY", units_.density);
@@ -98,7 +98,7 @@ class AbaqusReader {
 
   void begin(const AbaqusKeyword& keyword) {
     if (foams_.size() == max_foams_of_deck)
-      faults_.refuse(keyword.line, "", "", fmt::format("more than {} foams", max_foams_of_deck));
+      faults_.refuse(keyword.line, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
     foam_.emplace();
     foam_->card = "*" + keyword.name;
     foam_->line = keyword.line;
@@ -115,21 +115,21 @@ class AbaqusReader {
   }
 
   void point(DeckFields& fields) {
-    const std::string key = foam_->card + ": test";
-    double stress = fields.number(0, key + ": stress", units_.stress),
-           strain = fields.number(1, key + ": strain");
+    const std::string key = foam_->card + ": test ";
+    double stress = fields.number(0, key + "stress", units_.stress),
+           strain = fields.number(1, key + "strain");
     double rate = 0;
     if (is_hyperfoam_) {  // compression is negative; what is pulled is not for a pad
       stress = -stress;
       strain = -strain;
       if (strain < 0) return;
     } else {
-      rate = fields.number(has_lateral_ ? 3 : 2, key + ": rate", units_.rate);
+      rate = fields.number(has_lateral_ ? 3 : 2, key + "rate", units_.rate);
     }
     if (std::isnan(stress + strain + rate)) return;
     const auto [place, is_new] = curves_.try_emplace(rate);
     if (is_new)
-      place->second = {is_hyperfoam_ ? "test of the hyperfoam" : fmt::format("test at {:g} 1/s", rate),
+      place->second = {is_hyperfoam_ ? "test of the *HYPERFOAM" : fmt::format("test at {:g} 1/s", rate),
                        fields.line()};
     place->second.add(strain == 0 ? 0 : strain, stress == 0 ? 0 : stress, fields.line());
   }
@@ -139,7 +139,7 @@ class AbaqusReader {
     const std::size_t needed = 3 * terms_;
     if (terms_ < 1 || terms_ > 2) {
       faults_.add(foam_->line, foam_->card + ": N", fmt::format("{}", terms_),
-                  "must be 1 or 2: a curve here has as many terms");
+                  "must be 1 or 2; a hyperfoam curve in Dashpad has at most two terms");
       return false;
     }
     if (coefficients_.size() < needed) {
@@ -150,12 +150,12 @@ class AbaqusReader {
     foam_->hyperfoam = HyperfoamCurve{modulus(0), coefficients_[1], terms_ == 2 ? modulus(2) : 0,
                                       terms_ == 2 ? coefficients_[3] : 0, assumed_strain_of_fit};
     foam_->assumptions.push_back(
-        fmt::format("The coefficients do not say up to which strain they were fitted; {:g} was used.",
+        fmt::format("The strain up to which the coefficients were fitted is not stated; {:g} was used.",
                     assumed_strain_of_fit));
     if (std::any_of(coefficients_.begin() + static_cast<std::ptrdiff_t>(2 * terms_),
                     coefficients_.begin() + static_cast<std::ptrdiff_t>(needed),
                     [](double nu) { return nu != 0; }))
-      foam_->differences.emplace_back("nu is not 0: the pad does not widen; 0 is used.");
+      foam_->differences.emplace_back("nu is not 0, but the pad does not expand laterally; 0 is used.");
     foam_->assumptions.emplace_back(no_loss);
     foam_->loading.push_back({0, foam_->line, {"coefficients", coefficient_line_}});
     return true;
@@ -178,11 +178,11 @@ class AbaqusReader {
       if (rate < 0) foam_->unloading = curve;  // rates ascend: the slowest way back comes last
     }
     if (curves_.empty() || foam_->loading.empty()) {
-      faults_.add(foam_->line, foam_->card, "", "has no *UNIAXIAL TEST DATA of loading in compression");
+      faults_.add(foam_->line, foam_->card, "", "has no *UNIAXIAL TEST DATA for loading in compression");
       return false;
     }
     if (std::ranges::count_if(curves_, [](const auto& each) { return each.first < 0; }) > 1)
-      foam_->differences.emplace_back("Of the unloading curves that at the slowest rate is used.");
+      foam_->differences.emplace_back("Only the slowest unloading curve was used.");
     if (!foam_->unloading) foam_->assumptions.emplace_back(no_loss);
     return true;
   }
@@ -226,7 +226,7 @@ std::vector<DeckFoam> read_abaqus(std::string_view text, const DeckUnits& units,
   }
   std::vector<DeckFoam> foams = reader.foams();
   if (foams.empty() && faults.none())
-    faults.add(0, "", "", "holds no *LOW DENSITY FOAM or *HYPERFOAM of Abaqus");
+    faults.add(0, "", "", "contains no Abaqus *LOW DENSITY FOAM or *HYPERFOAM");
   return foams;
 }
 

@@ -30,13 +30,13 @@ bool judge_order(const DeckCurve& curve, std::size_t i, MeasurementFaults& fault
   if (i > 0 && is_sound_point(curve, i - 1) && e <= curve.strain[i - 1]) {
     faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
                e == curve.strain[i - 1]
-                   ? "appears twice; a strain has only one stress"
+                   ? "appears twice; each strain can have only one stress"
                    : fmt::format("must be more than the previous strain, {:.6g}", curve.strain[i - 1]));
     return false;
   }
   if (e < 1) return true;
   faults.add(curve.lines[i], curve.name + ": strain", written_number(e),
-             "must be less than 1; a strain in per cent, or foam without any thickness left");
+             "must be less than 1, at which no thickness is left; is it in per cent?");
   return false;
 }
 
@@ -51,10 +51,10 @@ bool judge_stress(const DeckCurve& curve, std::size_t i, const CleanCurve& clean
   const double before =
       clean.table.stress.empty() ? clean.stress_at_zero.value_or(0) : clean.table.stress.back();
   if (role == CurveRole::base && stress < before) {
-    faults.add(
-        curve.lines[i], key, written_number(stress),
-        fmt::format("must not be less than the previous stress, {:.6g} Pa: the slowest curve cannot fall",
-                    before));
+    faults.add(curve.lines[i], key, written_number(stress),
+               fmt::format("must not be less than the previous stress, {:.6g} Pa: the curve for the lowest "
+                           "rate must not fall",
+                           before));
     return false;
   }
   return true;
@@ -67,11 +67,11 @@ void tell_of_cuts(const DeckCurve& curve, std::size_t tension, std::size_t slack
       differences.push_back(fmt::format("{}: {} {} {} left out.", curve.name, plural(count, "point"), which,
                                         count == 1 ? "was" : "were"));
   };
-  tell(tension, "of tension");
-  tell(slack, "without stress at its beginning");
+  tell(tension, "in tension");
+  tell(slack, "without stress at the start");
   if (clean.stress_at_zero && *clean.stress_at_zero < 0)
-    differences.push_back(fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out.", curve.name,
-                                      *clean.stress_at_zero));
+    differences.push_back(fmt::format("{}: the stress of {:.6g} Pa at a strain of 0 was left out.",
+                                      curve.name, *clean.stress_at_zero));
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& d
   if (first == 0 && at_zero == 0) return true;
   if (first == strain.size()) {
     faults.add(deck_curve.line, deck_curve.name, "",
-               fmt::format("lies above the elastic line of the modulus, {:.6g} Pa, throughout", modulus));
+               fmt::format("lies entirely above the elastic line, whose modulus is {:.6g} Pa", modulus));
     return false;
   }
   const double e0 = first == 0 ? 0 : strain[first - 1];
@@ -136,10 +136,10 @@ bool limit_to_elastic_line(CleanCurve& curve, double modulus, const DeckCurve& d
       limited.stress.push_back(stress[i]);
       lines.push_back(curve.lines[i]);
     }
-  differences.push_back(
-      fmt::format("{}: up to a strain of {:.3g} the stress rises along the modulus, {:.6g} Pa, "
-                  "as in the solver.",
-                  deck_curve.name, yield, modulus));
+  differences.push_back(fmt::format(
+      "{}: up to a strain of {:.3g} the stress rises along the elastic line, with a slope of {:.6g} Pa, "
+      "as in the solver.",
+      deck_curve.name, yield, modulus));
   curve.table = std::move(limited);
   curve.lines = std::move(lines);
   return true;
@@ -151,9 +151,9 @@ bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& deck_curve,
     const double e = curve.table.strain[i];
     const double room = 1 - e - air.relative_density;
     if (!(room > 0)) {
-      faults.add(
-          curve.lines[i], deck_curve.name + ": strain", written_number(e),
-          fmt::format("must be less than 1 - Phi, {:.6g}, where no air is left", 1 - air.relative_density));
+      faults.add(curve.lines[i], deck_curve.name + ": strain", written_number(e),
+                 fmt::format("must be less than 1 - Phi = {:.6g}, at which no air is left",
+                             1 - air.relative_density));
       return false;
     }
     curve.table.stress[i] += air.pressure * e / room;

@@ -36,11 +36,11 @@ using enum Content;
 inline constexpr const char* unread = "";
 inline constexpr const char* no_tension = "a pad carries no tension";
 inline constexpr const char* no_damping = "the viscous damping of the element is left out";
-inline constexpr const char* no_bulk_viscosity = "there is no bulk viscosity";
-inline constexpr const char* no_contact_stiffness = "the contact does not need a stiffness";
-inline constexpr const char* no_geometry = "there is no reference geometry";
-inline constexpr const char* no_widening = "the pad does not widen";
-inline constexpr const char* zero_is_taken = "the pad does not widen; 0 is used";
+inline constexpr const char* no_bulk_viscosity = "bulk viscosity is left out";
+inline constexpr const char* no_contact_stiffness = "contact in Dashpad needs no stiffness";
+inline constexpr const char* no_geometry = "the reference geometry is left out";
+inline constexpr const char* no_widening = "the pad does not expand laterally";
+inline constexpr const char* zero_is_taken = "the pad does not expand laterally; 0 is used";
 inline constexpr const char* no_viscoelasticity = "the viscoelastic part is left out";
 inline constexpr const char* no_averaging = "the rate is not averaged over time steps; see lag_strain";
 inline constexpr const char* no_filter = "the rate is not filtered; see lag_strain";
@@ -52,7 +52,7 @@ inline constexpr DeckField low_density_1[]{{"MID", whole},
                                            {"LCID", whole},
                                            {"TC", number, no_tension},
                                            {"HU"},
-                                           {"BETA", number, "the hysteresis does not fade with time here"},
+                                           {"BETA", number, "the hysteresis does not decay in Dashpad"},
                                            {"DAMP", number, no_damping}};
 inline constexpr DeckField low_density_2[]{{"SHAPE"},
                                            {"FAIL", number, no_tension},
@@ -71,9 +71,9 @@ inline constexpr DeckField fu_chang_1[]{{"MID", whole},
                                         {"TBID", whole}};
 inline constexpr DeckField fu_chang_2[]{{"BVFLAG", number, no_bulk_viscosity},
                                         {"SFLAG"},
-                                        {"RFLAG", number, "the rate is that of the compression"},
+                                        {"RFLAG", number, "Dashpad uses the rate of compression"},
                                         {"TFLAG", number, no_tension},
-                                        {"PVID", whole, "the curve of the pressure is left out"},
+                                        {"PVID", whole, "the pressure curve is left out"},
                                         {"SRAF", number, no_averaging},
                                         {"REF", number, no_geometry},
                                         {"HU"}};
@@ -83,7 +83,7 @@ inline constexpr DeckField fu_chang_3[]{
 inline constexpr DeckField fu_chang_4[]{
     {"C3", number, unread},  {"C4", number, unread},   {"C5", number, unread},   {"AIJ", number, unread},
     {"SIJ", number, unread}, {"MINR", number, unread}, {"MAXR", number, unread}, {"SHAPE"}};
-inline constexpr DeckField fu_chang_5[]{{"EXPON"}, {"RIULD", number, "the unloading follows recoil"}};
+inline constexpr DeckField fu_chang_5[]{{"EXPON"}, {"RIULD", number, "in Dashpad, recoil governs unloading"}};
 inline constexpr DeckField crushable_1[]{{"MID", whole},
                                          {"RO", density},
                                          {"E", stress},
@@ -101,7 +101,7 @@ inline constexpr DeckField modified_crushable_1[]{{"MID", whole},
                                                   {"DAMP", number, no_damping},
                                                   {"NCYCLE", number, no_averaging}};
 inline constexpr DeckField modified_crushable_2[]{
-    {"SRCLMT", number, "the change of the rate has no limit; see lag_strain"}, {"SFLAG", whole}};
+    {"SRCLMT", number, "the change in rate is not limited; see lag_strain"}, {"SFLAG", whole}};
 
 inline constexpr DeckCard low_density[]{low_density_1, low_density_2};
 inline constexpr DeckCard fu_chang[]{fu_chang_1, fu_chang_2, fu_chang_3, fu_chang_4, fu_chang_5};
@@ -126,13 +126,13 @@ inline constexpr DeckField law_33_yield[]{{"A", stress, nullptr, 20},
 inline constexpr DeckField law_62_flags[]{{"Nu", number, zero_is_taken, 20},
                                           {"N", whole},
                                           {"M", whole},
-                                          {"mu_max", number, "the viscosity has no limit", 20},
+                                          {"mu_max", number, "the viscosity is not limited", 20},
                                           {"Flag_Visc", whole},
                                           {"Flag_Rigi", whole}};
 inline constexpr DeckField law_70_elastic[]{
     {"E0", stress, nullptr, 20},
     {"nu", number, no_widening, 20},
-    {"E_max", stress, "the stress follows its curves immediately, without a modulus", 20},
+    {"E_max", stress, "the stress follows the curves directly, without a modulus", 20},
     {"EPS_max", number, unread, 20},
     {"Itens", whole, no_tension}};
 inline constexpr DeckField law_70_flags[]{{"Fcut", number, no_filter, 20},

@@ -36,7 +36,7 @@ DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, Me
   }
   if (rest.find('\t') != std::string_view::npos)
     faults.add(line.number, "", "",
-               "contains a tab, so that its columns are ambiguous; replace it with blanks");
+               "contains a tab, which makes its columns ambiguous; replace it with spaces");
   widths_ = widths;
   for (const std::size_t width : widths) {
     fields_.push_back(without_blanks(rest.substr(0, width)));
@@ -45,7 +45,7 @@ DeckFields::DeckFields(const DeckLine& line, const Widths& widths, bool free, Me
 }
 
 std::string DeckFields::place_of(std::size_t field) const {
-  if (widths_.empty()) return fmt::format("field {} between commas", field + 1);
+  if (widths_.empty()) return fmt::format("comma-separated field {}", field + 1);
   std::size_t first = 1;
   for (std::size_t i = 0; i < field; ++i) first += widths_[i];
   return fmt::format("columns {} to {}", first, first + widths_[field] - 1);
@@ -58,8 +58,7 @@ double DeckFields::number(std::size_t field, const std::string& key, const DeckU
     const auto found = line_.parameters->find(lower_case(without_blanks(written.substr(at + 1))));
     if (found != line_.parameters->end() && (at == 0 || is_negative || written.starts_with('+')))
       return read_deck_number(fmt::format("{}", is_negative ? -found->second : found->second), unit).value;
-    faults_.add(line_.number, key, to_utf8(written),
-                "is a parameter that no *PARAMETER of this deck defines");
+    faults_.add(line_.number, key, to_utf8(written), "is not defined by any *PARAMETER in this deck");
     return std::numeric_limits<double>::quiet_NaN();
   }
   const ReadNumber read = read_deck_number(written, unit);
@@ -84,7 +83,7 @@ void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
   const auto found = blocks_.find(id);
   if (found != blocks_.end()) {
     faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
-               fmt::format("appears twice; first in line {}", found->second.head.number));
+               fmt::format("is defined twice, first on line {}", found->second.head.number));
     return;
   }
   blocks_.emplace(id, std::move(block));
@@ -116,8 +115,8 @@ double or_one(double given, const char* name, DeckFoam& foam, const char* conseq
 void tell_of_exponent(double exponent, const char* name, DeckFoam& foam) {
   if (exponent == exponent && exponent != 0 && exponent != 1)
     foam.differences.push_back(
-        fmt::format("{} = {:g}: the unloading exponent here is 1, so the foam dissipates a different "
-                    "fraction of the work.",
+        fmt::format("{} = {:g}: the unloading exponent in Dashpad is 1, so the foam dissipates a "
+                    "different fraction of the work.",
                     name, exponent));
 }
 
@@ -132,16 +131,16 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
 }
 
 std::string others_listed(const std::vector<std::string>& other_materials) {
-  return other_materials.empty() ? "" : "; available: " + listing(other_materials);
+  return other_materials.empty() ? "" : "; it contains " + listing(other_materials);
 }
 
 std::string missing(const std::string& block, const OutOfReach& why, const char* include) {
   if (why.encrypted > 0)
-    return fmt::format("a part of the deck is encrypted, from line {} on, so {} cannot be read",
-                       why.encrypted, block);
+    return fmt::format("part of the deck is encrypted, from line {} on, so {} cannot be read", why.encrypted,
+                       block);
   return fmt::format(
       "there is no {}{}", block,
-      why.includes_files ? fmt::format("; files of {} are not read: put it into this deck", include) : "");
+      why.includes_files ? fmt::format("; {} files are read only with --allow-includes", include) : "");
 }
 
 std::string too_many_points(std::size_t count) {

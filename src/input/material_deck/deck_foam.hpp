@@ -15,11 +15,10 @@
 #include "dashpad/model/pad/foam/table_curve.hpp"
 #include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "input/material_deck/deck_cards.hpp"
+#include "input/material_deck/deck_includes.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
-
-inline constexpr std::size_t largest_deck = std::size_t{64} << 20;  // bytes
 
 /// The values of a deck's parameters, by their names in lower case.
 using DeckParameters = std::map<std::string, double, std::less<>>;

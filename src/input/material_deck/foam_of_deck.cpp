@@ -78,7 +78,7 @@ bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
     if (rate != rate) sound = false;
     if (rate < 0) {
       faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
-                 "must not be negative; logarithms of rates and rates of tension are not read");
+                 "must not be negative; logarithms of rates, and rates in tension, are not read");
       sound = false;
     } else if (i > 0 && rate <= foam.loading[i - 1].rate) {
       faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
@@ -90,8 +90,7 @@ bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
   double rate = slowest_rate_assumed;
   if (foam.loading.size() > 1 && rate >= foam.loading[1].rate) rate = foam.loading[1].rate / 10;
   foam.loading.front().rate = rate;
-  foam.assumptions.push_back(
-      fmt::format("The rate of the slowest curve is not stated; {:g} 1/s was used.", rate));
+  foam.assumptions.push_back(fmt::format("The lowest rate is not stated; {:g} 1/s was used.", rate));
   return true;
 }
 
@@ -101,16 +100,16 @@ std::optional<CleanCurve> prepared(const DeckFoam& foam, std::size_t place, Meas
   auto clean = clean_curve(curve, place == 0 ? CurveRole::base : CurveRole::rate, faults, differences);
   if (!clean) return std::nullopt;
   if (!foam.crushable && clean->stress_at_zero && *clean->stress_at_zero > 0)
-    differences.push_back(
-        fmt::format("{}: the stress of {:.6g} Pa at strain 0 was left out; the curve begins at the origin.",
-                    curve.name, *clean->stress_at_zero));
+    differences.push_back(fmt::format(
+        "{}: the stress of {:.6g} Pa at a strain of 0 was left out; the curve starts at the origin.",
+        curve.name, *clean->stress_at_zero));
   if (foam.crushable && (!limit_to_elastic_line(*clean, foam.modulus, curve, faults, differences) ||
                          !add_air(*clean, foam.air, curve, faults)))
     return std::nullopt;
   if (clean->table.strain.size() < TableCurve::fewest_points) {
     faults.add(curve.line, curve.name, "",
-               fmt::format("has {} points at strains between 0 and 1; {} are needed",
-                           clean->table.strain.size(), TableCurve::fewest_points));
+               fmt::format("has {} at strains between 0 and 1; at least {} are needed",
+                           plural(clean->table.strain.size(), "point"), TableCurve::fewest_points));
     return std::nullopt;
   }
   return clean;
@@ -158,9 +157,8 @@ std::optional<TableCurve> way_back(const DeckCurve& curve, double last_strain, M
     stress.pop_back();
   }
   if (beyond > 0)
-    differences.push_back(
-        fmt::format("{}: its last {} beyond the last strain of the loading curve {} left out.", curve.name,
-                    beyond == 1 ? "point" : fmt::format("{} points", beyond), beyond == 1 ? "was" : "were"));
+    differences.push_back(fmt::format("{}: {} beyond the last strain of the loading curve {} left out.",
+                                      curve.name, plural(beyond, "point"), beyond == 1 ? "was" : "were"));
   return clean->table;
 }
 
@@ -187,8 +185,8 @@ PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::s
       std::ranges::any_of(violations(PadLaw(law)), is_too_gentle)) {
     law.unloading_modulus = steepest_slope(law);
     assumptions.push_back(fmt::format(
-        "The modulus of the deck, {:.6g} Pa, is less than the steepest slope of the curve; the foam "
-        "unloads with that slope, {:.6g} Pa.",
+        "The modulus in the deck, {:.6g} Pa, is less than the steepest slope of the curve; the foam "
+        "unloads with that slope, {:.6g} Pa, instead.",
         foam.modulus, law.unloading_modulus));
   }
   return law;
@@ -198,7 +196,7 @@ PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::s
 std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults) {
   if (foam.crushable && !(foam.modulus > 0)) {
     faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
-               "must be more than 0: the foam unloads with it");
+               "must be more than 0; the foam unloads with this modulus");
     return std::nullopt;
   }
   if (foam.loading.empty() || !settle_rates(foam, faults)) return std::nullopt;
@@ -212,15 +210,15 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
 void tell_common_differences(const DeckFoam& foam, std::vector<std::string>& differences) {
   if (foam.viscoelastic) return;
   if (!foam.hyperfoam)
-    differences.emplace_back("Between its points a curve is a monotone cubic here, not piecewise linear.");
-  differences.emplace_back("Beyond its last strain a curve is extrapolated to full compression.");
+    differences.emplace_back("Here curves are interpolated by monotone cubics, not linearly.");
+  differences.emplace_back("Beyond its last strain, each curve is extrapolated to full compression.");
   if (foam.loading.size() > 1) {
     differences.emplace_back(
-        "Above the highest rate the curve of that rate is used here; the solver extrapolates.");
+        "Above the highest rate, Dashpad uses the curve for that rate; solvers extrapolate.");
     if (!foam.crushable)
       differences.emplace_back(
-          "Where the rate reverses, the stress follows within a small strain (lag_strain), and the "
-          "rate-dependent stress resists the recovery (recoil); the solver's stress jumps to the unloading "
+          "When the strain rate reverses, Dashpad's stress changes over a small strain (lag_strain), and its "
+          "rate-dependent part resists recovery (recoil); in solvers, the stress jumps to the unloading "
           "curve.");
   }
 }

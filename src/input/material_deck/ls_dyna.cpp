@@ -34,7 +34,7 @@ std::optional<std::vector<DeckLine>> cards_of(const DeckBlock& block, const LsDy
     faults.add(block.head.number, name, "",
                fmt::format("ends after {} of {} lines", lines.size(), kind.fewest));
   else
-    faults.add(lines[most].number, name, "", fmt::format("has more than {} lines", most));
+    faults.add(lines[most].number, name, "", fmt::format("has too many lines; the limit is {}", most));
   return std::nullopt;
 }
 
@@ -50,12 +50,12 @@ void take_table(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& fo
   if (!id) return;
   if (*id == 0) {
     from.faults.add(field.line.line(), field.key, "",
-                    "must name a table of curves; the constants of the cards below are not read");
+                    "must refer to a table of curves; the constants on the cards below are not read");
     return;
   }
   if (*id < 0)
     foam.differences.push_back(
-        fmt::format("{} is negative; the option this selects is ignored.", field.name));
+        fmt::format("{} is negative; the option that this selects is ignored.", field.name));
   auto rows = ls_dyna_table(from, std::labs(*id), field.key, field.line.line());
   if (rows) foam.loading = *std::move(rows);
 }
@@ -71,14 +71,14 @@ bool take(const FieldOfCard& field, const LsDynaSource& from, DeckFoam& foam) {
   if (name == "HU")
     foam.unloading_factor =
         or_one(field.number(), "HU", foam,
-               foam.card == "*MAT_083" ? ": the unloading follows the slowest curve, without loss on it"
-                                       : ", which the solver treats as 1: no loss");
+               foam.card == "*MAT_083"
+                   ? ", so unloading follows the curve for the lowest rate, without loss at that rate"
+                   : ", which the solver treats as 1 (no energy loss)");
   if (name == "SHAPE") foam.unloading_shape = or_one(field.number(), "SHAPE", foam);
   if (name == "EXPON") tell_of_exponent(field.number(), "EXPON", foam);
   if (name == "SFLAG" && field.number() == 0 && foam.loading.size() > 1)
     foam.differences.emplace_back(
-        "SFLAG = 0: the rates of the table are those of the true strain; here they are treated as rates of "
-        "the nominal strain.");
+        "SFLAG = 0: the table gives rates of true strain, which Dashpad treats as rates of nominal strain.");
   return true;
 }
 
@@ -93,8 +93,9 @@ bool is_model_zero(const DeckBlock& block, const LsDynaFoam& kind, const LsDynaS
   DeckFields fields(lines.front(), equal_widths(8, block.long_format), true, from.faults);
   const auto model = fields.whole(place, card + ": MODEL");
   if (!model || *model == 0) return true;
-  from.faults.add(fields.line(), card + ": MODEL", fmt::format("{}", *model),
-                  "is not read; must be 0: a curve over volumetric strain, not over plastic strain");
+  from.faults.add(
+      fields.line(), card + ": MODEL", fmt::format("{}", *model),
+      "must be 0 (a curve against volumetric strain); curves against plastic strain are not read");
   return false;
 }
 
@@ -125,10 +126,9 @@ void tell_of_last_slope(DeckFoam& foam) {
   const double slope =
       (curve.stress[n - 1] - curve.stress[n - 2]) / (curve.strain[n - 1] - curve.strain[n - 2]);
   if (std::isfinite(slope))
-    foam.differences.push_back(
-        fmt::format("The foam unloads with E; newer versions of the solver use the last slope of the curve, "
-                    "{:.6g} Pa, instead.",
-                    slope));
+    foam.differences.push_back(fmt::format(
+        "Here the foam unloads with E; newer versions of the solver use the curve's last slope, {:.6g} Pa.",
+        slope));
 }
 
 /// The rule that the options in a keyword break; "" if none.
@@ -140,10 +140,10 @@ std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) 
   if (kind.number == "083") {
     for (const char* const other : {"DAMAGE_DECAY", "PATH_DEPENDENT"})
       if (option.find(other) != std::string::npos)
-        return fmt::format("is not read with the option {}, which has no counterpart here", other);
+        return fmt::format("is not read with the option {}, which has no counterpart in Dashpad", other);
     if (option == "_LOG_LOG_INTERPOLATION") return "";
   }
-  return "has an option that is not known";
+  return "has an unknown option";
 }
 
 }  // namespace
@@ -151,10 +151,11 @@ std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) 
 std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units, MeasurementFaults& faults) {
   const LsDynaBlocks deck = ls_dyna_blocks(text, faults);
   if (deck.foams.empty())
-    faults.add(0, "", "",
-               "holds no *MAT_057 (LOW_DENSITY_FOAM), *MAT_063 (CRUSHABLE_FOAM), *MAT_083 (FU_CHANG_FOAM) or "
-               "*MAT_163 (MODIFIED_CRUSHABLE_FOAM)" +
-                   others_listed(deck.other_materials));
+    faults.add(
+        0, "", "",
+        "contains no *MAT_057 (LOW_DENSITY_FOAM), *MAT_063 (CRUSHABLE_FOAM), *MAT_083 (FU_CHANG_FOAM) or "
+        "*MAT_163 (MODIFIED_CRUSHABLE_FOAM)" +
+            others_listed(deck.other_materials));
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : deck.foams) {
     const std::string keyword = keyword_of(block);

@@ -140,7 +140,7 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
       block.lines.pop_back();
     if (foam) {
       if (deck.foams.size() == max_foams_of_deck)
-        faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", max_foams_of_deck));
+        faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
       deck.foams.push_back(std::move(block));
     } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < max_materials_listed)
       deck.other_materials.push_back("*" + to_utf8(keyword));
@@ -163,11 +163,10 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
   const DeckBlock* const block = deck.curves.find(id);
   if (block == nullptr) {
     const auto other = deck.other_curves.find(id);
-    faults.add(
-        asked, key, fmt::format("{}", id),
-        other != deck.other_curves.end()
-            ? fmt::format("curve {} is a {}, which is not read: only *DEFINE_CURVE is", id, other->second)
-            : missing(fmt::format("*DEFINE_CURVE {}", id), deck.out_of_reach, "*INCLUDE"));
+    faults.add(asked, key, fmt::format("{}", id),
+               other != deck.other_curves.end()
+                   ? fmt::format("curve {} is a {}; only *DEFINE_CURVE is read", id, other->second)
+                   : missing(fmt::format("*DEFINE_CURVE {}", id), deck.out_of_reach, "*INCLUDE"));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);
@@ -187,7 +186,7 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
     const double stress = point.number(1, curve.name + ": O" + std::to_string(i), units.stress);
     curve.add(of_strain.of(strain), of_stress.of(stress), lines[i].number);
     if (std::isinf(curve.strain.back()) || std::isinf(curve.stress.back())) {
-      faults.add(lines[i].number, curve.name, "", "is too large a number once it is scaled");
+      faults.add(lines[i].number, curve.name, "", "has a number that is too large once scaled");
       return std::nullopt;
     }
   }
@@ -201,7 +200,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
   if (block == nullptr) {
     faults.add(asked, key, fmt::format("{}", id),
                deck.curves.find(id) != nullptr
-                   ? "is a curve; a table of curves for several rates is needed"
+                   ? "is a curve; a table of curves at several rates is needed"
                    : missing(fmt::format("*DEFINE_TABLE {}", id), deck.out_of_reach, "*INCLUDE"));
     return std::nullopt;
   }
@@ -212,7 +211,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
   const Shift of_rate = read_shift(head, 1, 2, keys_of_rate, units.rate);
   if (lines.size() < 2 || lines.size() > max_rates + 1) {
     faults.add(block->head.number, name, "",
-               fmt::format("has {} rates; must have between 1 and {}", lines.size() - 1, max_rates));
+               fmt::format("has {} rates; must have 1 to {}", lines.size() - 1, max_rates));
     return std::nullopt;
   }
   std::vector<DeckRateCurve> rows;
@@ -237,8 +236,9 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
       } else {
         faults.add(
             lines[i].number, name, "",
-            fmt::format("has {} rates, so {} *DEFINE_CURVE must follow it immediately; number {} does not",
-                        lines.size() - 1, lines.size() - 1, i));
+            fmt::format(
+                "must be directly followed by one *DEFINE_CURVE per rate, {} in all; number {} is missing",
+                lines.size() - 1, i));
       }
     }
     sound = sound && curve;

@@ -25,8 +25,8 @@ class Expression {
   std::optional<double> value(std::string& rule) {
     const double result = sum();
     skip_blanks();
-    if (rule_.empty() && !rest_.empty()) fail(fmt::format("does not end before \"{}\"", rest_));
-    if (rule_.empty() && !std::isfinite(result)) fail("is no finite number");
+    if (rule_.empty() && !rest_.empty()) fail(fmt::format("has unexpected text at its end: \"{}\"", rest_));
+    if (rule_.empty() && !std::isfinite(result)) fail("is not a finite number");
     rule = rule_;
     return rule_.empty() ? std::optional{result} : std::nullopt;
   }
@@ -89,7 +89,7 @@ class Expression {
   template <class Inner>
   double deeper(Inner&& inner) {
     if (++depth_ > deepest_brackets)
-      return fail(fmt::format("has more than {} brackets in each other", deepest_brackets));
+      return fail(fmt::format("is nested more than {} levels deep", deepest_brackets));
     const double result = inner();
     --depth_;
     return result;
@@ -98,7 +98,7 @@ class Expression {
   double bracket() {
     return deeper([&] {
       const double inner = sum();
-      return rule_.empty() && !take(")") ? fail("has a bracket that is not closed") : inner;
+      return rule_.empty() && !take(")") ? fail("has an unclosed bracket") : inner;
     });
   }
 
@@ -124,7 +124,8 @@ class Expression {
     }
     const ReadNumber read = read_deck_number(rest_.substr(0, size), {});
     if (read.kind != NumberKind::number || size == 0)
-      return fail(fmt::format("needs a number before \"{}\"", rest_));
+      return fail(rest_.empty() ? "ends where a number is needed"
+                                : fmt::format("needs a number before \"{}\"", rest_));
     rest_.remove_prefix(size);
     return read.value;
   }
@@ -132,7 +133,7 @@ class Expression {
   double named(const std::string& name) {
     if (const auto found = known_.find(name); found != known_.end()) return found->second;
     return name == "pi" ? std::numbers::pi
-                        : fail(fmt::format("uses {}, which is not defined before it", name));
+                        : fail(fmt::format("uses {}, which is not defined above it", name));
   }
 
   double function(const std::string& name) {
@@ -149,7 +150,7 @@ class Expression {
          {"tan", [](double x) { return std::tan(x); }}}};
     for (const auto& [known, evaluate] : functions)
       if (name == known) return evaluate(of);
-    return fail(fmt::format("uses the function {}, which is not read", name));
+    return fail(fmt::format("uses the function {}, which is not supported", name));
   }
 
   std::string_view rest_;
@@ -168,7 +169,7 @@ void define(std::string_view name, std::string_view text, std::size_t line, Deck
   if (key.empty() || kind == 'C') return;
   const std::string shown = "parameter " + to_utf8(key);
   if (text.size() > longest_expression)
-    return faults.add(line, shown, to_utf8(text), "has an expression that is too long");
+    return faults.add(line, shown, to_utf8(text), "has too long an expression");
   std::string rule;
   const std::optional<double> value = Expression(text, parameters).value(rule);
   if (!value) return faults.add(line, shown, to_utf8(text), rule);

@@ -51,12 +51,20 @@ const UnitSystem& deck_system(std::string_view name) {
 }
 
 Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
-                                                      const UnitSystem& units) {
-  return reading_of([&]() -> std::vector<DeckMaterial> {
+                                                      const UnitSystem& units, Includes includes) {
+  DeckText deck;
+  deck.files = {file};
+  auto read = reading_of([&]() -> std::vector<DeckMaterial> {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file, largest_deck);
-    const std::string_view text = text_in(content, faults);
+    std::string_view text = text_in(content, faults);
     if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
+    if (includes == Includes::allowed) {
+      deck = with_includes(file, text, faults);
+      faults.throw_if_any();
+      text = deck.text;
+      faults.are_in(text);
+    }
     const Solver solver = solver_of(text);
     if (solver == Solver::unknown)
       faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA, Abaqus) or / (Radioss)");
@@ -66,14 +74,22 @@ Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::pat
                                                               : read_radioss(text, units, deck_units, faults);
     std::vector<DeckMaterial> materials;
     for (DeckFoam& foam : foams) {
-      foam.source = fmt::format("{} {} of the deck {}, line {}, in the units {}", foam.card, foam.id,
-                                to_utf8(file.filename().string()), foam.line, units.name);
-      if (auto material = material_of(foam, faults)) materials.push_back(*std::move(material));
+      const DeckPlace place = deck.place_of(static_cast<int>(foam.line));
+      foam.source = fmt::format("{} {} from the deck {} (line {}; units {})", foam.card, foam.id,
+                                to_utf8(deck.files[place.file].filename().string()), place.line, units.name);
+      auto material = material_of(foam, faults);
+      if (!material) continue;
+      material->line = place.line;
+      materials.push_back(*std::move(material));
     }
     faults.throw_if_any();
     make_names_differ(materials);
     return materials;
   });
+  if (read) return read;
+  std::vector<Fault> faults = read.faults();
+  deck.place(faults);
+  return faults;
 }
 
 }  // namespace dashpad::input

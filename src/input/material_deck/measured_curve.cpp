@@ -151,18 +151,17 @@ void tell_of_parts(const DeckCurve& test, const Parts& parts, std::vector<std::s
   };
   if (parts.cycle)
     say(fmt::format(
-        "the strain turns back in line {} and rises again; what is below the largest strain so far was "
-        "left out. dashpad fit uses all of it.",
+        "the strain reverses on line {} and rises again; points below the largest strain reached so far "
+        "were left out, but dashpad fit uses them.",
         test.lines[*parts.cycle]));
   else if (!parts.back.empty())
-    say(fmt::format("the strain turns back in line {}; the way back is the unloading curve.",
-                    test.lines[parts.top]));
+    say(fmt::format("the strain reverses on line {}, where unloading begins.", test.lines[parts.top]));
   if (!parts.back.empty() || parts.top + 1 >= test.stress.size()) return;
   const double lost = 1 - test.stress.back() / test.stress[parts.top];
   if (lost > relaxing_share)
     say(fmt::format(
-        "from line {} on the strain stays and the stress relaxes by {:.2g} %; that was left out. dashpad "
-        "fit uses it.",
+        "from line {} on, the strain is held and the stress relaxes by {:.2g} %; these points were left "
+        "out, but dashpad fit uses them.",
         test.lines[parts.top], 100 * lost));
 }
 
@@ -177,7 +176,7 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
   tell_of_parts(test, parts, differences);
   curves.loading = sorted_points(test, parts.loading, parts.noisy > 0);
   if (parts.noisy > 0 || curves.loading.strain.size() < parts.loading.size())
-    say(fmt::format("{} of the loading were averaged to {}.", plural(parts.loading.size(), "point"),
+    say(fmt::format("{} of the loading curve were averaged into {}.", plural(parts.loading.size(), "point"),
                     curves.loading.strain.size()));
   if (is_slowest) {
     Moved moved;
@@ -185,17 +184,17 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
     curves.loading = risen(curves.loading, moved);
     if (moved.largest > softening_share * top)
       say(fmt::format(
-          "the stress falls about a strain of {:.3g}, which the curve of the slowest test cannot; it was "
-          "made level there, by up to {:.3g} kPa, {:.2g} % of the largest stress.",
+          "the stress falls near a strain of {:.3g}, which the curve for the lowest rate must not do; it was "
+          "levelled there, changing by up to {:.3g} kPa, or {:.2g} % of the largest stress.",
           moved.strain, kpa(moved.largest), 100 * moved.largest / top));
     else if (moved.largest > 0)
       say(fmt::format(
-          "the stress goes up and down by noise; it was made to rise, which moved it by at most {:.3g} "
-          "kPa, {:.2g} % of the largest stress.",
+          "noise makes the stress rise and fall; it was smoothed so that it never falls, changing by "
+          "at most {:.3g} kPa, or {:.2g} % of the largest stress.",
           kpa(moved.largest), 100 * moved.largest / top));
   }
   if (const std::size_t slack = without_slack(curves.loading); slack > 0)
-    say(fmt::format("{} before the first stress above 0 {} left out.", plural(slack, "point"),
+    say(fmt::format("{} before the first positive stress {} left out.", plural(slack, "point"),
                     slack == 1 ? "was" : "were"));
   if (parts.back.empty() || curves.loading.strain.empty()) return curves;
   Moved ignored;
@@ -210,9 +209,9 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
       ++above;
     }
   if (above > 0)
-    say(fmt::format("{} of the way back above the loading {} put on it.", plural(above, "point"),
-                    above == 1 ? "was" : "were"));
-  back.name = test.name + ", way back";
+    say(fmt::format("{} of the unloading curve above the loading curve {} moved onto it.",
+                    plural(above, "point"), above == 1 ? "was" : "were"));
+  back.name = test.name + ", unloading";
   if (back.strain.empty() || back.strain.back() < curves.loading.strain.back())
     back.add(curves.loading.strain.back(), curves.loading.stress.back(), test.lines[parts.top]);
   if (back.strain.size() >= TableCurve::fewest_points) curves.way_back = std::move(back);
@@ -232,10 +231,10 @@ void raise_to(const DeckCurve& slower, DeckCurve& curve, std::vector<std::string
       }
     }
   if (largest > 0)
-    differences.push_back(
-        fmt::format("{}: lies below the slower test by up to {:.3g} kPa, at a strain of {:.3g}; it "
-                    "was raised to it.",
-                    curve.name, kpa(largest), at));
+    differences.push_back(fmt::format(
+        "{}: the curve lay below the one for the next lower rate, by up to {:.3g} kPa at a strain of {:.3g}, "
+        "and was raised to meet it.",
+        curve.name, kpa(largest), at));
 }
 
 }  // namespace dashpad::input

@@ -60,7 +60,7 @@ void compare_units(const DeckLine& line, const UnitSystem& system, MeasurementFa
     if (!in_si.rule.empty()) return;  // not a line of units
     if (std::abs(in_si.value / to_si("1 " + wanted[i][0], wanted[i][1]) - 1) < 1e-6) continue;
     faults.add(line.number, "units", to_utf8(stated),
-               fmt::format("is not {}, as in the unit system {}", wanted[i][0], system.name));
+               fmt::format("must be {}, as in the unit system {}", wanted[i][0], system.name));
   }
 }
 
@@ -80,7 +80,7 @@ void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
   const bool material = parts.size() > 2 && parts[0] == "MAT";
   if (material && radioss_law(parts[1]) != nullptr) {
     if (deck.foams.size() == max_foams_of_deck)
-      faults.refuse(block.head.number, "", "", fmt::format("more than {} foams", max_foams_of_deck));
+      faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
     deck.foams.push_back(std::move(block));
   } else if (material) {
     if (deck.other_materials.size() < max_laws_listed)
@@ -139,7 +139,7 @@ bool CardNumbers::are_sound() const {
 std::optional<DeckFields> LawLines::next(const Widths& widths) {
   if (taken_ + 1 < block_.lines.size())
     return DeckFields(block_.lines[++taken_], widths, false, from_.faults);
-  if (!told_) from_.faults.add(block_.head.number, name_, "", "ends after " + plural(taken_, "line"));
+  if (!told_) from_.faults.add(block_.head.number, name_, "", "ends after only " + plural(taken_, "line"));
   told_ = true;
   return std::nullopt;
 }
@@ -172,7 +172,7 @@ std::optional<long> LawLines::count(const CardNumbers& card_numbers, const char*
   if (count >= static_cast<double>(fewest) && count <= static_cast<double>(most))
     return card_numbers.whole(field);
   from_.faults.add(card_numbers.line, key(field), fmt::format("{}", card_numbers.whole(field)),
-                   fmt::format("must be between {} and {}", fewest, most));
+                   fmt::format("must be from {} to {}", fewest, most));
   return std::nullopt;
 }
 
@@ -214,9 +214,10 @@ std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& syst
   const RadiossBlocks blocks = radioss_blocks(text, faults);
   if (blocks.begin && blocks.begin->lines.size() > 2) compare_units(blocks.begin->lines[2], system, faults);
   if (blocks.foams.empty())
-    faults.add(0, "", "",
-               "holds no /MAT/LAW33 (FOAM_PLAS), /MAT/LAW62 (VISC_HYP), /MAT/LAW70 (FOAM_TAB) or /MAT/LAW90" +
-                   others_listed(blocks.other_materials));
+    faults.add(
+        0, "", "",
+        "contains no /MAT/LAW33 (FOAM_PLAS), /MAT/LAW62 (VISC_HYP), /MAT/LAW70 (FOAM_TAB) or /MAT/LAW90" +
+            others_listed(blocks.other_materials));
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : blocks.foams) {
     const std::vector<std::string> parts = split_at(block.keyword, '/');

@@ -38,7 +38,7 @@ std::optional<double> lasting_share(const Terms& ratios, std::size_t line, const
   const double lasting = 1 - ratios[0] - ratios[1];
   if (lowest >= 0 && highest <= 1 && lasting > 0) return lasting;
   faults.add(line, law_lines.key("gamma_i"), fmt::format("{:g}, {:g}", ratios[0], ratios[1]),
-             "must each be in [0, 1], and their sum be less than 1");
+             "must each be from 0 to 1, and their sum must be less than 1");
   return std::nullopt;
 }
 
@@ -49,17 +49,17 @@ void tell_of_law_62(long branches, long whole_stress, DeckFoam& foam) {
   }
   if (whole_stress != 1)
     foam.differences.push_back(fmt::format(
-        "Flag_Visc = {}: only the deviatoric stress relaxes in the solver; here the whole stress does.",
+        "Flag_Visc = {}: in the solver only the deviatoric stress relaxes; in Dashpad the whole stress does.",
         whole_stress));
   foam.differences.emplace_back(
-      "Here the nominal stress relaxes, in the solver the second Piola-Kirchhoff stress; the two agree for a "
-      "sudden strain and after long times, but not for a strain that changes in between.");
+      "Here the nominal stress relaxes; in the solver, the second Piola-Kirchhoff stress does. They agree "
+      "for a sudden strain and after a long time, but not for a strain that changes gradually.");
 }
 
 /// Points of |A + B (1 + C gamma)| at gamma = -strain, until almost no air is left.
 DeckCurve yield_formula(double a, double b, double c, double phi, std::size_t line) {
   constexpr int count = 40;
-  DeckCurve curve{"the yield stress A + B (1 + C gamma)", line};
+  DeckCurve curve{"yield stress A + B (1 + C gamma)", line};
   for (int i = 0; i <= count; ++i) {
     const double e = 0.95 * (1 - phi) * i / count;
     curve.add(e, std::abs(a + b * (1 - c * e)), line);
@@ -78,19 +78,20 @@ void settle_unloading(long flag, double shape, double factor, std::vector<DeckRa
                       DeckFoam& foam) {
   if (flag >= 3) {
     foam.unloading_shape = or_one(shape, "Shape", foam);
-    foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver treats as 1: no loss");
+    foam.unloading_factor = or_one(factor, "Hys", foam, ", which the solver treats as 1 (no energy loss)");
     if (flag == 3)
-      foam.differences.emplace_back("Iflag = 3 reduces only the shear stresses; here the whole stress does.");
+      foam.differences.emplace_back(
+          "Iflag = 3: the solver reduces only the shear stresses; Dashpad reduces the whole stress.");
   } else if (ways_back.empty()) {
     foam.assumptions.emplace_back(
-        "There is no unloading function, so the foam unloads along its slowest curve.");
+        "There is no unloading function, so the foam unloads along the curve for the lowest rate.");
   } else {
     foam.unloading = std::move(ways_back.front().curve);
     if (ways_back.size() > 1)
-      foam.differences.emplace_back("Of the unloading functions only the first, the slowest, was used.");
+      foam.differences.emplace_back("Only the first unloading function, the slowest, was used.");
     foam.differences.emplace_back(
-        "The unloading function applies to unloading from the last strain; from smaller strains it is scaled "
-        "with the work done, whereas the solver always drops to the same curve.");
+        "Here the unloading function applies to unloading from the last strain and, for smaller strains, is "
+        "scaled with the work done; the solver always drops to the same curve.");
   }
 }
 
@@ -124,7 +125,8 @@ bool read_law_62(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   for (double& time : tau)
     if (time == 0) {
       time = longest_time;
-      foam.assumptions.emplace_back("A tau_i is blank or 0: this branch does not relax, as in the solver.");
+      foam.assumptions.emplace_back(
+          "A tau_i is blank or 0, so this branch does not relax, as in the solver.");
     }
   if (!lines.at_end()) {  // missing before the format of 2022
     constexpr DeckField ratios[]{{"nu_1", Content::number, deck::zero_is_taken, 20},
@@ -161,24 +163,24 @@ bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
     return false;
   if (gamma_0 != 0) {
     from.faults.add(gas->line, lines.key("Gamma_0"), fmt::format("{:g}", gamma_0),
-                    "must be 0: foam that is compressed from the start is not read");
+                    "must be 0; foam that is already compressed at the start is not read");
     return false;
   }
   if (!(foam.air.pressure >= 0 && foam.air.relative_density >= 0 && foam.air.relative_density < 1)) {
     from.faults.add(gas->line, lines.key("P0"), "",
-                    "the pressure must not be negative, and Phi must be in [0, 1)");
+                    "must not be negative, and Phi must be at least 0 and less than 1");
     return false;
   }
   if (foam.air.pressure > 0)
     foam.differences.emplace_back(
-        "The pressure of the air is part of the crush curve; it does not push the crushed foam back here.");
+        "Here the air pressure is part of the crush curve and does not push the crushed foam back.");
   const long function = elastic->whole("fct_IDf");
   if (function == 0) {
     DeckCurve curve =
         yield_formula((*yield)("A"), (*yield)("B"), (*yield)("C"), foam.air.relative_density, yield->line);
-    foam.assumptions.push_back(
-        fmt::format("The yield stress |A + B (1 + C gamma)| is given as points up to a strain of {:.3g}.",
-                    curve.strain.back()));
+    foam.assumptions.push_back(fmt::format(
+        "The yield stress |A + B (1 + C gamma)| was converted to points up to a strain of {:.3g}.",
+        curve.strain.back()));
     foam.loading.push_back({0, yield->line, std::move(curve)});
     return true;
   }
@@ -187,7 +189,7 @@ bool read_law_33(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   if (!curve->strain.empty() && std::ranges::min(curve->strain) >= 0 && std::ranges::max(curve->strain) > 0) {
     from.faults.add(
         curve->line, curve->name, "",
-        "all its points lie at positive strains, which are tension in LAW33; compression is negative");
+        "has all its points at positive strains, which are tensile in LAW33; compression is negative");
     return false;
   }
   mirror(*curve);
@@ -203,7 +205,7 @@ bool read_law_70(LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
   if (!count || !count_back || std::isnan((*flags)("Iflag"))) return false;
   const long flag = flags->whole("Iflag");
   if (flag < 0 || flag > 4) {
-    from.faults.add(flags->line, lines.key("Iflag"), fmt::format("{}", flag), "must be between 0 and 4");
+    from.faults.add(flags->line, lines.key("Iflag"), fmt::format("{}", flag), "must be from 0 to 4");
     return false;
   }
   std::vector<DeckRateCurve> ways_back;

@@ -31,12 +31,12 @@ void settle_rates_of(TestColumns& columns, std::optional<double> rate, Measureme
   }
   if (rate)
     faults.add(columns.line, "", "",
-               "there are several columns of stress; give each rate in its header, not with --rate");
+               "there are several stress columns; give each rate in its header, not with --rate");
   for (const StressColumn& column : columns.stresses)
     if (column.rate == 0)
       faults.add(columns.line, column.of.name, "",
-                 "with several columns of stress each header must give its rate after an @, such as "
-                 "\"stress_kPa @ 10 1/s\"; or choose one with --stress");
+                 "with several stress columns, each header must give its rate after an @, such as "
+                 "\"stress_kPa @ 10 1/s\"; or choose one column with --stress");
 }
 
 /// Adds a row to each curve that has a stress in it.
@@ -71,7 +71,7 @@ std::vector<DeckRateCurve> tests_in(const std::filesystem::path& file, std::opti
   bool has_too_large = false;  // told once: the unit is the cause
   each_row(csv, faults, [&](const CsvRow& row) {
     if (count++ == max_rows_of_stresses)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows_of_stresses));
+      faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows_of_stresses));
     take_row(row, columns, curves, has_too_large, faults);
   });
   faults.throw_if_any();
@@ -84,9 +84,9 @@ std::vector<DeckRateCurve> tests_in(const std::filesystem::path& file, std::opti
     if (std::ranges::is_sorted(curve.strain, std::ranges::greater())) curve.reverse();
     if (curve.strain.size() < TableCurve::fewest_points || !(std::ranges::max(curve.strain) > 0) ||
         !(std::ranges::max(curve.stress) > 0))
-      faults.add(
-          columns.line, curve.name, "",
-          fmt::format("has fewer than {} points with compression and stress", TableCurve::fewest_points));
+      faults.add(columns.line, curve.name, "",
+                 fmt::format("needs at least {} points, with strain and stress in compression",
+                             TableCurve::fewest_points));
     else
       tests.push_back({columns.stresses[i].rate, columns.line, std::move(curve)});
   }
@@ -108,9 +108,8 @@ std::vector<DeckRateCurve> tests_in(const std::vector<std::filesystem::path>& fi
         if (files.size() > 1) {
           test.curve.name = to_utf8(files[i].filename().string());
           if (test.rate == 0)
-            errors.push_back(
-                {files[i].string(), static_cast<int>(test.line), "", "",
-                 "with several files each needs its rate: --rate for each file, in their order"});
+            errors.push_back({files[i].string(), static_cast<int>(test.line), "", "",
+                              "with several files, give a --rate for each, in the order of the files"});
         }
         tests.push_back(std::move(test));
       }
@@ -156,7 +155,7 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
     foam.linear_in_rate = false;
     foam.basis = "test";
     for (const std::filesystem::path& file : files)
-      foam.source += (foam.source.empty() ? "Table " : ", ") + to_utf8(file.filename().string());
+      foam.source += (foam.source.empty() ? "Tests in " : ", ") + to_utf8(file.filename().string());
     for (std::size_t i = 0; i < tests.size(); ++i) {
       MeasuredCurves curves = curves_of_test(tests[i].curve, i == 0, foam.differences);
       if (i > 0) raise_to(foam.loading.back().curve, curves.loading, foam.differences);
@@ -164,16 +163,16 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
         foam.unloading = std::move(curves.way_back);
       else if (curves.way_back)
         foam.differences.push_back(tests[i].curve.name +
-                                   ": its way back is not used; that of the slowest test is.");
+                                   ": its unloading is not used; that of the slowest test is.");
       foam.loading.push_back({tests[i].rate, tests[i].line, std::move(curves.loading)});
     }
     if (!foam.unloading)
       foam.assumptions.emplace_back(
-          "The unloading is not in the table; the foam unloads along its slowest curve, without loss on it. "
-          "Set unloading_factor and unloading_shape.");
+          "The unloading is not in the table, so the foam unloads along the curve for the lowest "
+          "rate, without loss at that rate. Set unloading_factor and unloading_shape.");
     auto material = material_of(foam, faults);
     faults.throw_if_any();
-    if (!material) faults.refuse(0, "", "", "holds no curve");
+    if (!material) faults.refuse(0, "", "", "contains no curve");
     return *std::move(material);
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,12 +53,20 @@ std::optional<std::int64_t> days_of(std::string_view text) {
   return std::nullopt;
 }
 
-/// Takes a zone off the end, "Z", "UTC", "+02:00", "+0200": its lead over UTC, s. A hyphen in a date is none.
+/// Zones by name, longer names before those that they end in, with their lead over UTC in hours; "Uhr" is
+/// German for o'clock.
+constexpr std::pair<std::string_view, int> zones[]{
+    {"CEST", 2}, {"EEST", 3}, {"MESZ", 2}, {"CET", 1},  {"EET", 2},  {"MEZ", 1},  {"WET", 0},
+    {"BST", 1},  {"EST", -5}, {"EDT", -4}, {"CST", -6}, {"CDT", -5}, {"MST", -7}, {"MDT", -6},
+    {"PST", -8}, {"PDT", -7}, {"JST", 9},  {"UTC", 0},  {"GMT", 0},  {"Uhr", 0},  {"Z", 0}};
+
+/// Takes a zone off the end, "Z", "CEST", "+02:00", "+0200": its lead over UTC, s. A hyphen in a date is
+/// none.
 int take_zone(std::string_view& text) {
-  for (const std::string_view name : {"Z", "UTC", "GMT"})
+  for (const auto& [name, hours] : zones)
     if (text.ends_with(name)) {
       text = without_blanks(text.substr(0, text.size() - name.size()));
-      return 0;
+      return hours * seconds_of_hour;
     }
   const std::size_t sign = text.find_last_of("+-");
   if (sign == std::string_view::npos || sign < text.find(':')) return 0;
@@ -71,11 +80,13 @@ int take_zone(std::string_view& text) {
   return is_behind ? -lead : lead;
 }
 
-/// Takes "AM" or "PM" off the end: the hours that it adds to the hour that is written.
+/// Takes "AM" or "p.m." off the end: the hours that it adds to the hour that is written.
 std::optional<int> take_half_of_day(std::string_view& text) {
-  const std::string end = text.size() < 2 ? "" : upper_case(text.substr(text.size() - 2));
+  const std::size_t begin = std::min(text.find_last_of("0123456789 ") + 1, text.size());
+  std::string end = upper_case(text.substr(begin));
+  std::erase(end, '.');
   if (end != "AM" && end != "PM") return std::nullopt;
-  text = without_blanks(text.substr(0, text.size() - 2));
+  text = without_blanks(text.substr(0, begin));
   return end == "PM" ? 12 : 0;
 }
 
@@ -160,7 +171,7 @@ bool counts_from_first(double first, double length) {
 
 std::string remark_on_clock(const std::string& first) {
   return fmt::format(
-      "the times begin at {}, far beyond the length of the record: here they count from the "
+      "the times begin at {}, far beyond the length of the record; Dashpad counts them from the "
       "first sample",
       first);
 }

@@ -87,6 +87,7 @@ std::size_t opening_bracket(std::string_view text) {
 
 /// Whether the text before a slash belongs to a unit: "v m" in "v m/s" does, "Time " in "Time / s" does not.
 bool ends_in_unit(std::string_view before) {
+  if (before == "t" || before == "a") return false;  // "t/ms", "a/g": a quantity over its unit
   const auto last = before.substr(before.find_last_of(" _") + 1);
   return !last.empty() && last.size() <= 2;
 }
@@ -199,21 +200,21 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
                                : sensitivity            ? "V, mV"
                                                         : "g, m/s2, ...";
   if (const std::string unknown = unknown_unit(column.name); unit.empty() && !unknown.empty())
-    return fmt::format("the {} needs a unit; \"{}\" in the header is not a known unit: give {} {}",
-                       words_for(kind), unknown, option, examples);
+    return fmt::format("\"{}\" in the header is not a known unit of {}; give one with {} ({})", unknown,
+                       words_for(kind), option, examples);
   if (unit.empty())
-    return fmt::format("the {} needs a unit; none is in the header: give {} {}", words_for(kind), option,
+    return fmt::format("the {} has no unit in the header; give one with {} ({})", words_for(kind), option,
                        examples);
   const bool in_volts = kind == ColumnKind::acceleration && is_voltage(unit);
   if (in_volts && !sensitivity)
-    return fmt::format("is in {}; --sensitivity, such as \"10 mV/g\", converts it to an acceleration", unit);
+    return fmt::format("is in {} and needs a sensitivity, such as --sensitivity \"10 mV/g\"", unit);
   if (sensitivity && !in_volts)
-    return fmt::format("is in {}; --sensitivity is for a column in V or mV", unit);
+    return fmt::format("is in {}, but --sensitivity applies only to voltages (V, mV)", unit);
   try {
     column.factor = in_volts ? to_si("1 " + unit, "V") / sensitivity->volts_per_acceleration
                              : pulse_unit_factor(kind, unit);
   } catch (const UnitError& error) {
-    return given.empty() ? fmt::format("{}; {} gives another unit", error.what(), option)
+    return given.empty() ? fmt::format("{}; give another unit with {}", error.what(), option)
                          : fmt::format("{} {}: {}", option, given, error.what());
   }
   if (!(column.factor > 0)) return fmt::format("\"{}\" is not a unit", unit);
@@ -224,8 +225,8 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
 }
 
 std::string wrong_number_of_sensitivities(std::size_t given, std::size_t accelerations) {
-  return fmt::format("{} sensitivities were given for {}; give one for all, or one for each", given,
-                     plural(accelerations, "acceleration"));
+  return fmt::format("{} sensitivities were given for {}; give one for all or one for each", given,
+                     plural(accelerations, "acceleration signal"));
 }
 
 std::optional<Sensitivity> sensitivity_at(const std::vector<Sensitivity>& given, std::size_t place) {
@@ -241,14 +242,14 @@ std::optional<std::string> overruled_unit(const injury::MeasuredColumn& column,
     if (is_pulse_unit(kind, unit_of_file) && is_pulse_unit(kind, column.unit) &&
         pulse_unit_factor(kind, unit_of_file) == pulse_unit_factor(kind, column.unit))
       return std::nullopt;
-  return fmt::format("{}: the file says {}; {} was given and is used", column.name, unit_of_file,
-                     column.unit);
+  return fmt::format("{}: the unit in the file is {}, but {} was given and is used", column.name,
+                     unit_of_file, column.unit);
 }
 
 Sensitivity sensitivity_of(const std::string& text) {
   const auto slash = text.find('/');
   if (slash == std::string::npos)
-    throw UnitError("must be a voltage per acceleration, such as \"10 mV/g\" or \"1.02 mV/(m/s2)\"");
+    throw UnitError("must be a voltage per unit of acceleration, such as \"10 mV/g\" or \"1.02 mV/(m/s2)\"");
   std::string_view unit = without_blanks(std::string_view(text).substr(slash + 1));
   if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
   const double volts = to_si(std::string_view(text).substr(0, slash), "V");

@@ -74,7 +74,7 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
                                             MeasurementFaults& faults) {
   if (const auto number = parsed<std::size_t>(wanted)) {
     if (*number >= 1 && *number <= all.size()) return all[*number - 1];
-    faults.add(line, "", "", fmt::format("{} {}: the columns are 1 to {}", option, wanted, all.size()));
+    faults.add(line, "", "", fmt::format("{} {}: columns are numbered 1 to {}", option, wanted, all.size()));
     return std::nullopt;
   }
   const auto bare = [](const injury::MeasuredColumn& column) { return split_header(column.name).name; };
@@ -88,8 +88,8 @@ std::optional<injury::MeasuredColumn> named(const Columns& all, const std::strin
     if (found.size() == 1) return found.front();
     if (found.size() > 1) {
       faults.add(line, "", "",
-                 fmt::format("{} {}: several columns have that name: {}; give the number", option, wanted,
-                             listing(found)));
+                 fmt::format("{} {}: give the number of the column, since several have that name: {}", option,
+                             wanted, listing(found)));
       return std::nullopt;
     }
   }
@@ -117,7 +117,7 @@ std::string units_of_namesakes(ColumnKind kind, const Columns& all) {
   for (const injury::MeasuredColumn& column : all) {
     const std::size_t before = text.size();
     if (kind == ColumnKind::acceleration && is_voltage(column.unit))
-      text += fmt::format("; column {} is in {}, for which --sensitivity is needed, such as \"10 mV/g\"",
+      text += fmt::format("; column {} is in {} and needs a sensitivity, such as --sensitivity \"10 mV/g\"",
                           column.number, column.unit);
     else if (!column.unit.empty() && !is_pulse_unit(ColumnKind::time, column.unit) &&
              !is_pulse_unit(ColumnKind::acceleration, column.unit) &&
@@ -144,12 +144,12 @@ Columns chosen(const CsvColumns& columns, ColumnKind kind, const std::vector<std
   found = those_that_look_like(kind, columns.all, sensitivity);
   if (found.empty())
     faults.add(line, "", "",
-               fmt::format("no column is recognized as the {}; name it with {}: {}{}", word, option,
+               fmt::format("no {} column was recognized; name it with {}; available: {}{}", word, option,
                            listing(columns.all), units_of_namesakes(kind, columns.all)));
   if (found.size() > most) {
     faults.add(
         line, "", "",
-        fmt::format("several columns may be the {}: {}; choose with {}{}", word, listing(found), option,
+        fmt::format("several columns could be the {}: {}; choose one with {}{}", word, listing(found), option,
                     kind == ColumnKind::acceleration ? ", or combine two or three with --resultant" : ""));
     found.clear();
   }
@@ -202,7 +202,11 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest, std
       begin_numbers(fallback.emplace(header));
       comment = rows.comment();
     }
-    if (numbers >= fewest && reads_as_number(row.fields.front())) {
+    const auto without_value = [](std::string_view field) {
+      return !without_blanks(field).empty() && !reads_as_number(field) && is_missing(without_blanks(field));
+    };
+    if (reads_as_number(row.fields.front()) &&
+        numbers + std::ranges::count_if(row.fields, without_value) >= fewest) {
       begin_numbers(header);
       comment = rows.comment();
       break;
@@ -248,7 +252,7 @@ CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewes
     table.separator = table.labview->separator;
     table.header = read_csv_header(table.text, table.separator, 1, table.labview->end);
     if (table.header.first_line == 0)
-      faults.refuse(table.labview->end, "", "", "no number follows the header");
+      faults.refuse(table.labview->end, "", "", "no numbers follow the header");
     return table;
   }
   table.has_one_column = fewest != Fewest::two && is_one_column(table.text);
@@ -258,7 +262,7 @@ CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewes
     table.separator = find_separator(table.text, 1);
     table.header = read_csv_header(table.text, table.separator, 1);
   }
-  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row of two numbers or more");
+  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row with two or more numbers");
   return table;
 }
 
@@ -318,7 +322,7 @@ CsvColumns name_columns(const CsvHeader& header, const std::optional<LabViewHead
 CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults) {
   CsvColumns columns = name_columns(header);
   if (columns.names == nullptr)
-    faults.refuse(header.first_line, "", "", "needs a line above the numbers that names the columns" + what);
+    faults.refuse(header.first_line, "", "", "needs a header line that names the columns" + what);
   return columns;
 }
 
@@ -340,9 +344,9 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
   if (columns.names != nullptr && columns.names->fields.size() < header.width && score(*columns.names) > 0)
     faults.add(
         line, "", "",
-        fmt::format("names {} columns, but the numbers in line {} have {}; decimal commas need another "
-                    "separator, such as a semicolon",
-                    columns.names->fields.size(), header.first_line, header.width));
+        fmt::format("names {}, but line {} has {} numbers; with decimal commas, use another separator, "
+                    "such as a semicolon",
+                    plural(columns.names->fields.size(), "column"), header.first_line, header.width));
   columns.acceleration = chosen(columns, ColumnKind::acceleration, acceleration, options.resultant ? 3 : 1,
                                 options.sensitivity, faults);
   if (table.labview && table.labview->x_columns == LabViewHeader::XColumns::each && time.empty() &&
@@ -350,13 +354,13 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
     time = {std::to_string(columns.acceleration.front().number - 1)};
   if (table.labview && table.labview->x_columns == LabViewHeader::XColumns::each && options.resultant)
     faults.add(table.labview->end, "X_Columns", "Multi",
-               "each channel has times of its own; a resultant needs common ones");
+               "each channel has its own times, but a resultant needs the same times for all");
   const Columns times = options.interval ? Columns{} : chosen(columns, ColumnKind::time, time, 1, {}, faults);
   const std::size_t count = columns.acceleration.size();
   if (options.resultant ? count == 1 || count > 3 : count > 1)
     faults.add(line, "", "",
-               options.resultant ? fmt::format("a resultant needs two or three accelerations, not {}", count)
-                                 : "several accelerations were named; combine them with --resultant");
+               options.resultant ? fmt::format("a resultant needs two or three columns, not {}", count)
+                                 : "several acceleration columns were named; combine them with --resultant");
   if (!times.empty()) {
     columns.time = times.front();
     columns.times_of_day = header.holds_time_of_day(columns.time);
@@ -368,12 +372,12 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
       if (!options.time_unit.empty())
         faults.add(header.first_line, columns.time.name,
                    header.first_row[static_cast<std::size_t>(columns.time.number - 1)],
-                   "is a time of day, which has no other unit: leave out --time-unit");
+                   "is a time of day and takes no unit: leave out --time-unit");
     }
   } else if (options.interval) {
     columns.time = {.name = "samples", .unit = "s", .unit_origin = "given"};
     for (const injury::MeasuredColumn& unread : those_that_look_like(ColumnKind::time, columns.all))
-      remarks.push_back(fmt::format("the times of column {}, {}, were not read: --interval was given",
+      remarks.push_back(fmt::format("the times in column {}, {}, were not read because --interval was given",
                                     unread.number, unread.name));
   }
   if (options.sensitivity.size() > 1 && options.sensitivity.size() != count)
@@ -382,7 +386,7 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
     injury::MeasuredColumn& column = columns.acceleration[i];
     const auto is_same = [&](const injury::MeasuredColumn& other) { return other.number == column.number; };
     if (!times.empty() && is_same(columns.time))
-      faults.add(line, column.name, "", "is both the time and an acceleration");
+      faults.add(line, column.name, "", "was chosen both as the time and as an acceleration");
     if (std::any_of(columns.acceleration.begin(), columns.acceleration.begin() + static_cast<long>(i),
                     is_same))
       faults.add(line, column.name, "", "is named twice");
@@ -390,7 +394,7 @@ void choose_columns(CsvColumns& columns, const CsvTable& table, const PulseOptio
            sensitivity_at(options.sensitivity, i), line, faults, remarks);
   }
   if (header.from_comment)
-    remarks.push_back(fmt::format("names of columns were read from the comment in line {}", line));
+    remarks.push_back(fmt::format("the column names were read from the comment on line {}", line));
   if (header.is_latin1) remarks.emplace_back("the header is not UTF-8; it was read as Latin-1");
 }
 

@@ -66,7 +66,7 @@ std::string_view CsvRows::quoted(std::string_view& line, std::size_t begin, CsvR
     if (i >= line.size()) {
       std::string_view more;
       if (text.size() > longest_quoted_field || !lines_.next(more)) {
-        row.fault = "has a quote that is not closed";
+        row.fault = "has a quotation mark that is not closed";
         after = line.size();
         break;
       }
@@ -101,7 +101,7 @@ void CsvRows::split(std::string_view line, CsvRow& row) {
       row.fields.push_back(quoted(line, at, row, at));
       while (at < line.size() && is_blank(line[at]) && !ends_field(line[at])) ++at;
       if (at < line.size() && !ends_field(line[at]) && row.fault.empty())
-        row.fault = "has text after a closing quote";
+        row.fault = "has text after a closing quotation mark";
       while (at < line.size() && !ends_field(line[at])) ++at;
     } else {
       const std::size_t begin = at;
@@ -167,6 +167,16 @@ char find_separator(std::string_view text, std::size_t fewest) {
   return best;
 }
 
+char header_separator(std::string_view text) {
+  LineReader lines(text);
+  std::string_view line;
+  while (lines.next(line) && (without_blanks(line).empty() || without_blanks(line).front() == '#')) {
+  }
+  for (const char separator : {';', '\t'})
+    if (line.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
 ReadNumber read_csv_number(std::string_view field) {
   const ReadNumber number = read_number(field);
   if (number.kind != NumberKind::text) return number;
@@ -176,6 +186,16 @@ ReadNumber read_csv_number(std::string_view field) {
 bool reads_as_number(std::string_view field) {
   const NumberKind kind = read_csv_number(field).kind;
   return (kind != NumberKind::text && kind != NumberKind::empty) || time_of_day(field).has_value();
+}
+
+bool is_missing(std::string_view field) {
+  if (field.empty()) return true;
+  if (field.size() > 7 || (field.front() <= '9' && field.front() != '-' && field.front() != '#'))
+    return false;
+  // The last ones are the errors of a spreadsheet.
+  constexpr std::string_view words[]{"nan", "n/a",  "na",  "n.a.",    "null",   "none",    "novalue",
+                                     "-",   "#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#num!"};
+  return std::ranges::count(words, lower_case(field)) > 0;
 }
 
 }  // namespace dashpad::input

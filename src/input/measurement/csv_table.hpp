@@ -59,6 +59,9 @@ class CsvRows {
 /// at least `fewest` of each.
 char find_separator(std::string_view text, std::size_t fewest = 2);
 
+/// The separator of the first row that is no comment: a semicolon, a tab, or else a comma.
+char header_separator(std::string_view text);
+
 /// Whether the table has one column, of numbers with decimal points or commas. Two numbers with a comma
 /// between them are two columns if a row above has two fields, or if the first increases in at least four of
 /// five rows, like a time.
@@ -69,6 +72,9 @@ bool is_one_column(std::string_view text);
 ReadNumber read_csv_number(std::string_view field);
 /// Whether a field is a number, finite or not, or a time of day.
 bool reads_as_number(std::string_view field);
+
+/// Whether a field says that there is no value: empty, NaN, N/A, an error of a spreadsheet.
+bool is_missing(std::string_view field);
 
 struct CsvHeader {
   struct Row {

@@ -32,7 +32,7 @@ std::optional<LabViewHeader> labview_header(std::string_view text, MeasurementFa
   if (headers == 0) faults.refuse(1, "", "", fmt::format("has no line {}", labview_header_end));
   if (headers > 2)
     faults.refuse(1, "", "",
-                  fmt::format("holds {} measurements; put each into a file of its own", headers - 1));
+                  fmt::format("contains {} measurements; put each in a separate file", headers - 1));
   LabViewHeader header{.separator = labview_separator(text)};
   std::vector<std::string> units, dimensions, first, interval;
   CsvRows rows(text.substr(0, end), header.separator);

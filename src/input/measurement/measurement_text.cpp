@@ -46,7 +46,7 @@ std::size_t require_regular(int descriptor, const std::string& name) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
     refuse_file(name, std::string("cannot be read: ") + std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) refuse_file(name, "is a folder; a file is needed");
+  if (S_ISDIR(status.st_mode)) refuse_file(name, "is a folder, not a file");
   if (!S_ISREG(status.st_mode)) refuse_file(name, "is not a regular file");
   return static_cast<std::size_t>(status.st_size);
 }
@@ -56,7 +56,7 @@ std::size_t require_regular(int descriptor, const std::string& name) {
 void MeasurementFaults::add(std::size_t line, std::string key, std::string_view value, std::string rule) {
   faults_.push_back({file_, static_cast<int>(line), std::move(key), quoted_part(value), std::move(rule)});
   if (faults_.size() == max_measurement_faults) {
-    faults_.back().rule += "; reading stopped here, after so many faults";
+    faults_.back().rule += fmt::format("; reading stopped here, after {} errors", max_measurement_faults);
     throw_all();
   }
 }
@@ -140,7 +140,7 @@ std::string_view text_in(std::string_view content, MeasurementFaults& faults) {
   }
   const auto line = static_cast<std::size_t>(std::count(content.begin(), found, '\n')) + 1;
   faults.refuse(line, "", "",
-                fmt::format("is not text: it holds the byte {}", static_cast<unsigned char>(*found)));
+                fmt::format("is not text: it contains the byte {}", static_cast<unsigned char>(*found)));
 }
 
 bool LineReader::next(std::string_view& line) {
@@ -232,7 +232,7 @@ std::string rule_for(NumberKind kind) {
     case NumberKind::not_finite: return "must be a finite number";
     case NumberKind::out_of_range: return "is too large or too small to compute with";
     case NumberKind::text: return "must be a number";
-    case NumberKind::empty: return "is missing; there must be no gap";
+    case NumberKind::empty: return "is missing; gaps are not allowed";
   }
   return "";
 }

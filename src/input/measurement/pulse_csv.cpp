@@ -20,19 +20,20 @@ std::string without_value(std::string_view which, std::size_t rows) {
 
 std::vector<std::string> remarks_on(const PulseFindings& findings, const CsvRows& rows, bool has_mark) {
   std::vector<std::string> remarks;
-  if (has_mark) remarks.emplace_back("a byte order mark at the beginning was left out");
+  if (has_mark) remarks.emplace_back("the byte order mark at the beginning was ignored");
   if (rows.lines().kinds_of_ends() > 1) remarks.emplace_back("the file has mixed line endings");
   if (rows.blank_lines() > 0)
-    remarks.push_back(plural(rows.blank_lines(), "line") + " without content left out");
+    remarks.push_back(fmt::format("{} without content {} left out", plural(rows.blank_lines(), "line"),
+                                  rows.blank_lines() == 1 ? "was" : "were"));
   if (findings.missing_before > 0) remarks.push_back(without_value("first", findings.missing_before));
   if (findings.missing_behind > 0) remarks.push_back(without_value("last", findings.missing_behind));
-  if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as points");
+  if (findings.decimal_comma > 0) remarks.emplace_back("decimal commas were read as decimal points");
   if (findings.empty_columns > 0) remarks.emplace_back("empty columns at the end were left out");
   const auto left_out = [&](std::size_t count, std::string_view one, std::string_view several,
                             std::size_t first) {
     if (count > 0)
-      remarks.push_back(fmt::format("{} {} left out, {}in line {}", count, count == 1 ? one : several,
-                                    count == 1 ? "" : "the first ", first));
+      remarks.push_back(fmt::format("{} {} left out ({} {})", count, count == 1 ? one : several,
+                                    count == 1 ? "line" : "the first on line", first));
   };
   left_out(findings.repeated_samples, "sample that repeats the previous one was",
            "samples that repeat the previous one were", findings.first_repeated);
@@ -57,13 +58,13 @@ double choose(CsvColumns& columns, const CsvTable& table, PulseOptions& options,
   for (const injury::MeasuredColumn& column : columns.acceleration)
     if (const auto own = stated(column); own.interval != first.interval || own.first != first.first)
       faults.add(table.labview->end, column.name, "",
-                 "has other times than " + columns.acceleration.front().name);
+                 "has different times from " + columns.acceleration.front().name);
   if (!first.interval || !(*first.interval > 0))
     faults.refuse(table.labview->end, columns.acceleration.front().name, "",
-                  "has no times, and the header no interval of times (Delta_X); --interval gives it");
+                  "has no times, and the header states no sampling interval (Delta_X); give --interval");
   options.interval = first.interval;
   remarks.push_back(
-      fmt::format("the sampling interval, {} ms, is that of the header", brief(1e3 * *first.interval)));
+      fmt::format("the sampling interval, {} ms, was read from the header", brief(1e3 * *first.interval)));
   return first.first;
 }
 
@@ -81,8 +82,8 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     CsvColumns columns = name_columns(table.header, table.labview);
     if (table.has_one_column && !given.interval)
       faults.refuse(table.header.first_line, "", "",
-                    "has one column of numbers and no times; if that is the acceleration, give the sample "
-                    "interval, such as --interval \"0.1 ms\"");
+                    "has one column of numbers and no times; if this column is the acceleration, give the "
+                    "sampling interval, such as --interval \"0.1 ms\"");
     injury::MeasuredPulse result{.format = table.labview ? "LVM" : "CSV", .resultant = given.resultant};
     PulseOptions options = given;
     const double first = choose(columns, table, options, faults, result.remarks);
@@ -98,7 +99,7 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     while (rows.next(row))
       if (row.line >= table.header.first_line) {
         if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
-          faults.add(row.line - 1, "", "", "has no content; without times a sample may be missing here");
+          faults.add(row.line - 1, "", "", "is blank; without times, a sample may be missing here");
         blank_lines = rows.blank_lines();
         rows.begin_numbers();
         numbers.add(row);
@@ -109,7 +110,7 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     numbers.judge_commas();
     result.counts_from = numbers.count_from_first();
     if (faults.none() && numbers.pulse.time.size() < 2)
-      faults.add(0, "", "", "has one sample only; a pulse needs two");
+      faults.add(0, "", "", "has only one sample; a pulse needs at least two");
     faults.throw_if_any();
     std::vector<std::string> cut;
     numbers.keep_between(options.cut, cut);

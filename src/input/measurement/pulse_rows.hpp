@@ -42,14 +42,6 @@ inline std::vector<injury::MeasuredColumn> read_columns_of(const CsvColumns& col
   return all;
 }
 
-/// Whether a field says that there is no value.
-inline bool is_missing(std::string_view field) {
-  if (field.size() > 7 || (!field.empty() && field.front() <= '9' && field.front() != '-')) return false;
-  const std::string lower = lower_case(field);
-  return lower.empty() || lower == "nan" || lower == "n/a" || lower == "na" || lower == "null" ||
-         lower == "novalue" || lower == "-";
-}
-
 /// Whether the comma in a number may stand between thousands: "1,234", "-12,345".
 inline bool may_have_comma_of_thousands(std::string_view number) {
   if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
@@ -123,13 +115,13 @@ class PulseRows {
     const bool are_packets = smallest_packet_ == largest_packet_;
     const std::size_t steps = pulse.time.size() + shared - (are_packets ? packet_ : 1);
     std::string rule = fmt::format(
-        "several samples share a time, {} with the previous one: the times are rounded, or "
-        "one stands for a packet of samples",
-        shared);
+        "{} the same time as the previous one: either the times are rounded, or each time applies "
+        "to a packet of samples",
+        shared == 1 ? "1 sample has" : fmt::format("{} samples have", shared));
     if (length > 0)
       rule += fmt::format(
-          "; if the samples are evenly spaced, give their interval: --interval \"{:.4g} ms\" ({:.4g} ms "
-          "over {} steps)",
+          "; if the samples are evenly spaced, give their interval with --interval \"{:.4g} ms\" "
+          "({:.4g} ms over {} steps)",
           1e3 * length / static_cast<double>(steps), 1e3 * length, steps);
     faults_.add(findings.first_shared, columns_.front().name, "", rule);
   }
@@ -142,8 +134,8 @@ class PulseRows {
     if (has_both && findings.commas_may_be_of_thousands)
       faults_.add(
           findings.decimal_comma, "", "",
-          "its comma may separate thousands or decimals, since other numbers of its column are whole: write "
-          "decimal points, and no thousands separators");
+          "the comma here may separate thousands or decimals, since other numbers in the column are whole; "
+          "write decimal points and no thousands separators");
   }
 
   /// Call after the last row. If the clock began long ago, makes times count from the first sample and
@@ -175,7 +167,7 @@ class PulseRows {
                     rule_for(read_csv_number(missing_).kind) +
                         (findings.missing_behind == 1
                              ? ""
-                             : fmt::format(" (and {} more that follow)", findings.missing_behind - 1)));
+                             : fmt::format(" ({} rows in succession)", findings.missing_behind)));
       findings.missing_behind = 0;
       return false;
     }
@@ -190,7 +182,7 @@ class PulseRows {
 
   void defer(std::size_t sample, std::vector<Fault> faults, std::size_t line) {
     if (deferred_.size() == max_deferred)
-      faults_.refuse(line, "", "", fmt::format("more than {} rows have faults", max_deferred));
+      faults_.refuse(line, "", "", fmt::format("more than {} rows have errors", max_deferred));
     deferred_.emplace_back(sample, std::move(faults));
   }
 
@@ -205,7 +197,7 @@ class PulseRows {
     faults_.add(row.line, "", "",
                 fmt::format("has {} where {} are expected{}", plural(row.fields.size(), "field"), width_,
                             separator_ == ',' && row.fields.size() > width_
-                                ? "; decimal commas need another separator, such as a semicolon"
+                                ? "; with decimal commas, use another separator, such as a semicolon"
                                 : ""));
     return false;
   }
@@ -219,9 +211,9 @@ class PulseRows {
     const double most = is_time ? latest_time_ : largest_acceleration_;
     if (std::abs(value) <= most) return true;
     add_fault(row, column,
-              std::isfinite(value)
-                  ? fmt::format("must be within {:g} {}: no sensor gives more", most, is_time ? "s" : "m/s2")
-                  : rule_for(NumberKind::out_of_range),
+              std::isfinite(value) ? fmt::format("must be within ±{:g} {}; no sensor records more", most,
+                                                 is_time ? "s" : "m/s2")
+                                   : rule_for(NumberKind::out_of_range),
               faults_);
     return false;
   }
@@ -255,7 +247,7 @@ class PulseRows {
     if (first == 0) first = row.line;
     if (other == 0) return true;
     add_fault(row, column,
-              fmt::format("has a decimal {}, but line {} has a {}", comma ? "comma" : "point", other,
+              fmt::format("has a decimal {}, but line {} has a decimal {}", comma ? "comma" : "point", other,
                           comma ? "point" : "comma"),
               faults_);
     return false;
@@ -302,7 +294,7 @@ class PulseRows {
       packet_ = 1;
     }
     if (pulse.time.size() == max_samples)
-      faults_.refuse(row.line, "", "", fmt::format("more than {} samples", max_samples));
+      faults_.refuse(row.line, "", "", fmt::format("there are more than {} samples", max_samples));
     const double value = components.empty() ? sample[1] : std::hypot(sample[1], sample[2], sample[3]);
     if (!std::isfinite(value))
       return faults_.add(row.line, "", "", "the resultant is too large to compute with");

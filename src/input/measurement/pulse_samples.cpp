@@ -20,18 +20,18 @@ void judge_pulse(const Pulse& pulse, std::size_t line, MeasurementFaults& faults
   if (!(latest <= times.most))
     faults.add(
         line, "time", "",
-        fmt::format("goes to {:.3g} s; must be within {:g} s: is the unit right?", latest, times.most));
+        fmt::format("reaches {:.3g} s, but must not exceed {:g} s; is the unit right?", latest, times.most));
   else if (step > 0 && step < times.least)
     faults.add(line, "time", "",
-               fmt::format("samples are {:.3g} s apart; must be {:g} s or more, since no sensor is sampled "
-                           "faster: is the unit right?",
+               fmt::format("the samples are {:.3g} s apart, but no sensor is sampled at intervals of "
+                           "less than {:g} s; is the unit right?",
                            step, times.least));
   double peak = 0;
   for (const double value : pulse.acceleration) peak = std::max(peak, std::abs(value));
   if (!accelerations.admit(peak))
     faults.add(line, "acceleration", "",
-               fmt::format("its largest magnitude is {:.3g} m/s2; must be between {:g} and {:g} m/s2, the "
-                           "range of impacts: is the unit right?",
+               fmt::format("has a peak of {:.3g} m/s2, but impacts have peaks between {:g} and {:g} m/s2; is "
+                           "the unit right?",
                            peak, accelerations.least, accelerations.most));
 }
 
@@ -72,7 +72,7 @@ std::optional<std::pair<double, double>> interval_of_zero(const std::string& tex
   if (text == "auto") return std::nullopt;
   const auto comma = text.find(',');
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-    throw UnitError("must be auto, or two times with a comma between them, such as \"0 ms,5 ms\"");
+    throw UnitError("must be auto, or two times separated by a comma, such as \"0 ms,5 ms\"");
   const double begin = stated_si(text.substr(0, comma), "s"), end = stated_si(text.substr(comma + 1), "s");
   if (!(begin < end)) throw UnitError("the first time must be earlier than the second");
   return std::pair{begin, end};
@@ -87,9 +87,9 @@ KeptSamples kept_samples(const std::vector<double>& times, const CutTimes& cut, 
   const std::string range = fmt::format("from {} to {} ms", brief(1e3 * from), brief(1e3 * to));
   if (count < 2)
     faults.refuse(0, "", "",
-                  fmt::format("--from, --to: {} {}; the samples are from {} to {} ms",
-                              count < 1 ? "no sample is" : "only one sample is", range,
-                              brief(1e3 * times.front()), brief(1e3 * end_of_record)));
+                  fmt::format("--from, --to: there is {} {}; the record runs from {} to {} ms",
+                              count < 1 ? "no sample" : "only one sample", range, brief(1e3 * times.front()),
+                              brief(1e3 * end_of_record)));
   remarks.push_back(fmt::format("only the samples {} are used, {} of {}", range, count, times.size()));
   return {static_cast<std::size_t>(begin - times.begin()), static_cast<std::size_t>(end - times.begin())};
 }
@@ -120,18 +120,17 @@ void judge_gaps(const std::vector<double>& times, const std::vector<std::uint32_
     const std::string between =
         lines.empty() ? fmt::format("between {:.6g} and {:.6g} ms", 1e3 * times[gap.after], 1e3 * times[next])
                       : fmt::format("between lines {} and {}", lines[gap.after], lines[next]);
-    return fmt::format("{} {:.6g} ms are missing", between, 1e3 * gap.length);
+    return fmt::format("gap of {:.6g} ms {}", 1e3 * gap.length, between);
   };
   if (!bridge)
     for (const PulseGap& gap : gaps.all)
       faults.add(line_of(gap.after + 1), name, "",
-                 fmt::format("{}, where samples are {:.6g} ms apart; --bridge-gaps interpolates linearly",
+                 fmt::format("has a {} (typical step: {:.6g} ms); --bridge-gaps interpolates linearly",
                              words(gap), 1e3 * gaps.usual_step));
   for (std::size_t i = 0; i < std::min(gaps.all.size(), max_gap_remarks); ++i)
-    remarks.push_back(words(gaps.all[i]) + "; interpolated linearly");
+    remarks.push_back("the " + words(gaps.all[i]) + " was bridged by linear interpolation");
   if (gaps.all.size() > max_gap_remarks)
-    remarks.push_back(fmt::format("{} more gaps between the times; interpolated linearly",
-                                  gaps.all.size() - max_gap_remarks));
+    remarks.push_back(fmt::format("in all, {} gaps were bridged by linear interpolation", gaps.all.size()));
 }
 
 }  // namespace dashpad::input

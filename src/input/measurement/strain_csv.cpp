@@ -48,7 +48,7 @@ StrainTable read_rows(const CsvTable& csv, const TestColumns& columns, Measureme
       *strain = 0;
       ++below;
     }
-    if (rows++ == max_rows) faults.refuse(row.line, "", "", fmt::format("more than {} rows", max_rows));
+    if (rows++ == max_rows) faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows));
     if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
       ++repeated;
       return;
@@ -60,24 +60,24 @@ StrainTable read_rows(const CsvTable& csv, const TestColumns& columns, Measureme
     else if (last_time && !(*time - begin > *last_time - begin))
       add_fault(row, *columns.time,
                 *time > *last_time
-                    ? "cannot be told apart from the previous time: it is too long after the first"
+                    ? "cannot be told apart from the previous time, since both are too far from the first"
                     : "must be later than the previous time",
                 faults);
     last_time = time;
     if (!(*strain >= 0 && *strain < 1))
-      add_fault(row, columns.strain, "a strain is at least 0 and below 1 (100 %), positive in compression",
+      add_fault(row, columns.strain, "must be at least 0 and below 1 (100 %), with compression positive",
                 faults);
     else if (rows == 1 && *strain != 0)
-      add_fault(row, columns.strain, "the history begins at first contact, with strain 0", faults);
+      add_fault(row, columns.strain, "must be 0, since the history begins at first contact", faults);
     table.time.push_back(*time);
     table.strain.push_back(*strain);
   });
   faults.throw_if_any();
   if (side < 0)
     table.remarks.push_back(columns.strain.name +
-                            ": compression is negative in the file; its sign was turned");
+                            ": compression is negative in the file; its sign was reversed");
   if (below > 0)
-    table.remarks.push_back(fmt::format("{} within the noise about 0 {} taken as 0", plural(below, "strain"),
+    table.remarks.push_back(fmt::format("{} within the noise around 0 {} set to 0", plural(below, "strain"),
                                         below == 1 ? "was" : "were"));
   if (repeated > 0)
     table.remarks.push_back(fmt::format(
@@ -88,11 +88,11 @@ StrainTable read_rows(const CsvTable& csv, const TestColumns& columns, Measureme
 
 /// Refuses a history that is too short or too long, or without strain.
 void judge_history(const StrainTable& table, const TestColumns& columns, MeasurementFaults& faults) {
-  if (table.time.size() < 2) faults.refuse(0, "", "", "has one row only; a history needs two");
+  if (table.time.size() < 2) faults.refuse(0, "", "", "has only one row; a history needs at least two");
   const double span = table.time.back() - table.time.front(), most = measured_magnitudes("s").most;
   if (!(span <= most))
     faults.refuse(0, columns.time->name, "",
-                  fmt::format("lasts {:.3g} s; must be within {:g} s", span, most));
+                  fmt::format("spans {:.3g} s, but must not exceed {:g} s", span, most));
   if (const double largest = std::ranges::max(table.strain); !(largest > min_strain))
     faults.refuse(0, columns.strain.name, "", largest == 0 ? "is 0 throughout" : "is below 1e-12 throughout");
 }
@@ -111,8 +111,8 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file, const St
     judge_history(table, columns, faults);
     if (const double begin = table.time.front(); begin != 0) {
       for (double& time : table.time) time -= begin;
-      table.remarks.push_back(
-          fmt::format("the first time, {:g} s, is first contact; it was subtracted from all times", begin));
+      table.remarks.push_back(fmt::format(
+          "the first time, {:g} s, was taken as first contact and subtracted from all times", begin));
     }
     return table;
   });

@@ -14,7 +14,7 @@
 namespace dashpad::input {
 namespace {
 
-constexpr std::size_t max_rows_of_a_test = 10'000;
+constexpr std::size_t max_rows_of_test = 10'000;
 constexpr double min_strain_of_a_test = 1e-9;
 
 StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns, MeasurementFaults& faults) {
@@ -22,14 +22,14 @@ StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns
   std::optional<double> last_time;
   bool has_too_large = false;  // told once: the unit is the cause
   each_row(csv, faults, [&](const CsvRow& row) {
-    if (table.strain.size() == max_rows_of_a_test)
-      faults.refuse(row.line, "", "", fmt::format("more than {} rows: thin them", max_rows_of_a_test));
+    if (table.strain.size() == max_rows_of_test)
+      faults.refuse(row.line, "", "", fmt::format("has more than {} rows; thin them out", max_rows_of_test));
     const auto within = [&](std::optional<double> number, const injury::MeasuredColumn& column,
                             const char* si_unit) {
       const double most = measured_magnitudes(si_unit).most;
       if (!number || std::abs(*number) <= most) return number;
-      add_fault(row, column,
-                fmt::format("must be within {:g} {}: no test of a foam gives more", most, si_unit), faults);
+      add_fault(row, column, fmt::format("must be within ±{:g} {}; no foam test gives more", most, si_unit),
+                faults);
       return std::optional<double>();
     };
     const auto value = [&](const injury::MeasuredColumn& column, const char* si_unit) {
@@ -68,7 +68,7 @@ void judge_test(StressStrainTable& table, const TestColumns& columns, Measuremen
     std::ranges::reverse(table.strain);
     std::ranges::reverse(table.stress);
     table.remarks.push_back(columns.strain.name +
-                            ": its strains descend from row to row; the rows were taken from the last on");
+                            ": the strains decrease from row to row, so the rows were read in reverse order");
   }
   if (!(std::ranges::max(table.strain) > min_strain_of_a_test))
     faults.refuse(0, columns.strain.name, "",
@@ -76,7 +76,7 @@ void judge_test(StressStrainTable& table, const TestColumns& columns, Measuremen
   const double min_stress = measured_magnitudes("Pa").least, max_stress = std::ranges::max(table.stress);
   if (max_stress > 0 && max_stress < min_stress)
     faults.refuse(0, of_stress.name, "",
-                  fmt::format("is nowhere above {:g} Pa: no test of a foam gives less", min_stress));
+                  fmt::format("is nowhere above {:g} Pa; no foam test gives so little", min_stress));
   if (!(max_stress > 0)) faults.refuse(0, of_stress.name, "", "is 0 throughout");
 }
 

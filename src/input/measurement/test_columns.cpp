@@ -197,12 +197,12 @@ struct Finder {
     }
     if (found.empty())
       faults.add(line, wanted, "",
-                 fmt::format("no column for the {}, such as {}; name it with --{}; available: {}", what,
-                             example, what, listing(all)));
+                 fmt::format("there is no column for the {}, such as {}; name one with --{}; available: {}",
+                             what, example, what, listing(all)));
     if (found.size() > 1 && !several) {
-      faults.add(
-          line, wanted, "",
-          fmt::format("several columns may be the {}: {}; choose with --{}", what, listing(found), what));
+      faults.add(line, wanted, "",
+                 fmt::format("several columns could be the {}: {}; choose one with --{}", what,
+                             listing(found), what));
       found.clear();
     }
     return found;
@@ -215,12 +215,11 @@ struct Finder {
     const auto [factor, rule] = read_si("1 " + unit, si_unit);
     const bool is_known = !unit.empty() && rule.empty() && factor > 0;
     if (unit.empty())
-      faults.add(
-          line, column.of.name, "",
-          fmt::format("its unit is not stated: put it into the header, such as {}_{}, or give --{}-unit",
-                      what, example, what));
+      faults.add(line, column.of.name, "",
+                 fmt::format("its unit is not stated; put it in the header, as in {}_{}, or give --{}-unit",
+                             what, example, what));
     else if (!is_known)
-      faults.add(line, column.of.name, unit, fmt::format("{}; --{}-unit gives another unit", rule, what));
+      faults.add(line, column.of.name, unit, fmt::format("{}; give another unit with --{}-unit", rule, what));
     column.of.factor = is_known ? factor : 1;
   }
 
@@ -231,7 +230,7 @@ struct Finder {
       if (!wanted.thickness)
         faults.add(
             line, column.of.name, "",
-            "is a displacement; over the thickness of the specimen it is a strain: --thickness \"25 mm\"");
+            "is a displacement; for a strain, give the specimen thickness, such as --thickness \"25 mm\"");
       column.of.factor /= wanted.thickness.value_or(1);
       return;
     }
@@ -240,7 +239,7 @@ struct Finder {
     const auto in_one = is_ratio ? std::optional{1.0} : units_in_strain_one(unit);
     if (!in_one)
       faults.add(line, column.of.name, unit,
-                 "a strain is a pure number, or in %; --strain-unit fraction or percent says which");
+                 "for a strain, give --strain-unit fraction or --strain-unit percent");
     column.of.factor = 1 / in_one.value_or(1);
   }
 
@@ -251,7 +250,7 @@ struct Finder {
     settle(column, wanted.stress_unit, "N", "stress", "N");
     if (!wanted.area)
       faults.add(line, column.of.name, "",
-                 "is a force; over the area of the specimen it is a stress: --area \"25 cm2\"");
+                 "is a force; for a stress, give the specimen area, such as --area \"25 cm2\"");
     column.of.factor /= wanted.area.value_or(1);
   }
 };
@@ -274,7 +273,7 @@ TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns
   const std::vector<TestColumn> all = named_test_columns(header, columns.line);
   if (all.empty())
     faults.refuse(header.first_line, "", "",
-                  "needs a line above the numbers that names the columns and their units: strain,stress_kPa");
+                  "needs a header line, such as strain,stress_kPa, that names the columns and their units");
   const Finder finder{all, columns.line, faults};
   for (TestColumn& strain : finder.find(wanted.strain, "strain", "strain or strain_percent",
                                         {Kind::strain, Kind::displacement}, false)) {
@@ -287,7 +286,8 @@ TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns
       finder.settle_stress(stress, wanted);
       const std::optional<double> rate = stress.rate.empty() ? std::optional{0.0} : rate_in(stress.rate);
       if (!rate)
-        faults.add(columns.line, stress.of.name, stress.rate, "is not a strain rate above 0, such as 10 1/s");
+        faults.add(columns.line, stress.of.name, stress.rate,
+                   "must be a strain rate above 0, such as 10 1/s");
       columns.stresses.push_back({std::move(stress.of), rate.value_or(0)});
     }
   if (beside == Beside::time || !wanted.time.empty())
@@ -308,8 +308,8 @@ std::optional<double> strain_in(const CsvRow& row, const TestColumns& columns, M
 
 std::string too_large_strain(const TestColumns& columns) {
   return columns.strain.factor == 1
-             ? "a strain is below 1: is it in per cent? Then give --strain-unit percent"
-             : "a strain is below 100 %";
+             ? "a strain must be below 1; if it is in per cent, give --strain-unit percent"
+             : "a strain must be below 100 %";
 }
 
 void make_compression_positive(std::vector<double>& values, const std::string& name,
@@ -318,7 +318,7 @@ void make_compression_positive(std::vector<double>& values, const std::string& n
   const auto [least, largest] = std::ranges::minmax(values);
   if (!(-least > largest)) return;
   for (double& value : values) value = -value;
-  remarks.push_back(fmt::format("{}: compression is negative in the file; its sign was turned", name));
+  remarks.push_back(fmt::format("{}: compression is negative in the file; its sign was reversed", name));
 }
 
 }  // namespace dashpad::input

@@ -129,7 +129,7 @@ Sections Profile::sections() const {
 
 std::vector<Profile::Fault> Profile::faults() const {
   constexpr double min_advance = 1e-9;
-  if (points.size() < 2) return {{0, "needs two points or more"}};
+  if (points.size() < 2) return {{0, "has fewer than two points"}};
   if (points.size() > max_points) return {{max_points, fmt::format("has more than {} points", max_points)}};
   const char* const what = of == Of::radius ? "radius" : "area";
   std::vector<Fault> broken;
@@ -139,15 +139,15 @@ std::vector<Profile::Fault> Profile::faults() const {
     if (!std::isfinite(now.depth) || !std::isfinite(now.size))
       broken.push_back({i, "must be finite"});
     else if (!before && now.depth != 0)
-      broken.push_back({i, "the first depth must be 0: depths are counted from the tip"});
+      broken.push_back({i, "the first depth must be 0: depths are measured from the tip"});
     else if (before && now.depth < before->depth + min_advance)
-      broken.push_back({i, "the depth must exceed the previous depth by 1e-9 m or more"});
+      broken.push_back({i, "the depth must exceed the previous depth by at least 1e-9 m"});
     else if (now.size < 0)
-      broken.push_back({i, fmt::format("the {} must not be below 0", what)});
+      broken.push_back({i, fmt::format("the {} must not be negative", what)});
     else if (before && now.size == 0)
-      broken.push_back({i, fmt::format("the {} must be more than 0 behind the tip", what)});
+      broken.push_back({i, fmt::format("the {} must be more than 0 beyond the tip", what)});
     else if (before && now.size < before->size)
-      broken.push_back({i, fmt::format("the {} must not fall: a nose grows wider or stays as wide", what)});
+      broken.push_back({i, fmt::format("the {} must not decrease with distance from the tip", what)});
   }
   return broken;
 }

@@ -17,14 +17,14 @@ void check_rules(const Law&, std::vector<Violation>&) {}
 
 void check_rules(const LinearViscoelastic& law, std::vector<Violation>& broken) {
   if (law.initial_modulus < law.asymptotic_modulus)
-    broken.push_back({"initial_modulus", law.initial_modulus, "must not be below asymptotic_modulus"});
+    broken.push_back({"initial_modulus", law.initial_modulus, "must be at least asymptotic_modulus"});
 }
 
 void check_rules(const RigidFoam& law, std::vector<Violation>& broken) {
   if (law.crush_strain >= law.second_strain)
     broken.push_back({"second_strain", law.second_strain, "must be more than crush_strain"});
   if (law.second_stress < law.crush_stress)
-    broken.push_back({"second_stress", law.second_stress, "must not be below crush_stress"});
+    broken.push_back({"second_stress", law.second_stress, "must be at least crush_stress"});
 }
 
 void check_rules(const TwentyOneParameter& law, std::vector<Violation>& broken) {

@@ -28,16 +28,17 @@ void check_conditions(const Material& material, std::vector<Violation>& broken) 
     if (!(*exponent >= 0 && *exponent <= 5))
       broken.push_back({"density_exponent", *exponent, "must be from 0 to 5"});
     if (!material.density)
-      broken.push_back({"density_exponent", *exponent, "needs the density of the material as well"});
+      broken.push_back({"density_exponent", *exponent, "the density of the material must be given as well"});
   }
   const auto& [temperature, factor] = material.temperature_table;
   if (temperature.size() != factor.size())
     broken.push_back({"temperature.factors", double(factor.size()),
-                      fmt::format("has {} numbers for {} temperatures", factor.size(), temperature.size())});
+                      fmt::format("must have one factor for each temperature, not {} for {}", factor.size(),
+                                  temperature.size())});
   for (std::size_t i = 0; i < temperature.size(); ++i)
     if (!(temperature[i] > (i > 0 ? temperature[i - 1] : 0) && temperature[i] <= 2000))
       broken.push_back({fmt::format("temperature.temperatures[{}]", i + 1), temperature[i],
-                        "must be above the previous one, above 0 K and at most 2000 K"});
+                        "must be above the previous temperature, above 0 K and at most 2000 K"});
   for (std::size_t i = 0; i < factor.size(); ++i)
     if (!(factor[i] >= 1e-3 && factor[i] <= 1e3))
       broken.push_back(
@@ -54,7 +55,7 @@ void check_range(const char* key, const std::optional<ValueRange>& range, std::o
   else if (!(range->low <= range->high))
     broken.push_back({full, range->low, "must be two numbers, the lower first"});
   else if (nominal && !(*nominal >= range->low && *nominal <= range->high))
-    broken.push_back({full, *nominal, fmt::format("must hold the card's own {}", key)});
+    broken.push_back({full, *nominal, fmt::format("the range must include the card's value of {}", key)});
 }
 
 /// Checks a range against value and bounds of the law's parameter of that name, which must exist.
@@ -170,17 +171,17 @@ std::vector<Extrapolation> extrapolations(const Material& material, double large
     const bool by_curves = has_curves(material.law);
     if (largest_strain > fitted->highest_strain)
       reasons.push_back({Beyond::strain,
-                         fmt::format("strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
+                         fmt::format("the strain reaches {:.3f}; the {} up to {:.3g}{}", largest_strain,
                                      by_curves ? "foam was tested" : "law was fitted", fitted->highest_strain,
                                      by_curves ? ", and its curve is extrapolated beyond that" : "")});
     if (largest_rate > fitted->highest_rate || largest_rate < fitted->lowest_rate)
       reasons.push_back(
-          {Beyond::rate,
-           by_curves ? fmt::format("strain rate reaches {} per second; the foam was tested {}, "
-                                   "and outside that range the stress of the nearest tested rate is used",
-                                   plain_number(largest_rate), rates_of(*fitted))
-                     : fmt::format("strain rate reaches {} per second; the law was fitted {}",
-                                   plain_number(largest_rate), rates_of(*fitted))});
+          {Beyond::rate, by_curves
+                             ? fmt::format("the strain rate reaches {} per second; the foam was tested {}, "
+                                           "and beyond that the stress at the nearest tested rate is used",
+                                           plain_number(largest_rate), rates_of(*fitted))
+                             : fmt::format("the strain rate reaches {} per second; the law was fitted {}",
+                                           plain_number(largest_rate), rates_of(*fitted))});
   }
   std::visit(
       [&](const auto& law) {
@@ -188,8 +189,8 @@ std::vector<Extrapolation> extrapolations(const Material& material, double large
           if (law.residual_strain_time * largest_rate >= 1)
             reasons.push_back(
                 {Beyond::rate,
-                 fmt::format("strain rate reaches {} per second; the law's residual strain is defined "
-                             "below {} per second",
+                 fmt::format("the strain rate reaches {} per second; the law's residual strain is defined "
+                             "only below {} per second",
                              plain_number(largest_rate), plain_number(1 / law.residual_strain_time))});
       },
       material.law);

@@ -49,7 +49,7 @@ std::vector<Violation> violations(const PadCondition& condition, const Material&
     else if (!(*density >= *material.density / 10 && *density <= *material.density * 10))
       broken.push_back(
           {"density", *density,
-           fmt::format("must be between a tenth and ten times that of the material, {:.4g} kg/m3",
+           fmt::format("must be between 0.1 and 10 times the density of the material, {:.4g} kg/m3",
                        *material.density)});
   }
   if (const auto& temperature = condition.temperature) {
@@ -92,11 +92,11 @@ std::vector<Extrapolation> extrapolations(const PadCondition& condition, const M
   if (!condition.temperature) return {};
   const std::vector<double>& tested = material.temperature_table.temperature;
   if (*condition.temperature >= tested.front() && *condition.temperature <= tested.back()) return {};
-  return {{Beyond::other, fmt::format("the pad is at {:.4g} degC; the foam was tested from {:.4g} to {:.4g} "
-                                      "degC, and outside that range "
-                                      "the factor of the nearest tested temperature is used",
-                                      *condition.temperature - freezing_K, tested.front() - freezing_K,
-                                      tested.back() - freezing_K)}};
+  return {{Beyond::other,
+           fmt::format("the foam is at {:.4g} degC; it was tested from {:.4g} to {:.4g} "
+                       "degC, and outside that range the factor for the nearest tested temperature is used",
+                       *condition.temperature - freezing_K, tested.front() - freezing_K,
+                       tested.back() - freezing_K)}};
 }
 
 }  // namespace dashpad

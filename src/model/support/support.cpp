@@ -25,7 +25,7 @@ Support Support::linear(double stiffness) {
 }
 
 Support Support::through(std::vector<Point> points) {
-  if (points.empty()) throw std::invalid_argument("the curve of a support needs a point");
+  if (points.empty()) throw std::invalid_argument("the curve of a support needs at least one point");
   Support support;
   Point from;
   double energy = 0;

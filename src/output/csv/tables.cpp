@@ -75,7 +75,7 @@ std::string history_csv(const History& history, const UnitSystem& units) {
   }
   for (const Column& column : columns)
     if (column.values.size() != history.size())
-      throw std::invalid_argument("history: " + column.header + " has gaps");
+      throw std::invalid_argument("history: the column " + column.header + " is incomplete");
   return csv_text(columns);
 }
 

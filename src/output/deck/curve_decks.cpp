@@ -48,7 +48,7 @@ std::string unit_triple(const UnitSystem& units) {
 }  // namespace
 
 std::string curve_csv(const CurveFile& file) {
-  if (file.curves.size() != 1) throw std::invalid_argument("a CSV file holds one curve");
+  if (file.curves.size() != 1) throw std::invalid_argument("a CSV file can hold only one curve");
   const FileCurve& file_curve = file.curves.front();
   const Curve curve = in_units_of(file, file_curve.curve);
   fmt::memory_buffer text;
@@ -65,7 +65,7 @@ std::string ls_dyna_text(const CurveFile& file) {
   constexpr std::size_t width = 80;
   std::string text = "*KEYWORD\n";
   for (const std::string& line : heading(file)) text += comment("$", line, width);
-  text += comment("$", "LS-DYNA resamples a curve at LCINT equal steps (*CONTROL_SOLUTION; default 100).");
+  text += comment("$", "LS-DYNA resamples curves at LCINT equal intervals (*CONTROL_SOLUTION; default 100).");
   text += plain_ascii("$ Dashpad: " + file.title).substr(0, width) + "\n";
   int id = checked_first_id(file);
   for (const FileCurve& file_curve : file.curves) {
@@ -85,11 +85,11 @@ std::string ls_dyna_text(const CurveFile& file) {
 std::string radioss_text(const CurveFile& file) {
   std::string text;
   for (const std::string& line : heading(file)) text += comment("#", line);
-  text += comment("#", "Unit triple, as in /BEGIN:" + unit_triple(file.units));
+  text += comment("#", "Units of mass, length and time, as in /BEGIN:" + unit_triple(file.units));
   text +=
       comment("#",
-              "Radioss extrapolates a function beyond its ends through its first and last two points; stop "
-              "whatever uses it (Tstop) where it ends.");
+              "Beyond its ends, Radioss extrapolates a function through its first or last two points; stop "
+              "whatever uses the function (Tstop) where it ends.");
   int id = checked_first_id(file);
   for (const FileCurve& file_curve : file.curves) {
     text += "#\n" +

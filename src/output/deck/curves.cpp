@@ -116,7 +116,7 @@ Curve curve(const std::string& name, const Solution& solution) {
     if (name == kind.name) return over_time(kind, solution.history);
   if (name == loading) return loading_branch(solution.history);
   if (name == unloading) return unloading_branch(solution);
-  throw std::invalid_argument("curve \"" + name + "\": unknown");
+  throw std::invalid_argument("unknown curve \"" + name + "\"");
 }
 
 Curve loading_branch(const History& history) {
@@ -147,7 +147,7 @@ Curve unloading_branch(const Solution& solution) {
 }
 
 ThinnedCurve thinned(const Curve& curve, std::size_t max_points) {
-  if (max_points < 2) throw std::invalid_argument("a curve needs 2 points");
+  if (max_points < 2) throw std::invalid_argument("a curve needs at least 2 points");
   if (curve.size() <= max_points) return {curve, 0};
   std::priority_queue<Stretch> stretches;
   stretches.push(stretch(curve, 0, curve.size() - 1));

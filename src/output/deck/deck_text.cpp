@@ -20,7 +20,7 @@ std::string why_missing(const Curve& curve, const Summary& summary) {
   const bool ran = summary.status != Status::not_run;
   if (ran && !summary.release)
     return "not available: the impactor did not leave the pad (" + to_string(summary.status) + ")";
-  return "not available: the " + curve.name + " has fewer than two points";
+  return "not available: the " + curve.name + " curve has fewer than two points";
 }
 
 /// A fraction as a percentage of two digits, rounded up so that a bound does not look smaller than it is.
@@ -57,9 +57,9 @@ std::string consequence(const Flag& flag, const Summary& summary) {
     return std::string("; do not rely on these curves") +
            (summary.release ? "" : ", which end before the impact does");
   if (flag.name == "TIME LIMIT" || (flag.name == "BOTTOMED" && bottomed_on_rigid_support(summary)))
-    return "; the curves end there";
+    return "; the curves end at that moment";
   if (flag.name == "BOTTOMED")
-    return "; the force during that time is that of the support and is not in the curves against penetration";
+    return "; the force during that time is that of the support, so curves against penetration omit it";
   return "";
 }
 
@@ -128,7 +128,7 @@ std::vector<std::string> heading(const CurveFile& file) {
   const UnitSystem& units = file.units;
   std::vector<std::string> lines{fmt::format("Dashpad {} (commit {}): curves of an impact on a foam pad",
                                              version(), build_facts().git_commit),
-                                 "Case: " + (file.title.empty() ? "without a title" : file.title)};
+                                 "Case: " + (file.title.empty() ? "untitled" : file.title)};
   lines.insert(lines.end(), file.origin.begin(), file.origin.end());
   lines.push_back(fmt::format(
       "Units: {} (mass {}, length {}, time {}); velocity {}, acceleration {}, force {}, "
@@ -167,7 +167,7 @@ Curve in_units_of(const CurveFile& file, const Curve& curve) {
   const auto written = [](double x) { return std::strtod(number_field(x).c_str(), nullptr); };
   const auto falls_back = [&](double a, double b) { return written(b) <= written(a); };
   if (std::ranges::adjacent_find(converted.x, falls_back) != converted.x.end())
-    throw std::invalid_argument("curve: x does not increase strictly");
+    throw std::invalid_argument("curve: x is not strictly increasing");
   return converted;
 }
 

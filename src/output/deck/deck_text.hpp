@@ -61,6 +61,15 @@ struct MaterialPoints {
 /// The curves of a law, with formulas as points. Without `with_rates` only the slowest curve.
 MaterialPoints material_points(const PadLaw& law, bool with_rates);
 
+/// The same with each curve as evenly placed points of the law itself, as the options say.
+MaterialPoints placed_points(const PadLaw& law, bool with_rates, const MaterialDeckOptions& options);
+
+/// The unloading of a foam from a strain, at the slowest rate, as points of the law.
+TableCurve unloading_points(const Foam& foam, double from);
+
+/// The curves of a deck, as its format and options want them. The deck must be possible.
+MaterialPoints deck_points(const Material& material, const MaterialDeckOptions& options);
+
 /// The steepest straight line between two points of any curve, Pa, rounded up.
 double steepest_line(const MaterialPoints& points);
 
@@ -99,6 +108,10 @@ std::string ls_dyna_material(const Material& material, const MaterialPoints& poi
                              const MaterialDeckOptions& options, DeckNumbers& numbers);
 std::string radioss_material(const Material& material, const MaterialPoints& points,
                              const MaterialDeckOptions& options, DeckNumbers& numbers);
+
+/// Of a foam.
+std::string abaqus_material(const Material& material, const MaterialPoints& points,
+                            const MaterialDeckOptions& options, DeckNumbers& numbers);
 
 /// The title of a card as one line that is neither a comment nor a keyword.
 std::string deck_title(const Material& material, std::size_t width);

@@ -40,10 +40,10 @@ void check(const IsoMmeTest& test) {
   };
   require(
       !test.name.empty() && test.name.size() <= longest_test_name && std::ranges::all_of(test.name, is_plain),
-      "the name of a test is made of letters, digits, - and _");
+      "the test name must consist of at most 100 letters, digits, - and _");
   require(std::isfinite(test.time_of_first_sample) && std::isfinite(test.sampling_interval) &&
               test.sampling_interval > 0,
-          "the times need a finite beginning and an interval of more than 0");
+          "the first time must be finite, and the sampling interval finite and more than 0");
   require(!test.histories.empty() && test.histories.size() <= max_histories, "1 to 999 histories are needed");
   std::set<std::string> codes;
   for (const IsoMmeHistory& history : test.histories) {
@@ -55,7 +55,7 @@ void check(const IsoMmeTest& test) {
     require(!history.unit.empty(), history.code + " needs a unit");
     require(history.values.size() >= 2, history.code + " needs at least two samples");
     require(history.values.size() == test.histories.front().values.size(),
-            history.code + " has a different number of samples");
+            history.code + " must have as many samples as the first history");
     require(std::ranges::all_of(history.values, [](double value) { return std::isfinite(value); }),
             history.code + " has a value that is not finite");
   }

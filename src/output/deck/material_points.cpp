@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 #include <fmt/format.h>
 
+#include "model/pad/foam/foam_stress.hpp"
+#include "model/pad/foam/monotone_curve.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -37,7 +40,7 @@ TableCurve base_points(const BaseCurve& base, std::vector<std::string>& remarks)
           return form;
         } else {
           remarks.push_back(
-              fmt::format("The base curve is the formula \"{}\"; it is given as {} points up to its "
+              fmt::format("The base curve is the formula \"{}\"; it is written as {} points up to its "
                           "highest strain, {:g}.",
                           Form::name, points_of_formula, form.highest_strain));
           return points_along(form);
@@ -86,7 +89,7 @@ void add_rates(const FoamCurves& curves, MaterialPoints& points) {
                                         })});
           }
           points.remarks.push_back(fmt::format(
-              "The rate effect is the formula \"{}\"; it is given as {} at higher rates.", Effect::name,
+              "The rate effect is the formula \"{}\"; it is written as {} at higher rates.", Effect::name,
               points.loading.size() == 2 ? "1 curve" : fmt::format("{} curves", points.loading.size() - 1)));
         }
       },
@@ -103,6 +106,74 @@ MaterialPoints material_points(const PadLaw& law, bool with_rates) {
   }
   if (const Foam* const foam = std::get_if<Foam>(&law)) points.unloading = foam->unloading_curve;
   return points;
+}
+
+namespace {
+
+/// The stress of loading at a rate, Pa, also beyond the tested strain.
+double loading_stress(const PadLaw& law, double strain, double rate) {
+  return std::visit(
+      [&]<class Law>(const Law& foam) -> double {
+        if constexpr (SharesSlip<Law>)
+          return FoamStress(foam).response(strain_of(strain), 0, rate).stress;
+        else
+          return no_value;
+      },
+      law);
+}
+
+/// Points at equal distances from the origin to `end`.
+template <class Stress>
+TableCurve evenly_placed(double end, int points, const Stress& stress) {
+  constexpr int digits = 6;
+  TableCurve curve;
+  for (int i = 1; i < points; ++i) {
+    const double strain = rounded_to(end * i / (points - 1), digits);
+    curve.strain.push_back(strain);
+    curve.stress.push_back(rounded_to(stress(strain), digits));
+  }
+  return curve;
+}
+
+}  // namespace
+
+MaterialPoints placed_points(const PadLaw& law, bool with_rates, const MaterialDeckOptions& options) {
+  MaterialPoints points = material_points(law, with_rates);
+  const int count = options.points.value_or(max_deck_points);
+  bool was_levelled = false;
+  if (options.rate) points.loading.resize(1);
+  for (PointsAtRate& at : points.loading) {
+    if (options.rate) at.rate = *options.rate;
+    at.curve = evenly_placed(options.up_to.value_or(at.curve.strain.back()), count,
+                             [&](double strain) { return loading_stress(law, strain, at.rate); });
+  }
+  if (options.rate && !std::ranges::is_sorted(points.loading.front().curve.stress)) {
+    std::vector<double>& stress = points.loading.front().curve.stress;
+    std::partial_sum(stress.begin(), stress.end(), stress.begin(),
+                     [](double before, double now) { return std::max(before, now); });
+    was_levelled = true;
+  }
+  if (points.unloading && options.up_to) {
+    points.unloading = unloading_points(std::get<Foam>(law), *options.up_to);
+  } else if (points.unloading) {
+    const MonotoneCurve tested(*points.unloading);
+    points.unloading =
+        evenly_placed(tested.last_strain(), count, [&](double strain) { return tested.stress(strain); });
+  }
+  points.remarks = {fmt::format("Each curve is given as {} evenly spaced points with six digits.", count)};
+  if (was_levelled)
+    points.remarks.emplace_back("The curve at that rate falls in places; there it is written level.");
+  return points;
+}
+
+TableCurve unloading_points(const Foam& foam, double from) {
+  const FoamStress of(foam);
+  const double rate = foam.curves.slowest_rate;
+  return evenly_placed(from, points_of_formula / 2, [&](double strain) {
+    // The last point of the way back is the end of the curve.
+    return strain < from ? of.response(strain_of(strain), from - strain, -rate).stress
+                         : of.response(strain_of(from), 0, rate).stress;
+  });
 }
 
 double steepest_line(const MaterialPoints& points) {

@@ -29,10 +29,15 @@ std::array<double, 3> numbers_of(const Impactor& impactor) {
   return {impactor.mass, sphere_radius(impactor.nose), impactor.speed};
 }
 
-/// The value of the standard that the user replaced: ", the standard 6.7 m/s"; "" without one.
+/// The value of the standard that the user replaced: "; 6.7 m/s in the standard"; "" without one.
 std::string of_standard(const NamedValue& entry, const UnitSystem& units) {
   if (!entry.value->instead) return "";
-  return fmt::format(", the standard {}", brief_quantity(*entry.value->instead, entry.si_unit, units));
+  return fmt::format("{} in the standard", brief_quantity(*entry.value->instead, entry.si_unit, units));
+}
+
+/// The text between two others; empty if it is.
+std::string enclosed(const char* before, const std::string& text, const char* behind) {
+  return text.empty() ? "" : before + text + behind;
 }
 
 /// The values of the case that the standard replaces, a line each, and those that are kept.
@@ -51,15 +56,14 @@ Replaced replaced_in(const AssessmentReport& report, const UnitSystem& units) {
                                                    : brief_quantity(before, entry.si_unit, units);
     const std::optional<double>& value = entry.value->value;
     if (!value || !injury::differ(*value, before)) {
-      kept += fmt::format("{} ({}{}), ", entry.name, in_case, of_standard(entry, units));
+      kept += fmt::format("{} ({}{}), ", entry.name, in_case, enclosed("; ", of_standard(entry, units), ""));
       continue;
     }
-    replaced.lines.push_back(fmt::format("{} {}, {}; the case has {}", entry.name, value_text(entry, units),
-                                         entry.value->chosen_by_user ? "given by you" : "from the standard",
-                                         in_case) +
-                             of_standard(entry, units));
+    replaced.lines.push_back(fmt::format("{}, {}{} instead of {}{}", entry.name, value_text(entry, units),
+                                         entry.value->chosen_by_user ? " given by you" : " from the standard",
+                                         in_case, enclosed(" (", of_standard(entry, units), ")")));
   }
-  replaced.kept = fmt::format("Kept from the case: {}pad, support, solver.", kept);
+  replaced.kept = fmt::format("Kept from the case: {}pad, support and solver settings.", kept);
   return replaced;
 }
 
@@ -83,7 +87,7 @@ std::string sources_of(const injury::Standard& standard) {
       if (origin->kind == kind) names.push_back(name);
     if (!names.empty()) kinds.push_back(fmt::format("{} ({})", to_string(kind), fmt::join(names, ", ")));
   }
-  return fmt::format("Sources of the standard's figures: {}. dashpad standards {} names them.",
+  return fmt::format("Sources of the standard's values: {}; dashpad standards {} lists them.",
                      fmt::join(kinds, ", "), full_name(standard));
 }
 
@@ -129,13 +133,13 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::Assessment& assessment = report.assessment;
   const Summary& summary = report.solution.summary;
   if (assessment.verdict == injury::Verdict::fail && bottomed_on_rigid_support(summary))
-    return fmt::format("Fails: the pad bottoms out with {} left",
+    return fmt::format("Fails: the pad bottoms out with the impactor still moving at {}",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   const injury::CriterionResult* const next = closest(assessment.results);
   if (next == nullptr)
     return is_cut(summary) ? "Undecided: the run ends before the impact does"
                            : "Undecided: the pulse is incomplete";
-  const std::string name = injury::title_of(next->criterion);
+  const std::string name = uncapitalised(injury::title_of(next->criterion));
   const std::string margin = margin_words(*next, units, 3);
   switch (assessment.verdict) {
     case injury::Verdict::pass:
@@ -147,9 +151,9 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
   const std::string limit =
       brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
-  return fmt::format("Undecided: {} is {}, but must be {} {}", injury::title_of(open.criterion),
-                     interval_words(*open.interval, units), open.criterion.strict ? "below" : "at most",
-                     limit);
+  return fmt::format("Undecided: {} could be anywhere from {}, but must be {} {}",
+                     uncapitalised(injury::title_of(open.criterion)), interval_words(*open.interval, units),
+                     open.criterion.strict ? "below" : "at most", limit);
 }
 
 /// The distance of a criterion from its limit, with its share of the limit.
@@ -172,7 +176,7 @@ std::vector<ValueRow> figures_of(const AssessmentReport& report, const UnitSyste
   std::vector<ValueRow> rows = bottoming_figures(report.assessed, report.solution.summary, units);
   const char* const on_strain = report.assessed.pad.layers.empty()
                                     ? "1 = fully compressed pad"
-                                    : "of all layers together; 1 = fully compressed pad";
+                                    : "for all layers together; 1 = fully compressed pad";
   for (const auto& [key, member] : figures_of_assessment) {
     const injury::Figure& figure = report.assessment.figures.*member;
     const ResultQuantity& quantity = result_quantity(key);
@@ -200,9 +204,10 @@ std::vector<std::string> interval_lines(const AssessmentReport& report, const Un
     if (!result.interval || !intervals || result.interval->sources.empty()) continue;
     const std::vector<std::string> sources = source_words(*result.interval, *intervals, units);
     lines.push_back(fmt::format(
-        "{}: 95 % interval {}. The largest source of uncertainty by itself would give: {}{}.",
-        injury::title_of(result.criterion), interval_words(*result.interval, units), sources.front(),
-        sources.size() == 1 ? "" : fmt::format("; --all lists {} more", sources.size() - 1)));
+        "{}: 95 % interval {}. The {} source of uncertainty is {}{}.", injury::title_of(result.criterion),
+        interval_words(*result.interval, units), sources.size() == 1 ? "only contributing" : "largest",
+        sources.front(),
+        sources.size() == 1 ? "" : fmt::format(" by itself; --all lists {} more", sources.size() - 1)));
   }
   return lines;
 }
@@ -228,9 +233,9 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
       .lead = Lead{.answer = answer_of(report, units),
                    .tone = doubt_about_pass(report).empty() ? tone_of(assessment.verdict) : Tone::doubtful,
                    .subject = {fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
-                               title.empty() ? "" : "The case: " + title,
+                               title.empty() ? "" : "Case: " + title,
                                summary.blows > 1
-                                   ? fmt::format("Figures of blow {} of {}", summary.blow, summary.blows)
+                                   ? fmt::format("Figures for blow {} of {}", summary.blow, summary.blows)
                                    : ""},
                    .figures = figures_of(report, units, Detail::main)},
       .is_one_impact = true};
@@ -350,7 +355,7 @@ Plot deciding_curve(const AssessmentReport& report, const UnitSystem& units) {
 
 const std::string& assessment_caveat() {
   static const std::string caveat =
-      "A computation with one rigid nose on a flat pad; neither a test to the standard nor a certification.";
+      "Computed with a rigid nose on a flat pad, this is neither a test to the standard nor a certification.";
   return caveat;
 }
 
@@ -360,8 +365,8 @@ Document assessment_document(const AssessmentReport& report, const UnitSystem& u
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs =
-           {"In SI, with the impactor of the standard. Saved as a file, this is a case for dashpad run."},
+       .paragraphs = {"This case, in SI units with the standard's impactor, can be saved and "
+                      "solved with dashpad run."},
        .copy = case_toml(report.assessed, {})});
   return document;
 }

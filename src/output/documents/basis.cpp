@@ -40,7 +40,7 @@ Basis foam_basis(const Material& material, const UnitSystem& units) {
   if (material.density) basis.value += ", " + brief_quantity(*material.density, "kg/m3", units);
   if (const auto range = range_of(material))
     basis.value +=
-        fmt::format("; {} up to a strain of {}, at {}{} per second", how_known(material),
+        fmt::format("; {} up to a strain of {}, at a strain rate of {}{} per second", how_known(material),
                     brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
                     range->highest_rate > range->lowest_rate ? " to " + brief(range->highest_rate, 3) : "");
   basis.source = material.source.empty() ? "not stated" : one_line(material.source);

@@ -56,19 +56,19 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   for (const std::string& line : open_matters(report)) all.push_back("NOT DISTINGUISHED: " + line);
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (!unknown.is_identified() && !unknown.is_nuisance)
-      all.push_back(fmt::format("LEFT OPEN: the data do not determine the {}: its 95 % interval is {}.",
+      all.push_back(fmt::format("LEFT OPEN: the data do not determine the {} (95 % interval {}).",
                                 factor_words(unknown.key), interval_words(unknown, units)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)
-      all.push_back(fmt::format("FROM ITS PRIOR: the {} comes mainly from its prior; the data add little.",
+      all.push_back(fmt::format("FROM ITS PRIOR: the {} is set mainly by its prior; the data add little.",
                                 factor_words(unknown.key)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.wants_beyond())
-      all.push_back(fmt::format("AT A BOUND: the {} is at its {} bound: the data favour a value beyond it.",
+      all.push_back(fmt::format("AT A BOUND: the {} is at its {} bound; the data favour a value beyond it.",
                                 factor_words(unknown.key), unknown.is_at_lowest ? "lower" : "upper"));
   if (report.starts > 1 && report.starts_at_best <= 1)
     all.push_back(
-        fmt::format("ONE START: {} of {} starts converged to this misfit; there may be a better fit.",
+        fmt::format("ONE START: {} of {} starts converged to this misfit, so there may be a better fit.",
                     report.starts_at_best, report.starts));
   return all;
 }
@@ -82,9 +82,9 @@ void add_misses(std::vector<ValueRow>& figures, const fit::FitReport& report, bo
                        .value = fmt::format("{:.3g}{}", *unit == 0 ? *miss : 100 * *miss, unit),
                        .remark = share_of});
   };
-  add("tests", of.tests, " %", "of their largest stress, root mean square");
-  add("figures of impacts", of.figures, "", "times their stated deviation");
-  add("pulses", of.pulses, " %", "of their peak, root mean square");
+  add("tests", of.tests, " %", "root mean square, relative to the largest stress");
+  add("impact figures", of.figures, "", "times the stated deviation");
+  add("pulses", of.pulses, " %", "root mean square, relative to the peak");
 }
 
 /// The misfits, then the unknowns of the material, beginning with those that the data leave open.
@@ -138,12 +138,12 @@ Section misfit_section(const fit::FitReport& report, const UnitSystem& units) {
     table.caption = caption;
     misfit.tables.push_back(std::move(table));
   };
-  add("Peak, HIC and rebound of impacts, measured and of the model", table_of_comparison(report, units));
-  add("Model minus test, root mean square, and its share of the largest stress",
+  add("Peak, HIC and rebound of the impacts, measured and computed", table_of_comparison(report, units));
+  add("Root mean square of model minus test, also as a share of the largest stress",
       table_of_tests(report, units));
-  add("Share of the energy returned, by the strain at which the test reverses", table_of_loops(report));
-  add("Figures of impacts", table_of_figures(report, units));
-  add("Pulses of impacts", table_of_pulses(report, units));
+  add("Share of the energy returned, by strain at reversal", table_of_loops(report));
+  add("Impact figures", table_of_figures(report, units));
+  add("Impact pulses", table_of_pulses(report, units));
   for (const std::string& remark : report.remarks) misfit.paragraphs.push_back("REMARK: " + one_line(remark));
   return misfit;
 }
@@ -158,8 +158,8 @@ Document failed(const fit::FitReport& report) {
           .lead = Lead{.answer = "The fit did not converge: " + one_line(report.why_not),
                        .tone = Tone::bad,
                        .subject = {one_line(report.title)}},
-          .summary = {"No card was made. Start closer (start = ...), narrow the bounds, try more starts, or "
-                      "fix unknowns that the data do not determine."}};
+          .summary = {"No card was written. Start closer to the solution (start = ...), narrow the bounds, "
+                      "try more starts, or fix unknowns that the data do not determine."}};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
   const Summary& summary = report.solution.summary;
   if (!report.blows.empty()) return growth_text(report.impact, report.blows);
   if (bottomed_on_rigid_support(summary))
-    return fmt::format("The pad bottoms out with {} left",
+    return fmt::format("The pad bottoms out with the impactor still moving at {}",
                        brief_quantity(summary.bottomed->velocity, "m/s", units, 3));
   if (!summary.peak_acceleration) return outcome(summary);
   const bool is_struck = strikes_through(report);
@@ -42,7 +42,7 @@ std::string answer(const ImpactReport& report, const UnitSystem& units) {
     return with_unit(brief(is_struck ? rounded_to(scale * value, 2) : scale * value, 3), name);
   };
   std::string peak = shown(*summary.peak_acceleration, result_quantity("peak_acceleration").si_unit);
-  if (is_cut(summary)) return fmt::format("At least {}: the run ends before the impact does", peak);
+  if (is_cut(summary)) return fmt::format("Peak at least {}; the run ends before the impact does", peak);
   peak = "peak " + peak + (report.injury ? ", HIC15 " + shown(report.injury->hic15.value, "1") : "");
   return is_struck ? "Less than 0.1 % of the pad thickness is left: " + peak : capitalised(peak);
 }
@@ -109,9 +109,10 @@ std::vector<ValueRow> figures_of(const ImpactReport& report, std::vector<ValueRo
 }
 
 std::vector<std::string> subject_of(const ImpactReport& report) {
-  const Summary& summary = report.solution.summary;
-  const std::string blow = report.blows.empty() ? "" : fmt::format("Blow {}: ", summary.blow);
-  return {one_line(report.impact.title), blow + outcome(summary)};
+  std::string text = outcome(report.solution.summary);
+  if (!report.blows.empty())
+    text = fmt::format("Blow {}: {}", report.solution.summary.blow, uncapitalised(text));
+  return {one_line(report.impact.title), text};
 }
 
 void add_blows(Document& document, const ImpactReport& report, const UnitSystem& units) {
@@ -156,7 +157,7 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
                   .rows = {{report.blows.empty() ? "The impact" : "The last blow",
                             sure(summary_rows(impact, summary, units, Detail::all), report, units)}}};
   if (report.injury)
-    figures.rows.push_back({"Injury figures of this pulse",
+    figures.rows.push_back({"Injury metrics of this pulse",
                             sure(pulse_rows(*report.injury, units, Detail::all), report, units)});
   document.sections.push_back(std::move(figures));
   if (summary.intervals && !summary.intervals->figures.empty()) {
@@ -179,7 +180,7 @@ void add_case(Document& document, const ImpactReport& report) {
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,
-       .paragraphs = {"In SI, as it was computed. Saved as a file, this is a case for dashpad run."},
+       .paragraphs = {"This case, in SI units as computed, can be saved and solved with dashpad run."},
        .copy = case_toml(report.impact, report.options)});
 }
 

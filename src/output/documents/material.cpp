@@ -78,9 +78,9 @@ std::string base_words(const FoamCurves& curves) {
 }
 
 struct RateWords {
-  std::string operator()(const NoRateEffect&) const { return "one tested: no effect"; }
+  std::string operator()(const NoRateEffect&) const { return "no rate effect: tested at one rate only"; }
   std::string operator()(const PowerRateEffect& effect) const {
-    return fmt::format("power, up to {} 1/s", brief(effect.highest_rate));
+    return fmt::format("power law, up to {} 1/s", brief(effect.highest_rate));
   }
   std::string operator()(const FactorRateEffect& effect) const {
     std::string text = "factor";
@@ -94,7 +94,7 @@ struct RateWords {
     for (const auto& [rate, curve] : effect.curves)
       text +=
           fmt::format("{}curve at {} 1/s, {}", text.empty() ? "" : "; ", brief(rate), points_words(curve));
-    return text + (effect.linear ? "; between two rates linear in the rate" : "");
+    return text + (effect.linear ? "; interpolated linearly in the rate" : "");
   }
 };
 
@@ -106,8 +106,8 @@ Rows law_rows(const Material& material) {
     rows.push_back({"Rate", std::visit(RateWords{}, curves->rate_effect)});
   }
   if (const auto* const foam = std::get_if<Foam>(&material.law); foam && foam->unloading_curve)
-    rows.push_back(
-        {"Back", fmt::format("curve, {}, in place of HU and SHAPE", points_words(*foam->unloading_curve))});
+    rows.push_back({"Unloading",
+                    fmt::format("curve, {}, instead of HU and SHAPE", points_words(*foam->unloading_curve))});
   return rows;
 }
 
@@ -116,7 +116,7 @@ std::string fitted_words(const Material& material) {
   return range ? fmt::format("up to a strain of {} and at strain rates from {} to {} 1/s",
                              brief(range->highest_strain), brief(range->lowest_rate),
                              brief(range->highest_rate))
-               : "range not stated: extrapolation cannot be detected";
+               : "range not stated, so extrapolation cannot be detected";
 }
 
 Table card_table(const Material& material) {
@@ -132,8 +132,8 @@ Table card_table(const Material& material) {
   for (std::vector<std::string>& row : law_rows(material)) table.rows.push_back(std::move(row));
   add("Fitted", fitted_words(material));
   if (material.nose_over_pad)
-    add("Strikes", fmt::format("measured in impacts of a sphere with a radius of {} times the pad thickness: "
-                               "its parameters include the effect of neighbouring columns",
+    add("Impacts", fmt::format("measured with a sphere whose radius is {} times the pad thickness, so the "
+                               "parameters include the effect of neighbouring columns",
                                brief(*material.nose_over_pad)));
   return table;
 }
@@ -145,7 +145,7 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
   const double last = last_strain_of(curves.base);
   Table table{.columns = {"Stress in first loading"}};
   for (const double strain : strains)
-    table.columns.push_back(fmt::format("at {}{}", brief(strain), strain > last ? " *" : ""));
+    table.columns.push_back(fmt::format("at strain {}{}", brief(strain), strain > last ? " *" : ""));
   for (const double rate : laboratory::tested_rates(material)) {
     const laboratory::LoadingCurve loading = laboratory::loading_curve(material, rate, strains.back(), steps);
     std::vector<std::string> row{fmt::format("at {} 1/s", brief(rate))};
@@ -156,7 +156,7 @@ Section stresses(const Material& material, const FoamCurves& curves, const UnitS
     table.rows.push_back(std::move(row));
   }
   Section section{.seen = Seen::always, .tables = {std::move(table)}};
-  if (strains.back() > last) section.paragraphs = {"* beyond the strains of the curve"};
+  if (strains.back() > last) section.paragraphs = {"* beyond the last strain of the curve"};
   return section;
 }
 
@@ -171,7 +171,7 @@ std::vector<Section> law_sections(const Material& material, const UnitSystem& un
   add("", material.law);
   if (const FoamCurves* const curves = foam_curves(material.law)) {
     add("The curve:", curves->base);
-    add("The rate:", curves->rate_effect);
+    add("The rate effect:", curves->rate_effect);
     sections.push_back(stresses(material, *curves, units));
   }
   return sections;

@@ -36,7 +36,7 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
   const std::string hold = "after " + brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed) {
     add("Stress at the end of the ramp", shown.stress(run.relaxed->at_end_of_ramp));
-    add("Stress left", shown.stress(run.relaxed->after_hold), hold);
+    add("Remaining stress", shown.stress(run.relaxed->after_hold), hold);
   }
   if (run.crept) {
     add("Strain at the end of loading", brief(run.crept->at_end_of_loading, 3));
@@ -46,14 +46,14 @@ std::vector<ValueRow> test_figures(const MaterialTestReport& report, const Mater
     const std::optional<CushionPoint>& at = run.at_limits[i];
     add("Energy below " + shown.stress(report.test.stress_limits[i]),
         shown.energy(at ? at->energy : of_run.energy_in),
-        at ? "at a strain of " + brief(at->strain, 3) : "which is not reached");
+        at ? "at a strain of " + brief(at->strain, 3) : "this stress is not reached");
   }
   const bool has_best = runs_out(run);
-  if (has_best) add("Best used at", shown.stress(best.stress), "the highest ratio of energy to stress");
+  if (has_best) add("Best used at", shown.stress(best.stress), "highest ratio of energy to stress");
   const bool repeats = report.test.kind == laboratory::TestKind::cyclic && report.test.cycles > 1;
-  add(has_best ? "Energy absorbed by then" : "Energy put in", shown.energy(best.energy),
+  add(has_best ? "Energy absorbed by then" : "Energy input", shown.energy(best.energy),
       "efficiency " + brief(best.efficiency, 3) + (repeats ? ", in the first loading" : ""));
-  if (has_best) add("Best strain", brief(best.strain, 3), "beyond, stress grows faster than energy");
+  if (has_best) add("Strain at best use", brief(best.strain, 3), "above it, stress grows faster than energy");
   if (run.unloads)
     add("Energy returned",
         of_run.energy_in > 0 ? MaterialTestValues::share(of_run.energy_returned / of_run.energy_in) : "none",
@@ -89,7 +89,7 @@ Panel stress_panel(const MaterialTestReport& report, const MaterialTestRun& run,
     if (run.figures.peak_stress > max_over_best * best.stress) {
       panel.y.low = 0;
       panel.y.high = value_in(units, max_over_best * best.stress, "Pa");
-      panel.title = fmt::format("Beyond the plot the stress rises to {}",
+      panel.title = fmt::format("Beyond the plot, the stress rises to {}",
                                 MaterialTestValues{units}.stress(run.figures.peak_stress));
     }
   }

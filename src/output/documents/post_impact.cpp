@@ -43,42 +43,42 @@ Document post_impact_document(const Body& first, const Body& second, const Impac
   document.warnings = by_severity(flags(solution.summary));
   document.lead = Lead{
       .answer = std::isinf(second.mass)
-                    ? fmt::format("The impactor moves at {} afterwards", shown(after.first_velocity, "m/s"))
-                    : fmt::format("The impactor moves at {} afterwards, the other body at {}",
+                    ? fmt::format("Afterwards, the impactor moves at {}", shown(after.first_velocity, "m/s"))
+                    : fmt::format("Afterwards, the impactor moves at {} and the other body at {}",
                                   shown(after.first_velocity, "m/s"), shown(after.second_velocity, "m/s")),
       .tone = document.warnings.empty() ? Tone::plain : Tone::doubtful,
-      .subject = {fmt::format("Two bodies: the impactor, {} at {}; the other, {}, at {}.",
+      .subject = {fmt::format("Two bodies: the impactor, {}, at {}; the other body, {}, at {}.",
                               shown(first.mass, "kg"), shown(first.velocity, "m/s"), other,
                               shown(second.velocity, "m/s")),
-                  fmt::format("Solved as one body of the reduced mass, {}, at the closing speed, {}.",
+                  fmt::format("Solved as a single body with the reduced mass, {}, at the closing speed, {}.",
                               shown(impact.impactor.mass, "kg"), shown(impact.impactor.speed, "m/s"))},
       .figures = {
-          row_of("Velocity of the impactor after", after.first_velocity, after.errors.first_velocity, "m/s",
+          row_of("Final velocity of the impactor", after.first_velocity, after.errors.first_velocity, "m/s",
                  units),
-          row_of("Velocity of the other body after", after.second_velocity, after.errors.second_velocity,
+          row_of("Final velocity of the other body", after.second_velocity, after.errors.second_velocity,
                  "m/s", units),
-          {.label = "Ratio of the speeds, sqrt(C)",
+          {.label = "Ratio of speeds, sqrt(C)",
            .value = significant(after.restitution),
            .remark = fmt::format("± {:.2g}", after.errors.restitution)},
-          {.label = "C of the report's Eqs. 1 to 3",
+          {.label = "C in Eqs. 1 to 3 of the report",
            .value = significant(after.energy_coefficient),
            .remark = fmt::format("± {} of the energy", percentage(solution.summary.errors.energy_absorbed))},
           {.label = "Energy available", .value = shown(after.available_energy, "J")}}};
   document.sections = {
       {.seen = Seen::always,
        .paragraphs =
-           {"The report calls C the coefficient of restitution, but it multiplies energy: the ratio of "
-            "the speeds of separation and approach is its square root."}},
+           {"The report calls C the coefficient of restitution, but C multiplies an energy; the ratio of the "
+            "separation speed to the approach speed is its square root."}},
       {.heading = "Energy balance",
        .seen = Seen::always,
-       .tables = {energies("At the largest force",
+       .tables = {energies("At peak force",
                            {{"Kinetic energy", split.kinetic_at_peak},
                             {"Stored in the support", split.support_at_peak},
                             {"Work on the pad", split.pad_at_peak}},
                            split.impact, units),
                   energies("At the end",
                            {{"Rebound", split.rebound},
-                            {"Left in the support", split.support_at_end},
+                            {"Remaining in the support", split.support_at_end},
                             {"Absorbed by the pad", split.pad}},
                            split.impact, units)}}};
   return document;

@@ -30,7 +30,7 @@ std::string stretch_of(double begin, double end, const UnitSystem& units) {
 std::string origin(const injury::MeasuredColumn& column, const std::string& si_unit) {
   const std::string from = column.unit_origin == "given"    ? "as given"
                            : column.unit_origin == "header" ? "from the file"
-                                                            : "by the format";
+                                                            : "implied by the format";
   std::string text = fmt::format("{} in {} ({})", one_line(column.name), column.unit, from);
   if (!column.sensitivity.empty()) text += ", at " + one_line(column.sensitivity);
   if (column.factor != 1) text += fmt::format(", 1 {} = {:.7g} {}", column.unit, column.factor, si_unit);
@@ -73,14 +73,14 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
                    : ""));
   }
   for (const injury::WindowedHic& windowed : report.windows)
-    add("hic_unlimited", "HIC of " + brief(1e3 * windowed.longest_window) + " ms", windowed.hic.value,
-        stretch(windowed.hic.begin, windowed.hic.end, units, digits));
+    add("hic_unlimited", "HIC, window up to " + brief(1e3 * windowed.longest_window) + " ms",
+        windowed.hic.value, stretch(windowed.hic.begin, windowed.hic.end, units, digits));
   for (const injury::DwellTime& each : report.dwells)
     if (each.cumulative > 0 || detail == Detail::all)
       add("dwell_time",
           injury::title_of(injury::Criterion{
               .metric = injury::Metric::dwell_time, .level = each.level, .description = {}, .origin = {}}),
-          each.cumulative, "in total; longest " + brief_quantity(each.longest, "s", units, digits));
+          each.cumulative, "in total; longest interval " + brief_quantity(each.longest, "s", units, digits));
   return rows;
 }
 
@@ -98,7 +98,7 @@ std::vector<ValueRow> rows_of(const injury::PulseReport& report, const UnitSyste
 /// The uncertainty of each figure of the measurement by source, with Detail::main of peak and HIC15 only.
 Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty, Detail detail) {
   const auto share = [](const std::optional<double>& value, const char* none) {
-    return !value ? none : *value < 5e-5 ? "below 0.01 %" : injury::in_percent(*value);
+    return !value ? none : *value < 5e-5 ? "< 0.01 %" : injury::in_percent(*value);
   };
   Table table{.columns = {"Uncertainty of", "Combined", "Sampling", "Filter", "Calibration"}};
   for (const injury::FigureUncertainty& each : uncertainty.figures) {
@@ -115,11 +115,11 @@ Table uncertainty_table(const injury::MeasurementUncertainty& uncertainty, Detai
 std::string uncertainty_words(const injury::MeasurementUncertainty& uncertainty) {
   const std::string& compared = uncertainty.compared_with;
   return fmt::format(
-      "Measurement uncertainty{} with coverage factor k = 2{}. The effect of {} filter applied before the "
+      "Measurement uncertainty{} with coverage factor k = 2{}. The effect of any {}filter applied before the "
       "file was written is not included{}.",
-      compared.empty() && !uncertainty.calibration ? ", from sampling alone," : "",
-      compared.empty() ? "" : ", including the filter compared with " + compared,
-      compared.empty() ? "a" : "another",
+      compared.empty() && !uncertainty.calibration ? ", from sampling only," : "",
+      compared.empty() ? "" : ", including the effect of the filter compared with " + compared,
+      compared.empty() ? "" : "other ",
       uncertainty.calibration ? "" : ", nor is that of the calibration (give it with --calibration)");
 }
 
@@ -127,13 +127,14 @@ std::string uncertainty_words(const injury::MeasurementUncertainty& uncertainty)
 std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& units) {
   const injury::Verdict verdict = injury::verdict_of(limits.results);
   const injury::CriterionResult* const next = closest(limits.results);
-  if (next == nullptr) return "Undecided: the pulse is cut, and its figures are lower bounds";
-  const std::string name = injury::title_of(next->criterion);
+  if (next == nullptr) return "Undecided: the pulse is cut off, so its figures are lower bounds";
+  const std::string name = uncapitalised(injury::title_of(next->criterion));
   const std::string margin = margin_words(*next, units, 3);
   const ValueRow row = criterion_row(*next, units, Detail::main);
   switch (verdict) {
     case injury::Verdict::pass: return fmt::format("Within the limits: {} has {} to spare", name, margin);
-    case injury::Verdict::fail: return fmt::format("Fails: {} is {}, {}", name, row.value, row.limit);
+    case injury::Verdict::fail:
+      return fmt::format("Fails: {} is {}, but must be {}", name, row.value, row.limit);
     case injury::Verdict::undecided: break;
   }
   return fmt::format("Undecided: {} is {} from its limit", name, margin);
@@ -142,7 +143,7 @@ std::string limits_answer(const injury::PulseLimits& limits, const UnitSystem& u
 /// Where and when the pulse was measured, as far as it is known.
 std::vector<std::string> subject_of(const injury::PulseReport& report, const UnitSystem& units) {
   std::vector<std::string> lines{fmt::format("{} ({})", one_line(report.file), report.measured.format)};
-  std::string about = report.impact ? capitalised(impact_words(*report.impact, units)) : "";
+  std::string about = report.impact ? "Impact " + impact_words(*report.impact, units) : "";
   for (const auto& [what, words] : report.about)
     about += fmt::format("{}{}: {}", about.empty() ? "" : ". ", what, one_line(words));
   if (!about.empty()) lines.push_back(about + ".");
@@ -195,7 +196,7 @@ std::string impact_words(const injury::MeasuredImpact& impact, const UnitSystem&
 }
 
 std::string filter_words(const injury::PulseFilter& filter) {
-  return fmt::format("CFC{}, corner of {}, ends {}", filter.channel_frequency_class,
+  return fmt::format("CFC{}, corner frequency of {}, ends {}", filter.channel_frequency_class,
                      filter.corner == injury::Corner::sae_j211 ? "SAE J211" : "ISO 6487",
                      to_string(filter.ends));
 }
@@ -209,7 +210,7 @@ std::vector<std::vector<std::string>> pulse_basis(const injury::PulseReport& rep
     rows.push_back({"Acceleration", origin(column, "m/s2")});
   if (measured.resultant)
     rows.push_back({"Resultant", fmt::format("of {} directions{}", measured.acceleration.size(),
-                                             report.filter ? ", each filtered, then combined" : "")});
+                                             report.filter ? ", filtered separately, then combined" : "")});
   rows.push_back({"Samples", fmt::format("{} {}", pulse.time.size(),
                                          stretch_of(pulse.time.front(), pulse.time.back(), units))});
   if (report.resampled_to)
@@ -251,13 +252,13 @@ Document pulse_document(const injury::PulseReport& report, const UnitSystem& uni
   if (report.limits)
     document.sections.push_back(
         {.seen = Seen::always,
-         .paragraphs = {"Figures of a pulse compared with the limits of a standard: whether the test was "
-                        "carried out as the standard requires is not assessed, and nothing is certified."}});
+         .paragraphs = {"Only the figures of the pulse are compared with the limits of the standard; how the "
+                        "test was carried out is not assessed, and nothing is certified."}});
   document.sections.push_back(
       {.heading = "Basis",
        .seen = Seen::always,
-       .paragraphs = {fmt::format("HIC and severity index are in g^2.5 s; the pulse is linear between its "
-                                  "samples (dashpad {}).",
+       .paragraphs = {fmt::format("HIC and severity index are in g^2.5 s; the pulse is taken as linear "
+                                  "between its samples (dashpad {}).",
                                   version())},
        .tables = {{.columns = {"", ""}, .rows = pulse_basis(report, units)}}});
   return document;

@@ -73,31 +73,32 @@ std::string alignment_note(const PulseComparisonReport& report, const UnitSystem
   switch (comparison.alignment) {
     case Alignment::onset:
       return fmt::format(
-          "Aligned at the onset, where each pulse first reaches {:.0f} % of its own peak: {}. The time to "
-          "peak is measured from there.",
+          "Aligned at the onset, where each pulse first reaches {:.0f} % of its peak: {}. The time to peak "
+          "is measured from this onset.",
           100 * injury::onset_share, shift);
     case Alignment::peak:
       return fmt::format(
           "Aligned at the peak: {}. The time to peak is measured from the point at which each pulse first "
-          "reaches {:.0f} % of its own peak.",
+          "reaches {:.0f} % of its peak.",
           shift, 100 * injury::onset_share);
     case Alignment::none:
-      return "Not aligned: the time to peak is measured from first contact, and from the zero of the "
-             "measured times.";
+      return "Not aligned: the time to peak is measured from first contact in the computed pulse and from "
+             "time zero in the measured one.";
   }
   return "";
 }
 
 std::string restitution_note(const PulseComparisonReport& report, const UnitSystem& units) {
   const injury::PulseShape& measured = report.comparison.measured;
-  const std::string over =
-      fmt::format("Velocity change: while the acceleration keeps the sign of its peak, measured {}",
-                  stretch(measured.contact.begin, measured.contact.end, units, compared_digits));
+  const std::string over = fmt::format(
+      "The velocity change is taken over the time in which the acceleration has the sign of its peak "
+      "(measured: {})",
+      stretch(measured.contact.begin, measured.contact.end, units, compared_digits));
   if (!report.pulse.impact) return over + ".";
   const std::string speed = brief_quantity(report.pulse.impact->speed, "m/s", units, compared_digits);
   return measured.restitution
-             ? fmt::format("{}; its restitution is for an impact at {}.", over, speed)
-             : fmt::format("{}; for an impact at {} no restitution between 0 and 1 fits it.", over, speed);
+             ? fmt::format("{}. The measured restitution is for an impact at {}.", over, speed)
+             : fmt::format("{}. For an impact at {}, the change fits no restitution (0 to 1).", over, speed);
 }
 
 /// The interval of a computed figure. Null without one, and beside a filter, which it is without.
@@ -130,14 +131,13 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
   std::vector<std::string> lines;
   if (is_onset_doubtful(report.comparison))
     lines.push_back(fmt::format(
-        "ONSET IN DOUBT: the pulse first reaches {:.0f} % of its peak at {}, and for the last time before it "
-        "at {}; noise or an offset may have been mistaken for the impact: --zero auto, --filter and "
-        "--align peak help",
+        "ONSET IN DOUBT: the pulse first reaches {:.0f} % of its peak at {}, but crosses that level for the "
+        "last time before the peak at {}; noise or an offset may have been mistaken for the impact; --zero "
+        "auto, --filter or --align peak may help",
         100 * injury::onset_share, brief_quantity(*report.comparison.measured.onset, "s", units, 3),
         brief_quantity(*report.comparison.measured.last_onset, "s", units, 3)));
-  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (the pulse)");
-  for (const std::string& line : warnings(report.solution.summary, units))
-    lines.push_back(line + " (the case)");
+  for (const std::string& line : reservations(report.pulse)) lines.push_back(line + " (pulse)");
+  for (const std::string& line : warnings(report.solution.summary, units)) lines.push_back(line + " (case)");
   return lines;
 }
 
@@ -145,17 +145,17 @@ std::vector<std::string> comparison_reservations(const PulseComparisonReport& re
 
 std::string comparison_answer(const PulseComparisonReport& report) {
   if (!report.comparison.computed)
-    return "There is no complete computed pulse to compare with. " + outcome(report.solution.summary);
+    return "The computed pulse is incomplete and cannot be compared. " + outcome(report.solution.summary);
   const ComparedFigure& of_peak = figure_of(report, "peak_acceleration");
-  const std::string peak = more_or_less(*of_peak.share(), "above", "below");
-  std::string text = peak.empty() ? "The computed peak is within 0.5 % of that of the measured pulse"
-                                  : "The computed peak is " + peak + " that of the measured pulse";
+  const std::string peak = more_or_less(*of_peak.share(), "higher", "lower");
+  std::string text = peak.empty() ? "The computed peak is within 0.5 % of the measured one"
+                                  : "The computed peak is " + peak + " than the measured one";
   if (const auto share = figure_of(report, "time_to_peak").share()) {
     const std::string time = more_or_less(*share, "later", "earlier");
-    text += ", " + (time.empty() ? "at the same time" : time);
+    text += " and occurs " + (time.empty() ? "at the same time" : time);
   }
   const std::string hic = more_or_less(*figure_of(report, "hic15").share(), "higher", "lower");
-  text += hic.empty() ? "; HIC15 agrees as well." : "; HIC15 is " + hic + ".";
+  text += hic.empty() ? "; HIC15 agrees." : "; HIC15 is " + hic + ".";
   if (const FigureInterval* const interval = interval_beside(report, "peak_acceleration"))
     text += fmt::format(
         " The measured peak lies {} the 95 % interval of the computed one.",
@@ -163,7 +163,8 @@ std::string comparison_answer(const PulseComparisonReport& report) {
   const std::optional<injury::MeasuredImpact>& measured = report.pulse.impact;
   const double speed = report.impact.impactor.speed;
   if (measured && injury::unlike_speeds(*measured, {.speed = speed}))
-    text += " But the case strikes " + more_or_less(speed / measured->speed - 1, "faster", "slower") + ".";
+    text += " But the impact speed in the case is " +
+            more_or_less(speed / measured->speed - 1, "higher", "lower") + ".";
   return text;
 }
 
@@ -183,9 +184,9 @@ Table comparison_table(const PulseComparisonReport& report, const UnitSystem& un
 
 std::vector<std::string> comparison_notes(const PulseComparisonReport& report, const UnitSystem& units) {
   std::vector<std::string> notes{alignment_note(report, units),
-                                 "Width: total time above half the peak. HIC15 is in g^2.5 s.",
+                                 "The width is the total time above half the peak. HIC15 is in g^2.5 s.",
                                  restitution_note(report, units)};
-  if (report.pulse.filter) notes.emplace_back("The computed pulse has the same filter as the measured one.");
+  if (report.pulse.filter) notes.emplace_back("The computed pulse was filtered like the measured one.");
   return notes;
 }
 
@@ -196,7 +197,7 @@ Document pulse_comparison_document(const PulseComparisonReport& report, const Un
                        .tone = !report.comparison.computed ? Tone::bad
                                : document.warnings.empty() ? Tone::plain
                                                            : Tone::doubtful,
-                       .subject = {fmt::format("{} ({}) against {}", one_line(report.pulse.file),
+                       .subject = {fmt::format("{} ({}) compared with {}", one_line(report.pulse.file),
                                                report.pulse.measured.format, one_line(report.case_file))},
                        .figures = key_figures(report, units)};
   if (pictures == Pictures::drawn) {

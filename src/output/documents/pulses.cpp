@@ -94,7 +94,7 @@ std::string deciding_figures(const Reports& reports, const UnitSystem& units) {
   std::vector<double> values;
   for (const injury::CriterionResult& result : results)
     if (injury::title_of(result.criterion) == title && result.value) values.push_back(*result.value);
-  return fmt::format("{} {}, {}", uncapitalised(title),
+  return fmt::format("{} {} (must be {})", uncapitalised(title),
                      range(values, injury::quantity_of(decides->criterion.metric)),
                      criterion_row(*decides, units, Detail::main).limit);
 }
@@ -105,7 +105,7 @@ std::string answer_of(const Reports& reports, const UnitSystem& units) {
   const auto within = std::ranges::count_if(reports, [](const injury::PulseReport& report) {
     return injury::verdict_of(report.limits->results) == injury::Verdict::pass;
   });
-  return fmt::format("{} of {} within the limits: {}", within == 0 ? "None" : std::to_string(within),
+  return fmt::format("{} of {} pulses within the limits: {}", within == 0 ? "None" : std::to_string(within),
                      reports.size(), figures);
 }
 
@@ -135,7 +135,7 @@ std::vector<std::string> reservations_of(const Reports& reports) {
         texts.push_back(text), pulses.push_back(name);
       else
         pulses[static_cast<std::size_t>(known - texts.begin())] +=
-            (*known == text ? ", " : ", with other figures ") + name;
+            (*known == text ? ", " : ", and with other values ") + name;
     }
   for (std::size_t i = 0; i < texts.size(); ++i) texts[i] += " (" + pulses[i] + ")";
   return texts;
@@ -144,7 +144,7 @@ std::vector<std::string> reservations_of(const Reports& reports) {
 }  // namespace
 
 Plot pulses_plot(const std::vector<injury::PulseReport>& reports, const UnitSystem& units) {
-  Panel panel{.title = "The accelerations, each from the beginning of contact",
+  Panel panel{.title = "Accelerations, each from the start of contact",
               .x = axis_of("time", units),
               .y = axis_of("acceleration", units)};
   const double time_factor = value_in(units, 1, "s");
@@ -168,7 +168,7 @@ Document pulses_document(const std::vector<injury::PulseReport>& reports, const 
   Lead& lead = *document.lead;
   for (const auto& [what, words] : reports.front().about)
     lead.subject.push_back(fmt::format("{}: {}", what, one_line(words)));
-  if (reports.front().impact) lead.subject.push_back("Each " + impact_words(*reports.front().impact, units));
+  if (reports.front().impact) lead.subject.push_back("All " + impact_words(*reports.front().impact, units));
   if (reports.front().limits)
     lead.subject.push_back("Limits of " + one_line(reports.front().limits->standard));
   for (const injury::PulseReport& report : reports) {

@@ -57,7 +57,7 @@ std::string other_variants_text(const injury::Standard& standard) {
   for (const injury::StandardVariant& variant : standard.variants)
     if (std::ranges::find(standard.chosen, variant.name) == standard.chosen.end())
       names += (names.empty() ? "" : ", ") + one_line(variant.name);
-  return names.empty() ? "" : "Not in force: " + names;
+  return names.empty() ? "" : "Variants not chosen: " + names;
 }
 
 bool is_unverified(const std::optional<injury::StandardValue>& value) {
@@ -86,7 +86,7 @@ std::array<NamedValue, 3> values_of(const injury::Standard& standard) {
 }
 
 std::string value_text(const NamedValue& entry, const UnitSystem& units) {
-  if (!entry.value->value) return "the case's";
+  if (!entry.value->value) return "as in the case";
   std::string text = brief_quantity(*entry.value->value, entry.si_unit, units);
   if (entry.value->drop_height)
     text += fmt::format(" (after a fall of {})", brief_quantity(*entry.value->drop_height, "m", units));
@@ -109,13 +109,13 @@ Document standard_document(const injury::Standard& standard, const UnitSystem& u
   Document document{.title = one_line(standard.title), .lead = Lead{.answer = one_line(standard.title)}};
   if (const std::size_t unverified = count_unverified(standard); unverified > 0)
     document.warnings = {"UNVERIFIED: " + plural(unverified, "value") +
-                         " not read in the standard or a source that quotes it, marked so below."};
+                         ", marked below (found neither in the standard nor in a source that quotes it)"};
   Table reading{.columns = {"", ""}, .rows = {{"Name", full_name(standard)}}};
   const auto add = [&reading](const char* what, const std::string& text) {
     if (!text.empty()) reading.rows.push_back({what, one_line(text)});
   };
   add("Text", standard.article);
-  add("Read", to_string(standard.source_kind) + ": " + standard.source);
+  add("Source", to_string(standard.source_kind) + ": " + standard.source);
   add("Note", standard.note);
   Table impactor{.columns = {"Impactor", "Value", "Source"}};
   for (const NamedValue& entry : values_of(standard)) impactor.rows.push_back(row_of(entry, units));

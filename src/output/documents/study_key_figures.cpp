@@ -67,7 +67,7 @@ void add_quantiles(Figures& figures, const StudyAnswers& answers, std::size_t re
   const std::string& name = response_name(answers, response);
   const AsText shown = in_unit_of(name, units);
   const std::optional<double> limit = limit_of(answers, name);
-  for (const auto& [probability, words] : {std::pair{0.5, "median"}, {0.95, "95 % of the draws below"}})
+  for (const auto& [probability, words] : {std::pair{0.5, "median"}, {0.95, "95 % quantile"}})
     if (const auto given = study::quantile(answers.groups.front().distributions[response], probability)) {
       ValueRow figure{.label = fmt::format("{}, {}", title_of(name), words),
                       .value = shown(given->value),
@@ -121,9 +121,9 @@ void add_least_peaks(Figures& figures, const study::CushionCurves& curves, const
       figures.push_back(
           {.label = fmt::format("Lowest peak on {}", brief_quantity(curve.thickness, "m", units, 3)),
            .value = shown(curve.peak_deceleration[*least]),
-           .remark =
-               fmt::format("at {}, from {}", brief_quantity(curve.static_stress[*least], "Pa", units, 3),
-                           brief_quantity(drop.height, "m", units, 3))});
+           .remark = fmt::format("at {}, drop height {}",
+                                 brief_quantity(curve.static_stress[*least], "Pa", units, 3),
+                                 brief_quantity(drop.height, "m", units, 3))});
 }
 
 /// The least and the greatest value of the leading response with where they are, and the range of others.
@@ -212,10 +212,10 @@ void add_indices(Figures& figures, const StudyAnswers& answers) {
     for (const study::Sensitivity::Index& index : indices)
       if (figures.size() < max_factors)
         figures.push_back(
-            {.label =
-                 fmt::format("{} by {}", title_of(response_name(answers, i)), factor_words(index.factor)),
+            {.label = fmt::format("{}, due to the {}", title_of(response_name(answers, i)),
+                                  factor_words(index.factor)),
              .value = share_of_variance(std::max(index.total.value, 0.0)),
-             .remark = fmt::format("of its variance, {}", interval_of(index.total, share_of_variance))});
+             .remark = fmt::format("of the variance; {}", interval_of(index.total, share_of_variance))});
     return;
   }
 }

@@ -102,8 +102,7 @@ Table plan_table(const std::vector<Combination>& all) {
   return table;
 }
 
-/// Each kind of reservation once, for the combination on which it has the largest effect, which is named, and
-/// how many have it.
+/// Each kind of reservation once, for the combination with its largest effect, and how many have it.
 std::vector<std::string> reservations(const std::vector<Combination>& all) {
   struct Kind {
     Flag worst;
@@ -124,8 +123,9 @@ std::vector<std::string> reservations(const std::vector<Combination>& all) {
   for (auto& [name, kind] : kinds) {
     kind.worst.text += fmt::format(" ({}", kind.of);
     if (kind.with_it.size() > 1)
-      kind.worst.text +=
-          fmt::format("; {} of {} assessments have this reservation", kind.with_it.size(), all.size());
+      kind.worst.text += fmt::format(
+          "; {} {} assessments have this reservation",
+          kind.with_it.size() == all.size() ? "all" : fmt::format("{} of", kind.with_it.size()), all.size());
     kind.worst.text += ")";
     worst.push_back(std::move(kind.worst));
   }
@@ -176,7 +176,7 @@ Document test_plan_document(const std::vector<AssessmentReport>& reports, const 
   document.sections.push_back({.heading = "The plan", .seen = Seen::always, .tables = {plan}});
   if (!document.warnings.empty())
     document.sections.back().paragraphs = {
-        "* with a reservation, stated in full in the assessment of that case by that standard."};
+        "* with at least one reservation, given in the full assessment of that case against that standard."};
   for (const Combination& combination : all)
     document.sections.push_back(section_of(combination, units, pictures));
   document.sections.push_back(

@@ -132,7 +132,7 @@ std::string tested_words(const DrawnMoments& moments) {
     return "";
   const char* const how = std::ranges::any_of(moments.layers, &DrawnLayer::has_curves) ? "tested" : "fitted";
   return moments.layers.size() == 1 ? fmt::format("{} up to {:.3g}", how, *moments.layers[0].tested)
-                                    : fmt::format("bars: {} up to there", how);
+                                    : fmt::format("{} up to the bars", how);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::string no_drawing(const ImpactCase& impact) {
              "<style>{2}</style>\n",
              px(drawing_width), xml_text(impact.title), impact_drawing_style()) +
          rectangle_element("dd-paper", 0, 0, drawing_width, 60) +
-         text_element("dd-text", {drawing_width / 2, 34}, "middle", "No drawing: the case breaks a rule.") +
+         text_element("dd-text", {drawing_width / 2, 34}, "middle", "No drawing: the case is invalid.") +
          "</svg>\n";
 }
 

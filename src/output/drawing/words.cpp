@@ -39,7 +39,7 @@ std::string nose_words(const Scene& scene) {
           return fmt::format("ellipsoid, {} across as drawn, {} across in the other direction",
                              shown(2 * shape.half_length), shown(2 * shape.half_width));
         else if constexpr (std::is_same_v<Shape, Rod>)
-          return fmt::format("rod, {} across, its dome of radius {}", shown(2 * shape.radius),
+          return fmt::format("rod, {} across, dome radius {}", shown(2 * shape.radius),
                              shown(shape.tip_radius));
         else if constexpr (std::is_same_v<Shape, Platen>)
           return fmt::format("platen, {} long as drawn, {} wide", shown(shape.length), shown(shape.width));
@@ -87,7 +87,7 @@ std::string alarm_words(const DrawnMoments& moments) {
   for (std::size_t i = 0; i < moments.layers.size(); ++i)
     if (moments.layers[i].struck_through) layers.push_back(i + 1);
   if (layers.empty()) return "";
-  return fmt::format("Less than 0.1 % left: layer{} {}", layers.size() > 1 ? "s" : "",
+  return fmt::format("Less than 0.1 % left in layer{} {}", layers.size() > 1 ? "s" : "",
                      fmt::join(layers, ", "));
 }
 
@@ -96,7 +96,7 @@ std::string strain_words(const DrawnMoments& moments) {
   if (moments.layers.size() == 1) return fmt::format("Strain on the axis {:.2f}", moments.layers[0].strain);
   if (moments.layers.size() > 3) {
     const auto most = std::ranges::max_element(moments.layers, {}, &DrawnLayer::strain);
-    return fmt::format("Strain up to {:.2f}, layer {}", most->strain, most - moments.layers.begin() + 1);
+    return fmt::format("Largest strain {:.2f}, in layer {}", most->strain, most - moments.layers.begin() + 1);
   }
   std::string text = moments.layers.size() == 2 ? "Strain in layers 1 and 2:" : "Strain in layers 1 to 3:";
   for (std::size_t i = 0; i < moments.layers.size(); ++i)
@@ -163,7 +163,7 @@ std::string drawing_description(const Scene& scene) {
   const ImpactCase& impact = scene.impact;
   const DrawnMoments& moments = scene.moments;
   const auto length = [&](double value) { return scene.shown(value, "m"); };
-  std::string text = fmt::format("Left: first contact. {} of {} meets a pad of {} at {}.",
+  std::string text = fmt::format("Left: first contact. {} of mass {} strikes a {} pad at {}.",
                                  capitalised(with_article(words_of(impact.impactor.nose))),
                                  scene.shown(impact.impactor.mass, "kg"), length(moments.thickness),
                                  scene.shown(impact.impactor.speed, "m/s"));
@@ -173,12 +173,12 @@ std::string drawing_description(const Scene& scene) {
                       length(moments.penetration), length(moments.left()));
   if (moments.deflection > 0) text += fmt::format(" The support deflects by {}.", length(moments.deflection));
   if (moments.body_motion > 0)
-    text += fmt::format(" The body behind it moved {}.", length(moments.body_motion));
+    text += fmt::format(" The body behind the support moves by {}.", length(moments.body_motion));
   if (const std::string alarm = alarm_words(moments); !alarm.empty()) text += " " + alarm + ".";
-  text += " " + strain_words(moments) + "; columns of the pad are shaded by their strain.";
-  text += " Nose and pad are true to scale; parts of the support";
-  text += impact.pad.sheet > 0 ? " and the sheet on the pad are symbols." : " are symbols.";
-  if (scene.layout.pad_is_cut) text += " Part of the pad is left out.";
+  text += " " + strain_words(moments) + "; the columns of the pad are shaded according to their strain.";
+  text += " Nose and pad are drawn to scale; parts of the support";
+  text += impact.pad.sheet > 0 ? " and the sheet on the pad are shown as symbols." : " are shown as symbols.";
+  if (scene.layout.pad_is_cut) text += " Part of the pad is omitted.";
   if (scene.layout.sink_is_cut) text += " The deflection of the support is drawn shorter than it is.";
   return text;
 }

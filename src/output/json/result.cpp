@@ -232,6 +232,11 @@ Json material_json(const Material& material) {
   return json;
 }
 
+std::string case_json(const ImpactCase& impact, const Options& options) {
+  return result_json_text(
+      {{"program", program_json()}, {"case", echo(impact)}, {"solver", numbers_of(options)}});
+}
+
 std::string result_json(const ImpactCase& impact, const Summary& summary,
                         const std::optional<injury::InjuryFigures>& injury,
                         const std::vector<BlowResult>& blows) {
@@ -267,6 +272,7 @@ std::string post_impact_json(const Body& first, const Body& second, const Impact
       {{"status", to_string(summary.status)},
        {"extrapolated", !summary.extrapolations.empty()},
        {"bottomed", summary.bottomed.has_value()},
+       {"flags", flags_json(flags(summary))},
        {"bodies",
         {body_json(first, after.first_velocity, after.errors.first_velocity),
          body_json(second, after.second_velocity, after.errors.second_velocity)}},

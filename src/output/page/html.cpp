@@ -55,8 +55,7 @@ std::size_t thin_points(Plot& plot) {
 std::string plot_html(Plot plot, InlineSvgs& svgs) {
   const std::size_t step = thin_points(plot);
   std::string html = svgs.add(plot, width_of_plots);
-  if (step > 1)
-    html += fmt::format("<p class=\"note\">Of many points only one in {} is drawn here.</p>\n", step);
+  if (step > 1) html += fmt::format("<p class=\"note\">Only one point in {} is drawn.</p>\n", step);
   return html;
 }
 

@@ -217,7 +217,7 @@ std::vector<PanelDrawing> drawings_of(const Plot& plot) {
   Turns turns{plot};
   for (const Panel& panel : plot.panels) drawings.push_back(drawing_of(panel, turns));
   if (std::ranges::none_of(drawings, &PanelDrawing::has_data))
-    throw std::invalid_argument("the plot has no data: no series has a point that its axes can show");
+    throw std::invalid_argument("the plot has no data: no series has a point that can be shown on its axes");
   return drawings;
 }
 

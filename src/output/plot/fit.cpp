@@ -69,12 +69,12 @@ CaptionedPlot fit_test_figure(const fit::MetTest& test, const UnitSystem& units)
   difference.add_to(off);
   const std::string lowest = brief(test.lowest_rate, 3), highest = brief(test.highest_rate, 3);
   CaptionedPlot figure;
-  figure.plot = {
-      one_line(test.file) + (test.is_held_out ? ", predicted, not fitted" : ""),
-      {std::move(stress), std::move(off)},
-      fmt::format("dashpad {}; {} 1/s", version(), lowest == highest ? lowest : lowest + " to " + highest)};
+  figure.plot = {one_line(test.file) + (test.is_held_out ? " (predicted, not fitted)" : ""),
+                 {std::move(stress), std::move(off)},
+                 fmt::format("dashpad {}; strain rate {} 1/s", version(),
+                             lowest == highest ? lowest : lowest + " to " + highest)};
   if (test.offset)
-    figure.note = fmt::format("The model is shown with the fitted shift of the force zero, {}.",
+    figure.note = fmt::format("The model curve includes the fitted zero offset of the stress, {}.",
                               brief_quantity(*test.offset, "Pa", units, 3));
   return figure;
 }
@@ -94,12 +94,12 @@ CaptionedPlot fit_pulse_figure(const fit::MetPulse& pulse, const UnitSystem& uni
   }
   over_time.series.push_back(std::move(measured));
   CaptionedPlot figure;
-  figure.plot = {fmt::format("{} in {}{}", one_line(pulse.pulse_file), one_line(pulse.file),
-                             pulse.is_held_out ? ", predicted, not fitted" : ""),
+  figure.plot = {fmt::format("{}, case {}{}", one_line(pulse.pulse_file), one_line(pulse.file),
+                             pulse.is_held_out ? " (predicted, not fitted)" : ""),
                  {},
-                 fmt::format("dashpad {}; time since the onset of the pulse", version())};
+                 fmt::format("dashpad {}; time from the onset of the pulse", version())};
   if (pulse.computed.empty()) {
-    figure.note = "With the fitted material this impact has no complete pulse.";
+    figure.note = "With the fitted material, this impact has no complete pulse.";
     figure.plot.panels = {std::move(over_time)};
     return figure;
   }

@@ -14,7 +14,7 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr const char* no_finite_limit = "No finite limit at full compression: the curve leaves the plot.";
+constexpr const char* no_finite_limit = "The force is unbounded at full compression and runs off the plot.";
 
 CaptionedPlot figure(std::string title, Panel panel, std::string note = {}) {
   return {.plot = {.title = std::move(title), .panels = {std::move(panel)}}, .note = std::move(note)};
@@ -110,9 +110,9 @@ std::string note_on_stress(const std::vector<ContactSnapshot>& snapshots, double
                         percent(deviation_of_stress(snapshots)));
   if (known < std::ssize(snapshots))
     note +=
-        "Where the pad is locked, or the rigid foam is at rest, the law fixes the force, not its "
+        "When the pad is locked or the rigid foam is at rest, the law determines the force but not its "
         "distribution. ";
-  if (leaves) note += "Within 0.5 % of full compression the stress is off the scale. ";
+  if (leaves) note += "Within 0.5 % of full compression, the stress is off the scale. ";
   return note.substr(0, note.find_last_not_of(' ') + 1);
 }
 
@@ -182,8 +182,8 @@ std::vector<CaptionedPlot> impact_figures(const ImpactCase& impact, const Soluti
   figures.push_back(figure(
       "Energy over time", std::move(energy),
       fmt::format(
-          "The sum of these curves (work by the trapezoidal rule) stays within {} of the impact energy. By "
-          "the solver's own audit, of higher order, the residual at the end is {}.",
+          "The sum of the energies (work by the trapezoidal rule) stays within {} of the impact energy. The "
+          "solver's energy audit, which is of higher order, gives a residual of {} at the end.",
           percent(energies.largest_deviation), percent(std::abs(audit.residual / audit.impact)))));
   return figures;
 }
@@ -210,11 +210,11 @@ std::vector<CaptionedPlot> contact_figures(const std::vector<ContactSnapshot>& s
   // Next to full compression stations of their own do not find the force again.
   constexpr double max_deviation = 0.05;
   if (!(deviation_of_stress(snapshots) <= max_deviation))
-    return {figure("Strain over the contact", std::move(strain),
-                   "The stress over the contact is not drawn: near full compression its integral "
-                   "differs from the force by more than 5 %.")};
-  return {figure("Stress over the contact", std::move(stress), note_on_stress(snapshots, highest)),
-          figure("Strain over the contact", std::move(strain))};
+    return {figure("Strain across the contact", std::move(strain),
+                   "The stress across the contact is not shown: near full compression, its integral differs "
+                   "from the force by more than 5 %.")};
+  return {figure("Stress across the contact", std::move(stress), note_on_stress(snapshots, highest)),
+          figure("Strain across the contact", std::move(strain))};
 }
 
 ImpactEnergies impact_energies(const ImpactCase& impact, const History& history) {

@@ -189,7 +189,7 @@ std::optional<Plot> foam_curve_plot(const Pad& pad, const Summary& summary, cons
   }
   if (!rate_words.empty()) {  // the energy is not the area under the slow curve
     panel.series.front().y.assign(panel.series.front().y.size(), *panel.y.high);
-    source += "; shaded: the strains reached";
+    source += "; the strains reached are shaded";
   }
   if (std::optional<Series> line = line_of_range(material)) panel.series.push_back(*std::move(line));
   return Plot{.title = foam_curve_title(foam, range_of(material)),
@@ -216,7 +216,7 @@ Plot material_plot(const Material& material, const UnitSystem& units) {
 }
 
 Plot materials_plot(const std::vector<Material>& materials, const UnitSystem& units) {
-  Panel panel{.title = "Stress in first loading at the slowest tested rate",
+  Panel panel{.title = "Stress in first loading at the lowest tested rate",
               .x = {.label = "Strain", .low = 0, .high = last_compared_strain},
               .y = axis_with_unit("Stress", "Pa", units)};
   panel.y.logarithmic = true;
@@ -230,8 +230,8 @@ Plot materials_plot(const std::vector<Material>& materials, const UnitSystem& un
   return {
       .title = materials.size() == 1 ? one_line(materials.front().title) : "Loading curves of the materials",
       .panels = {std::move(panel)},
-      .source = fmt::format("dashpad {}; solid: as far as the foam was tested or fitted, dashed: beyond",
-                            version())};
+      .source =
+          fmt::format("dashpad {}; solid lines: tested or fitted range, dashed lines: beyond it", version())};
 }
 
 }  // namespace dashpad::output

@@ -73,7 +73,8 @@ void add_points_of_1984(Panel& panel, const MaterialTestReport& report, const Un
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const laboratory::UpdateOf1984& update = *report.runs[i].update_of_1984;
     Series points = curve_of_run(report, i, x_of(update), values_in(units, update.stress, "Pa"));
-    points.label = fmt::format("1984, {} steps, {}", *report.test.steps_of_1984, points.label);
+    points.label = fmt::format("1984 update, {}, {}", plural(std::size_t(*report.test.steps_of_1984), "step"),
+                               points.label);
     points.style = SeriesStyle::points;
     const double peak = value_in(units, report.runs[i].figures.peak_stress, "Pa");
     for (double& stress : points.y)
@@ -115,7 +116,7 @@ Panel strain_over_time(const MaterialTestReport& report, const UnitSystem& units
 Panel energy_over_strain(const MaterialTestReport& report, const UnitSystem& units) {
   const OfRun energy{{.label = fmt::format("Energy ({})", energy_density_unit(units)), .low = 0},
                      [&](const MaterialTestRun& run) { return values_in(units, run.cushion.energy, "Pa"); }};
-  return panel_of_runs(report, "Energy absorbed per volume, first loading", strain_of_cushion(), energy);
+  return panel_of_runs(report, "Energy absorbed per unit volume, first loading", strain_of_cushion(), energy);
 }
 
 Panel efficiency_over_strain(const MaterialTestReport& report) {

@@ -69,7 +69,7 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
   const double peak = comparison.measured.peak.magnitude;
   if (computed)
     panel.title =
-        fmt::format("The computed peak is {} g, the measured one {} g",
+        fmt::format("The computed peak is {} g, the measured peak {} g",
                     brief(computed->peak.magnitude / standard_gravity, 3), brief(peak / standard_gravity, 3));
   else
     panel.y.high = 1.5 * peak / standard_gravity;
@@ -81,7 +81,7 @@ Plot pulse_comparison_plot(const PulseComparisonReport& report, const UnitSystem
            comparison.shift)};
   return {.title = one_line(report.impact.title.empty() ? report.case_file : report.impact.title),
           .panels = {std::move(panel)},
-          .source = fmt::format("dashpad {}; {} against {}; filter of both: {}; alignment: {}", version(),
+          .source = fmt::format("dashpad {}; {} against {}; filter for both: {}; alignment: {}", version(),
                                 one_line(report.pulse.file), one_line(report.case_file),
                                 report.pulse.filter ? filter_words(*report.pulse.filter) : "none",
                                 injury::to_string(comparison.alignment))};

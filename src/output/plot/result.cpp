@@ -51,7 +51,7 @@ std::string peak_words(const injury::InjuryFigures& figures) {
   std::string words = fmt::format("peaks at {} g", brief(figures.peak.magnitude / standard_gravity, 3));
   // A pulse of less than 3 ms has no clip.
   if (figures.clip_3ms.level > 0)
-    words += fmt::format(" and holds {} g for 3 ms", brief(figures.clip_3ms.level / standard_gravity, 3));
+    words += fmt::format(" and exceeds {} g for 3 ms", brief(figures.clip_3ms.level / standard_gravity, 3));
   return words;
 }
 
@@ -99,7 +99,7 @@ Panel deceleration_panel(const Solution& solution, const std::optional<injury::I
   const std::string name = result_quantity("deceleration").title;
   Panel panel{.title = name, .x = axis_of("time", units), .y = axis_of("deceleration", units)};
   if (const auto& bottomed = solution.summary.bottomed; bottomed_on_rigid_support(solution.summary))
-    panel.title = fmt::format("The pad bottoms out after {} with {} left",
+    panel.title = fmt::format("The pad bottoms out after {} at a remaining speed of {}",
                               brief_quantity(bottomed->time, "s", units, 3),
                               brief_quantity(bottomed->velocity, "m/s", units, 3));
   else if (injury)

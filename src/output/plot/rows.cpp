@@ -115,8 +115,8 @@ void check(const Axis& axis) {
       throw std::invalid_argument(fmt::format("the axis \"{}\" cannot end at {}", name, *limit));
   }
   if (axis.low && axis.high && !(*axis.low < *axis.high))
-    throw std::invalid_argument(fmt::format("the axis \"{}\" ends at {}, not above its beginning at {}", name,
-                                            *axis.high, *axis.low));
+    throw std::invalid_argument(fmt::format("the axis \"{}\" ends at {}, which is not above its start at {}",
+                                            name, *axis.high, *axis.low));
 }
 
 }  // namespace

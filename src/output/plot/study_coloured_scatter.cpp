@@ -114,11 +114,12 @@ std::vector<CaptionedPlot> coloured_scatter_figures(const study::StudyAnswers& a
         fmt::format("{} against {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
         {{title_of(name), axis_of_factor(across, units), axis_of_factor(up, units), std::move(points)}},
         fmt::format(
-            "Each point is a row, plotted against the two sampled factors that most affect the response. The "
-            "first and last classes include everything beyond. At most {} rows{} are drawn.",
+            "Each point is one row, plotted against the two sampled factors that most affect the response. "
+            "The first and last classes include all values beyond them. At most {} rows{} are drawn.",
             max_coloured_dots,
-            answers.groups.size() > 1 ? " of " + words_of_levels(answers, answers.groups.front().group, units)
-                                      : "")));
+            answers.groups.size() > 1
+                ? " (" + words_of_levels(answers, answers.groups.front().group, units) + ")"
+                : "")));
   }
   return figures;
 }

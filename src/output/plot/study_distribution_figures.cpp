@@ -51,7 +51,7 @@ Panel distribution_panel(const study::StudyAnswers& answers, std::size_t i, cons
   const double scale = shown_as(si_unit_of(name), units).scale;
   Panel panel{.title = title_of(name),
               .x = {.label = label(name, units)},
-              .y = {.label = "Share at or below (%)", .low = 0, .high = 100}};
+              .y = {.label = "Cumulative share of rows (%)", .low = 0, .high = 100}};
   for (std::size_t group = 0; group < std::min(answers.groups.size(), max_lines_drawn); ++group) {
     const study::Group& of = answers.groups[group].group;
     const std::vector<double> values =
@@ -129,10 +129,20 @@ Panel index_panel(const std::string& response, const study::Sensitivity& sensiti
                             .y = {height - apart, height - apart},
                             .palette_index = 1,
                             .end_label = factor_title(indices[i].factor)});
-    add_index(panel, indices[i].first, height + apart, 0, "alone (first order)");
+    add_index(panel, indices[i].first, height + apart, 0, "by itself (first order)");
     add_index(panel, indices[i].total, height - apart, 1, "with interactions (total)");
   }
   return panel;
+}
+
+/// Whether rows lie anywhere along a factor: drawn values, or those of a table whose rows are no grid.
+bool is_scattered(const study::StudyAnswers& answers, std::size_t factor) {
+  const study::Factor& of = answers.study.factors[factor];
+  if (of.is_sampled()) return true;
+  const std::vector<double>& values = *of.given_values();
+  return std::holds_alternative<study::ByRow>(of.spread) && !of.unit.empty() &&
+         answers.study.factors.size() > 1 && !answers.groups.front().group.drawn &&
+         std::ranges::any_of(values, [&](double value) { return value != values.front(); });
 }
 
 }  // namespace
@@ -141,9 +151,10 @@ std::vector<CaptionedPlot> distribution_figures(const study::StudyAnswers& answe
   std::vector<CaptionedPlot> figures;
   // A single row has no distribution.
   if (answers.records.rows.size() < 2) return figures;
-  const std::string note = answers.groups.size() > max_lines_drawn
-                               ? fmt::format("The first {} combinations of levels.", max_lines_drawn)
-                               : "";
+  const std::string note =
+      answers.groups.size() > max_lines_drawn
+          ? fmt::format("Only the first {} combinations of levels are shown.", max_lines_drawn)
+          : "";
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     figures.push_back(study_figure(answers,
                                    "Distribution of " + uncapitalised(title_of(response_name(answers, i))),
@@ -155,13 +166,14 @@ std::vector<CaptionedPlot> scatter_figures(const study::StudyAnswers& answers, c
   std::vector<CaptionedPlot> figures;
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     std::vector<Panel> panels;
-    for (const std::size_t factor : sampled_factors(answers.study))
-      panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
+    for (std::size_t factor = 0; factor < answers.study.factors.size(); ++factor)
+      if (is_scattered(answers, factor))
+        panels.push_back(scatter_panel(answers, factor, answers.responses[i], units));
     if (!panels.empty())
       figures.push_back(study_figure(
           answers, title_of(response_name(answers, i)) + " against each factor", std::move(panels),
           answers.records.rows.size() > max_plain_dots
-              ? fmt::format("{} of all rows are drawn, chosen at random.", max_plain_dots)
+              ? fmt::format("Only {} rows, chosen at random, are drawn.", max_plain_dots)
               : ""));
   }
   return figures;
@@ -172,9 +184,9 @@ std::vector<CaptionedPlot> index_figures(const study::StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.responses.size(); ++i) {
     const std::optional<study::Sensitivity>& sensitivity = answers.groups.front().sensitivities[i];
     if (sensitivity)
-      figures.push_back(study_figure(answers, "Sobol' indices of " + title_of(response_name(answers, i)),
+      figures.push_back(study_figure(answers, "Sobol' indices for " + title_of(response_name(answers, i)),
                                      {index_panel(response_name(answers, i), *sensitivity)},
-                                     "Bands: 95 % intervals by bootstrap over draws."));
+                                     "Bands: 95 % intervals, bootstrapped over the draws."));
   }
   return figures;
 }

@@ -50,9 +50,7 @@ std::vector<Cell> cells_of(const study::StudyAnswers& answers, std::size_t respo
   return cells;
 }
 
-const std::vector<double>& levels_of(const study::Factor& factor) {
-  return std::get<study::Levels>(factor.spread).values;
-}
+const std::vector<double>& levels_of(const study::Factor& factor) { return *factor.given_values(); }
 
 std::vector<double> sorted(std::vector<double> values) {
   std::ranges::sort(values);
@@ -122,6 +120,8 @@ CaptionedPlot study_figure(const study::StudyAnswers& answers, std::string title
 std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::size_t response,
                                     const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
+  // Rows of a table need not make a grid.
+  if (study::table_rows(answers.study) > 1 && factors.size() > 1) return std::nullopt;
   // Places in `factors`: numbers before materials, many levels before few.
   std::vector<std::size_t> order(factors.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -25,7 +25,7 @@ std::vector<double> scaled(std::vector<double> values, double scale) {
 
 std::string note_of(const GridPlane& plane) {
   std::string note = plane.is_median ? "Medians of the draws. " : "";
-  if (!plane.at.empty()) note += "At " + plane.at + ".";
+  if (!plane.at.empty()) note += "Other factors: " + plane.at + ".";
   return note;
 }
 
@@ -95,7 +95,7 @@ CaptionedPlot curves(const study::StudyAnswers& answers, const GridPlane& plane,
   return study_figure(answers, fmt::format("{} against {}", title_of(name), factor_words(across.key)),
                       {panel},
                       (lines < count ? fmt::format("{} of {} levels are drawn. ", lines, count) : "") +
-                          (has_bands(plane) ? "Bands hold 90 % of the draws. " : "") + note_of(plane));
+                          (has_bands(plane) ? "The bands contain 90 % of the draws. " : "") + note_of(plane));
 }
 
 /// The map of a response; none if no area can be filled.
@@ -146,7 +146,8 @@ std::optional<CaptionedPlot> map_of(const study::StudyAnswers& answers, const Gr
       answers,
       fmt::format("{} against {} and {}", title_of(name), factor_words(across.key), factor_words(up.key)),
       {panel},
-      "Interpolated linearly between neighbours of the grid; a dot is a row beside others without a value. " +
+      "Interpolated linearly between neighbouring grid points; a dot is a row next to rows without a "
+      "value. " +
           note_of(plane));
 }
 
@@ -155,10 +156,10 @@ Panel cushion_panel(const study::CushionCurves::Drop& drop, bool whole_cushion, 
                    speed = shown_as("m/s", units);
   Panel panel{.title = fmt::format("Drop height {} {} ({} {})", four_digits(height.scale * drop.height),
                                    height.unit, four_digits(speed.scale * drop.speed), speed.unit),
-              .x = {.label = fmt::format(
-                        "Static stress: weight divided by {} ({})",
-                        whole_cushion ? "area of the cushion" : "contact area at the largest penetration",
-                        stress.unit),
+              .x = {.label = fmt::format("Static stress: weight divided by {} ({})",
+                                         whole_cushion ? "the area of the cushion"
+                                                       : "the contact area at the largest penetration",
+                                         stress.unit),
                     .logarithmic = true},
               .y = {.label = "Peak acceleration (g)", .low = 0}};
   for (std::size_t i = 0; i < drop.curves.size(); ++i)
@@ -204,18 +205,17 @@ std::vector<CaptionedPlot> cushion_figures(const study::StudyAnswers& answers, c
     panels.push_back(cushion_panel(drop, whole_cushion, units));
     panels.back().add(limit_lines(answers, "peak_acceleration", SeriesStyle::horizontal_line, units));
   }
-  const std::string note =
-      whole_cushion
-          ? fmt::format(
-                "In the manner of ASTM D1596, of {} that covers all of the cushion. The "
-                "curves are computed, for a cushion that does not bulge.",
-                nose)
-          : fmt::format(
-                "In the manner of ASTM D1596, but of {}, not of a platen wider than the cushion: the "
-                "loaded area is the projected contact area at the largest penetration. Do not mix "
-                "them with a manufacturer's curves.",
-                nose);
-  return {study_figure(answers, "Cushion curves of " + nose, std::move(panels), note)};
+  const std::string note = whole_cushion
+                               ? fmt::format(
+                                     "In the manner of ASTM D1596, for {} that covers the whole cushion. The "
+                                     "curves are computed, not measured, for a cushion that does not bulge.",
+                                     nose)
+                               : fmt::format(
+                                     "In the manner of ASTM D1596, but for {} instead of a platen wider than "
+                                     "the cushion: the loaded area is the projected contact area at the "
+                                     "largest penetration. Do not mix these curves with a manufacturer's.",
+                                     nose);
+  return {study_figure(answers, "Cushion curves for " + nose, std::move(panels), note)};
 }
 
 }  // namespace dashpad::output

@@ -1,7 +1,5 @@
 #include "dashpad/output/text/case.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +19,8 @@ std::string impactor_text(const Impactor& impactor, const UnitSystem& units) {
   if (const auto* profile = std::get_if<Profile>(&impactor.nose)) {
     const Profile::Point& last = profile->points.back();
     const bool by_radius = profile->of == Profile::Of::radius;
-    return text + fmt::format(" through {} points (the last of {} {} at a depth of {})",
-                              profile->points.size(), by_radius ? "radius" : "area",
+    return text + fmt::format(" and {} points (up to {} of {} at a depth of {})", profile->points.size(),
+                              by_radius ? "a radius" : "an area",
                               brief_quantity(profile->scaled_size(last), by_radius ? "m" : "m2", units),
                               brief_quantity(profile->scale * last.depth, "m", units));
   }
@@ -45,33 +43,33 @@ std::string profile_in_si(const Profile& profile) {
   return fmt::format("  impactor.{} = {}\n", by_radius ? "radii" : "areas", points);
 }
 
-/// `45 mm vn600 (foam law)`
-std::string foam_text(double thickness, const Material& material, const UnitSystem& units) {
-  return fmt::format("{} {} ({} law)", brief_quantity(thickness, "m", units), one_line(material.name),
-                     name_of(material.law));
+/// `vn600 (foam law)`
+std::string foam_text(const Material& material) {
+  return fmt::format("{} ({} law)", one_line(material.name), name_of(material.law));
 }
 
-/// `45 mm vn600 (foam law)`, or all layers from the struck face on.
+/// `vn600 (foam law), 45 mm thick`, or all layers from the struck face on.
 std::string pad_text(const Pad& pad, const UnitSystem& units) {
-  if (pad.layers.empty()) return foam_text(pad.thickness, pad.material, units);
-  std::string text;
+  const std::string thickness = brief_quantity(pad.thickness, "m", units);
+  if (pad.layers.empty()) return fmt::format("{}, {} thick", foam_text(pad.material), thickness);
+  std::string text = pad.layers.size() == 1 ? "1 layer" : fmt::format("{} layers", pad.layers.size());
   for (const PadLayer& layer : pad.layers)
-    text += (text.empty() ? "" : ", then ") + foam_text(layer.thickness, layer.material, units);
-  return fmt::format("{} in {} {}, {}", brief_quantity(pad.thickness, "m", units), pad.layers.size(),
-                     pad.layers.size() == 1 ? "layer" : "layers", text);
+    text += fmt::format("{} {} of {}", &layer == &pad.layers.front() ? "," : ", then",
+                        brief_quantity(layer.thickness, "m", units), foam_text(layer.material));
+  return fmt::format("{}, {} thick in all", text, thickness);
 }
 
-/// The condition of a pad: `, cut to 0.01 m2, under a sheet of 4 kg/m2,`; empty without any.
+/// The condition of a pad: `, cut to 0.01 m2, under a sheet of 4 kg/m2`; empty without any.
 std::string condition_text(const Pad& pad, const UnitSystem& units) {
   std::string text;
-  if (pad.area) text += ", cut to " + brief_quantity(*pad.area, "m2", units);
-  if (pad.sheet > 0) text += ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units);
+  if (pad.area) text += ", cut to an area of " + brief_quantity(*pad.area, "m2", units);
   if (pad.earlier_penetration > 0)
     text += ", already compressed to a depth of " + brief_quantity(pad.earlier_penetration, "m", units);
   if (pad.neighbours > 0)
-    text += pad.floor == Floor::frictionless ? ", on a frictionless floor"
+    text += pad.floor == Floor::frictionless ? ", resting without friction"
                                              : fmt::format(", {}", name_of(pad.floor));
-  return text.empty() ? text : text + ",";
+  if (pad.sheet > 0) text += ", under a sheet of " + brief_quantity(pad.sheet, "kg/m2", units);
+  return text;
 }
 
 std::string support_text(const Support& support, const UnitSystem& units) {
@@ -79,7 +77,7 @@ std::string support_text(const Support& support, const UnitSystem& units) {
   const Support::Point& last = support.points().back();
   if (support.points().size() == 1)
     return "a support with a stiffness of " + brief_quantity(last.force / last.deflection, "N/m", units);
-  return fmt::format("a support with a force curve of {} points, the last {} at {}", support.points().size(),
+  return fmt::format("a support with a force curve of {} points (up to {} at {})", support.points().size(),
                      brief_quantity(last.force, "N", units), brief_quantity(last.deflection, "m", units));
 }
 
@@ -87,9 +85,9 @@ std::string support_text(const Support& support, const UnitSystem& units) {
 std::string rests_text(const PadLaw& law, const Blows& blows) {
   switch (blow_memory(law)) {
     case BlowMemory::none:
-      return std::holds_alternative<Elastic>(law) ? "according to its law the pad recovers fully"
-                                                  : "according to its law the pad recovers fully in pauses "
-                                                    "that are long compared with its relaxation";
+      return std::holds_alternative<Elastic>(law) ? "according to its law, the pad recovers fully"
+                                                  : "according to its law, the pad recovers fully if the "
+                                                    "pauses are long compared with its relaxation time";
     case BlowMemory::crater: return "the pad stays crushed";
     case BlowMemory::largest_strain: break;
   }
@@ -106,6 +104,7 @@ std::string backing_text(const ImpactCase& impact, const UnitSystem& units) {
     if (value == 0) continue;
     std::string key = parameter.key;
     if (key.ends_with("mass")) key.insert(0, key == "mass" ? "panel " : "free ");
+    if (key == "damping") key += " coefficient";
     std::ranges::replace(key, '_', ' ');
     if (!last.empty()) text += (text.empty() && impact.support.is_rigid() ? " with " : ", ") + last;
     last = with_article(key) + " of " + brief_quantity(value, parameter.unit, units);
@@ -130,12 +129,10 @@ std::string support_in_si(const Support& support) {
 
 CaseWords case_words(const ImpactCase& impact, const UnitSystem& units) {
   const Impactor& impactor = impact.impactor;
-  std::string pad = pad_text(impact.pad, units) + condition_text(impact.pad, units);
-  if (pad.ends_with(',')) pad.pop_back();
   return {.impactor =
               fmt::format("{} of {}", with_article(words_of(impactor.nose)), impactor_text(impactor, units)),
           .speed = brief_quantity(impactor.speed, "m/s", units),
-          .pad = std::move(pad),
+          .pad = pad_text(impact.pad, units) + condition_text(impact.pad, units),
           .support = support_text(impact.support, units) + backing_text(impact, units),
           .blows = impact.blows ? fmt::format("{} times; {}", impact.blows->count,
                                               rests_text(impact.pad.material.law, *impact.blows))
@@ -145,9 +142,8 @@ CaseWords case_words(const ImpactCase& impact, const UnitSystem& units) {
 std::string case_text(const ImpactCase& impact, const UnitSystem& units) {
   const CaseWords words = case_words(impact, units);
   std::string text = impact.title.empty() ? "" : one_line(impact.title) + "\n";
-  const bool has_condition = !condition_text(impact.pad, units).empty();
-  text += fmt::format("{} strikes, at {},\na pad of {}{} on {}.\n", capitalised(words.impactor), words.speed,
-                      words.pad, has_condition ? "," : "", words.support);
+  text += fmt::format("{} strikes, at {},\na pad of {}, on {}.\n", capitalised(words.impactor), words.speed,
+                      words.pad, words.support);
   if (impact.blows) text += fmt::format("It strikes {}.\n", words.blows);
   return text;
 }

@@ -10,8 +10,8 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr double width_of_95 =
-    1.96;  ///< half width of the 95 % interval of a normal distribution, in deviations
+/// Half width of the 95 % interval of a normal distribution, in standard deviations.
+constexpr double width_of_95 = 1.96;
 
 std::string rms_text(const std::optional<double>& rms, double largest, const UnitSystem& units) {
   if (!rms) return "not tested";
@@ -23,7 +23,7 @@ std::string loops_text(const fit::MetTest& test) {
   for (const fit::Loop& loop : test.loops)
     text +=
         fmt::format("{}{:.3f}, {:.3f}", text.empty() ? "" : "; ", loop.measured_return, loop.computed_return);
-  return text.empty() ? "no loop" : text;
+  return text.empty() ? "no loops" : text;
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ Table table_of_tests(const fit::FitReport& report, const UnitSystem& units) {
 }
 
 Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
-  Table table{.columns = {"impact", "figure", "measured", "deviation", "model", "the model's own 95 %",
-                          "off by", ""}};
+  Table table{
+      .columns = {"impact", "figure", "measured", "deviation", "model", "95 % (model)", "difference", ""}};
   for (const fit::MetFigure& figure : report.figures) {
     const fit::ImpactFigureName& name = name_of(figure.figure);
     const auto shown = [&](double value, int digits) {
@@ -74,7 +74,7 @@ Table table_of_figures(const fit::FitReport& report, const UnitSystem& units) {
 }
 
 Table table_of_comparison(const fit::FitReport& report, const UnitSystem& units) {
-  Table table{.columns = {"impact", "figure", "measured", "model", "off by", ""}};
+  Table table{.columns = {"impact", "figure", "measured", "model", "difference", ""}};
   for (const fit::ImpactComparison& comparison : report.comparison) {
     const fit::ImpactFigureName& name = name_of(comparison.figure);
     const auto shown = [&](double value) { return brief_quantity(value, name.quantity->si_unit, units, 4); };

@@ -27,7 +27,7 @@ std::string words_of(const Misses& misses) {
     parts.push_back(
         fmt::format("the tests by {:.2g} % of their largest stress (root mean square)", 100 * *misses.tests));
   if (misses.figures)
-    parts.push_back(fmt::format("the figures by at most {:.2g} of their deviations", *misses.figures));
+    parts.push_back(fmt::format("the figures by at most {:.2g} times the stated deviation", *misses.figures));
   if (misses.pulses)
     parts.push_back(
         fmt::format("the pulses by {:.2g} % of their peak (root mean square)", 100 * *misses.pulses));
@@ -49,13 +49,13 @@ Determined determined(const fit::FitReport& report) {
   return count;
 }
 
-/// ", leave 1 to its prior, and leave 1 open"
+/// ", leave 1 to its prior and leave 1 open"
 std::string beside_data(const Determined& determined) {
   std::string text;
   if (determined.by_prior > 0)
-    text += fmt::format(", {}leave {} to {}", determined.open > 0 ? "" : "and ", determined.by_prior,
+    text += fmt::format("{} leave {} to {}", determined.open > 0 ? "," : " and", determined.by_prior,
                         determined.by_prior == 1 ? "its prior" : "their priors");
-  if (determined.open > 0) text += fmt::format(", and leave {} open", determined.open);
+  if (determined.open > 0) text += fmt::format(" and leave {} open", determined.open);
   return text;
 }
 
@@ -103,10 +103,10 @@ std::string fit_answer(const fit::FitReport& report) {
   const Determined of = determined(report);
   std::vector<std::string> data;
   if (tests > 0)
-    data.push_back(plural(report.points - figures - points_of_pulses, "point") + " of " +
+    data.push_back(plural(report.points - figures - points_of_pulses, "point") + " in " +
                    plural(tests, "test"));
-  if (figures > 0) data.push_back(plural(figures, "figure") + " of impacts");
-  if (pulses > 0) data.push_back(plural(points_of_pulses, "point") + " of " + plural(pulses, "impact pulse"));
+  if (figures > 0) data.push_back(plural(figures, "impact figure"));
+  if (pulses > 0) data.push_back(plural(points_of_pulses, "point") + " in " + plural(pulses, "impact pulse"));
   if (report.priors > 0) data.push_back(plural(report.priors, "prior"));
   std::string text = plural(of.all, "unknown") + " from " + listed(data);
   text += of.by_data == of.all ? ": the data determine all of them. "
@@ -116,14 +116,14 @@ std::string fit_answer(const fit::FitReport& report) {
   return text + fmt::format("{} of {} starts converged to the same misfit{}.", report.starts_at_best,
                             report.starts,
                             report.starts_failed > 0
-                                ? fmt::format("; {} were invalid or did not converge", report.starts_failed)
+                                ? fmt::format("; {} failed (invalid or not converged)", report.starts_failed)
                                 : "");
 }
 
 std::string words_on_added(const fit::FitReport& report) {
   if (std::ranges::none_of(report.unknowns, &fit::FittedUnknown::is_added)) return "";
-  return "How much of the rate-dependent stress resists the recovery was not stated: pad.parameters.recoil "
-         "is fitted too, from 0 to 1. State it if it is known.";
+  return "The fraction of the rate-dependent stress that resists the recovery was not stated, so "
+         "pad.parameters.recoil is fitted too, from 0 to 1. State it if it is known.";
 }
 
 std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units) {
@@ -131,8 +131,8 @@ std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& 
   if (unknown.is_identified())
     return shown(unknown.low.value_or(unknown.lowest)) + " to " +
            shown(unknown.high.value_or(unknown.highest));
-  if (unknown.low) return "from " + shown(*unknown.low) + ", with no upper limit";
-  if (unknown.high) return "up to " + shown(*unknown.high) + ", without a lower end";
+  if (unknown.low) return "from " + shown(*unknown.low) + ", with no upper bound";
+  if (unknown.high) return "up to " + shown(*unknown.high) + ", with no lower bound";
   return "unbounded on both sides";
 }
 
@@ -149,10 +149,10 @@ std::vector<std::string> open_matters(const fit::FitReport& report) {
     all.push_back(listed(keys) + (keys.size() == 1 ? " is not determined by these data."
                                                    : " cannot be distinguished by these data."));
   for (const fit::StrongCorrelation& correlation : report.correlations)
-    all.push_back(fmt::format("The errors of {} and {} are correlated: {:.3f}.", correlation.first,
+    all.push_back(fmt::format("The errors in {} and {} are strongly correlated ({:.3f}).", correlation.first,
                               correlation.second, correlation.value));
   for (const std::string& end : report.rough_ends)
-    all.push_back("The end of an interval is approximate, since the limit on refits was reached: " + end +
+    all.push_back("This end of an interval is approximate, because the limit on refits was reached: " + end +
                   ".");
   return all;
 }
@@ -165,21 +165,21 @@ std::vector<std::string> notes_on_noise(const fit::FitReport& report) {
         "same fraction of the largest stress for every test.");
   else if (report.degrees_of_freedom <= 0)
     all.emplace_back(
-        "Noise: there are as many unknowns as data, so the misfit contains no information about the model.");
+        "Noise: there are as many unknowns as data, so the misfit says nothing about the model.");
   else if (report.variance_scale > 1)
     all.push_back(
         fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise, so the model "
-                    "deviates from the data by more than noise; errors are multiplied by {:.3g}.",
+                    "deviates from the data by more than the noise; errors are multiplied by {:.3g}.",
                     report.misfit_per_degree(), std::sqrt(report.variance_scale)));
   else
     all.push_back(fmt::format("Noise: chi-squared is {:.3g} per degree of freedom with the stated noise.",
                               report.misfit_per_degree()));
   const auto add = [&](const auto& given, const std::string& file, std::size_t points) {
     if (given.is_held_out || !(given.effective_points < static_cast<double>(points))) return;
-    all.push_back(
-        fmt::format("{}: adjacent residuals have a correlation of {:.2f}, so {} points count as {:.0f}; "
-                    "errors and intervals are widened accordingly.",
-                    file, given.autocorrelation, points, given.effective_points));
+    all.push_back(fmt::format(
+        "{}: adjacent residuals have a correlation of {:.2f}, so {} points are equivalent to {:.0f}; "
+        "errors and intervals are widened accordingly.",
+        file, given.autocorrelation, points, given.effective_points));
   };
   for (const fit::MetTest& test : report.tests) add(test, test.file, test.points);
   for (const fit::MetPulse& pulse : report.pulses) add(pulse, pulse.pulse_file, pulse.time.size());

@@ -31,8 +31,7 @@ std::string fit_headline(const fit::FitReport& report);
 /// The accuracy of the predictions of held-out data; empty if nothing was held out.
 std::string prediction_words(const fit::FitReport& report);
 
-/// "1.2 to 3.4 kPa", "from 1.2 kPa, without an upper end", "unbounded on both sides"; a natural bound ends it
-/// as well.
+/// "1.2 to 3.4 kPa", "from 1.2 kPa, with no upper bound", "unbounded on both sides"; ends at natural bounds.
 std::string interval_words(const fit::FittedUnknown& unknown, const UnitSystem& units);
 
 /// Unknowns that the data do not determine, a sentence each.

@@ -35,10 +35,11 @@ std::string figure_words(const FigureInterval& interval, const Intervals& interv
   const ResultQuantity& quantity = result_quantity(interval.key);
   const std::string value = brief_quantity(interval.nominal, quantity.si_unit, units, 4);
   if (interval.sources.empty())
-    return fmt::format("{} {}: none of the uncertainties affects it.", quantity.title, value);
-  return fmt::format("{} {}, 95 % interval {}. Each source of uncertainty by itself would give: {}.",
-                     quantity.title, value, interval_words(interval, units),
-                     joined(source_words(interval, intervals, units)));
+    return fmt::format("{} {}, unaffected by the uncertainties considered.", quantity.title, value);
+  const char* const each = interval.sources.size() == 1 ? "The only contributing source of uncertainty is"
+                                                        : "Each source of uncertainty by itself would give:";
+  return fmt::format("{} {}, 95 % interval {}. {} {}.", quantity.title, value,
+                     interval_words(interval, units), each, joined(source_words(interval, intervals, units)));
 }
 
 }  // namespace
@@ -62,9 +63,9 @@ std::vector<std::string> source_words(const FigureInterval& interval, const Inte
   std::vector<std::string> all;
   for (const Contribution& each : interval.sources) {
     const OpenSource* const source = intervals.find(each.source);
-    all.push_back(
-        fmt::format("{}, {}", source ? one_line(source->words) : to_string(each.source),
-                    range_words(each.low, each.high, result_quantity(interval.key).si_unit, units)));
+    all.push_back(source ? one_line(source->words) : to_string(each.source));
+    if (interval.sources.size() > 1)  // a single one has the interval of the figure
+      all.back() += ", " + range_words(each.low, each.high, result_quantity(interval.key).si_unit, units);
   }
   return all;
 }
@@ -85,7 +86,10 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
     if (source.why_not.empty() && std::ranges::find(open, source.source) == open.end())
       open.push_back(source.source);
   for (const Source source : open)
-    table.columns.push_back(source == Source::way_back ? "Unloading" : capitalised(to_string(source)));
+    table.columns.push_back(source == Source::continuation ? "Extrapolated strain"
+                            : source == Source::rate       ? "Extrapolated rate"
+                            : source == Source::way_back   ? "Unloading"
+                                                           : capitalised(to_string(source)));
   for (const char* key : {"peak_acceleration", "hic15", "clip_3ms", "peak_penetration", "rebound_speed"})
     if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
   for (const std::string& key : asked) {

@@ -48,7 +48,7 @@ Table figures_table(const laboratory::MaterialTestReport& report, const Cells& c
   Table table{.caption = "Figures",
               .columns = {"Rate (1/s)", cells.in_stress("Peak stress"), "at strain",
                           cells.in_energy("Energy in"), cells.in_energy("Energy returned"), "Hysteresis (%)",
-                          "Best efficiency", "at strain", cells.in_stress("at stress"), "Ideality there"}};
+                          "Best efficiency", "at strain", cells.in_stress("at stress"), "with ideality"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::CushionFigures& figures = run.figures;
     table.rows.push_back(
@@ -82,7 +82,7 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
   };
   Table table{.caption = "Relaxation",
               .columns = {"Rate (1/s)", cells.in_stress("Stress at the end of the ramp"),
-                          after(0.1 * report.test.hold), after(report.test.hold), "left (%)"}};
+                          after(0.1 * report.test.hold), after(report.test.hold), "Remaining (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::RelaxedStress& relaxed = *run.relaxed;
     table.rows.push_back({rate_cell(run), cells.stress(relaxed.at_end_of_ramp),
@@ -95,7 +95,7 @@ Table relaxation_table(const laboratory::MaterialTestReport& report, const Cells
 Table creep_table(const laboratory::MaterialTestReport& report, const Cells& cells) {
   Table table{.caption = "Creep",
               .columns = {"Rate (1/s)", "Strain at the end of loading",
-                          "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "crept"}};
+                          "Strain after " + brief_quantity(report.test.hold, "s", cells.units), "Creep"}};
   for (const laboratory::MaterialTestRun& run : report.runs)
     table.rows.push_back({rate_cell(run), significant(run.crept->at_end_of_loading),
                           significant(run.crept->after_hold),
@@ -107,7 +107,7 @@ Table table_of_1984(const laboratory::MaterialTestReport& report, const Cells& c
   Table table{
       .caption = fmt::format("The 1984 update, {} steps in the first loading", *report.test.steps_of_1984),
       .columns = {"Rate (1/s)", fmt::format("Step ({})", shown_unit(cells.units.time)), "Stress",
-                  cells.in_stress("last of loading"), cells.in_stress("one step later"),
+                  cells.in_stress("end of loading"), cells.in_stress("one step later"),
                   cells.in_stress("Jump"), "Jump (%)"}};
   for (const laboratory::MaterialTestRun& run : report.runs) {
     const laboratory::UpdateOf1984& update = *run.update_of_1984;
@@ -145,7 +145,7 @@ Table events_table(const laboratory::MaterialTestReport& report, const Cells& ce
     }
     if (events.size() > max_events)
       table.rows.push_back(
-          {rate_cell(run), fmt::format("{} more, see the JSON", events.size() - max_events), "", "", "", ""});
+          {rate_cell(run), fmt::format("{} more; see --json", events.size() - max_events), "", "", "", ""});
   }
   return table;
 }

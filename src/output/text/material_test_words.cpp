@@ -21,7 +21,7 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
                                 const MaterialTestValues& shown) {
   const std::string hold = brief_quantity(report.test.hold, "s", shown.units, 3);
   if (run.relaxed && run.relaxed->at_end_of_ramp > 0)
-    return fmt::format("After {} at a strain of {}, {} of the stress is left", hold,
+    return fmt::format("After {} at a strain of {}, {} of the stress remains", hold,
                        brief(report.test.strain, 3),
                        MaterialTestValues::share(run.relaxed->after_hold / run.relaxed->at_end_of_ramp));
   if (run.crept)
@@ -32,13 +32,13 @@ std::string answer_without_rate(const MaterialTestReport& report, const Material
     const std::string limit = shown.stress(report.test.stress_limits.front());
     if (const std::optional<CushionPoint>& at = run.at_limits.front())
       return fmt::format("Absorbs {} before its stress reaches {}", shown.energy(at->energy), limit);
-    return fmt::format("Absorbs {} and does not reach {}", shown.energy(run.figures.energy_in), limit);
+    return fmt::format("Absorbs {} without reaching {}", shown.energy(run.figures.energy_in), limit);
   }
   const CushionPoint& best = run.figures.best_efficiency;
   if (runs_out(run))
-    return fmt::format("Best used at {}, where it has absorbed {}", shown.stress(best.stress),
+    return fmt::format("Best used up to {}, having absorbed {}", shown.stress(best.stress),
                        shown.energy(best.energy));
-  return fmt::format("Absorbs {} up to a strain of {}, its efficiency still rising",
+  return fmt::format("Absorbs {} up to a strain of {}, with its efficiency still rising",
                      shown.energy(best.energy), brief(best.strain, 3));
 }
 
@@ -75,23 +75,22 @@ std::string test_words(const laboratory::MaterialTest& test, const UnitSystem& u
   const std::string strain = brief(test.strain), hold = brief_quantity(test.hold, "s", units);
   switch (test.kind) {
     case laboratory::TestKind::constant_rate:
-      return fmt::format("Loaded to a strain of {} at constant rate, and unloaded to zero at the same rate.",
-                         strain);
+      return fmt::format("Loaded to a strain of {} and unloaded to zero at the same constant rate.", strain);
     case laboratory::TestKind::parabolic:
       return fmt::format(
-          "Loaded to a strain of {} and unloaded to zero along a parabola in time; the rate is the mean rate "
-          "of loading.",
+          "Loaded to a strain of {} and unloaded to zero along a parabola in time; the rate is the mean "
+          "loading rate.",
           strain);
     case laboratory::TestKind::relaxation:
-      return fmt::format("Loaded to a strain of {} at constant rate, and held there for {}.", strain, hold);
+      return fmt::format("Loaded to a strain of {} at a constant rate, and held there for {}.", strain, hold);
     case laboratory::TestKind::creep:
-      return fmt::format("Loaded to a stress of {} at constant strain rate, and held at that stress for {}.",
+      return fmt::format("Loaded to a stress of {} at a constant strain rate, and held there for {}.",
                          brief_quantity(test.stress, "Pa", units), hold);
     case laboratory::TestKind::cyclic:
-      return fmt::format("Loaded to a strain of {} and unloaded to {} at constant rate, {} {}.", strain,
+      return fmt::format("Loaded to a strain of {} and unloaded to {} at a constant rate, {} {}.", strain,
                          brief(test.low), test.cycles, test.cycles == 1 ? "time" : "times");
     case laboratory::TestKind::history:
-      return fmt::format("Driven through the strain history of {}, linear between its {} points.",
+      return fmt::format("Made to follow the strain history in {}, linear between its {} points.",
                          one_line(test.history_name), test.times.size());
   }
   return "";
@@ -106,10 +105,11 @@ std::vector<std::string> flag_words(const laboratory::MaterialTestReport& report
   for (const laboratory::MaterialTestRun& run : report.runs)
     for (const Flag& flag : run.flags) {
       const auto same = std::ranges::find(all, flag.text, [](const auto& entry) { return entry.first.text; });
+      const std::string rate = run.rate ? brief(*run.rate) : "";
       if (same == all.end())
-        all.emplace_back(flag, run.rate ? brief(*run.rate) : "");
+        all.emplace_back(flag, rate);
       else
-        same->second += " and " + (run.rate ? brief(*run.rate) : "");
+        replace_all(same->second, " and ", ", "), same->second += " and " + rate;
     }
   std::vector<std::string> lines;
   for (const auto& [flag, rates] : all)
@@ -126,16 +126,16 @@ std::vector<std::string> notes_on(const laboratory::MaterialTestReport& report) 
     energy_error = std::max(energy_error, run.figures.energy_error);
   }
   std::vector<std::string> notes{
-      fmt::format("Estimated errors: stresses {} of the peak stress, energies {} of the energy put in.",
+      fmt::format("Estimated errors: stresses, {} of the peak stress; energies, {} of the energy input.",
                   percentage(stress_error), percentage(energy_error)),
-      "Energies are per volume. Efficiency is energy divided by the largest stress so far, ideality is "
-      "efficiency divided by the strain; of the first loading."};
+      "Energies are per unit volume. Efficiency is energy divided by the largest stress so far; ideality is "
+      "efficiency divided by strain. Both are for the first loading."};
   if (!range_of(report.material))
-    notes.emplace_back("The card states no fitted range: extrapolation cannot be detected.");
+    notes.emplace_back("The card states no fitted range, so extrapolation cannot be detected.");
   if (report.test.steps_of_1984)
     notes.emplace_back(
-        "1984: the explicit update of the report's Eq. 16, in the arithmetic of its machine. A jump above "
-        "zero at the end of the first loading is the stress-discontinuity artifact of the report.");
+        "1984: the explicit update in the report's Eq. 16, in the arithmetic of the computer used then. A "
+        "positive jump at the end of the first loading is the report's stress-discontinuity artifact.");
   for (const std::string& remark : report.test.history_remarks)
     notes.push_back("REMARK: " + one_line(remark));
   return notes;

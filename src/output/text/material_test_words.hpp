@@ -43,8 +43,8 @@ struct MaterialTestValues {
   [[nodiscard]] static std::string share(double value);  ///< "82.9 %"
 };
 
-/// The answer of a test: "Best used at 427 kPa: it has then taken 157 kJ/m³ (at 100 per second)"; with stress
-/// limits the energy below the first, for relaxation and creep what is kept.
+/// The answer of a test: "Best used up to 427 kPa, having absorbed 157 kJ/m³ (at 100 per second)"; with
+/// stress limits the energy below the first, for relaxation and creep what is kept.
 std::string material_test_answer(const laboratory::MaterialTestReport& report, const UnitSystem& units);
 
 }  // namespace dashpad::output

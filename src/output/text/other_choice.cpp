@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "dashpad/output/assessment.hpp"
+#include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::output {
@@ -22,7 +23,8 @@ std::string decisive_figure(const injury::Assessment& assessment, const UnitSyst
   const injury::CriterionResult& result = *std::ranges::min_element(assessment.results, {}, margin);
   if (!result.value) return "the pad bottoms out";
   const std::string unit = injury::quantity_of(result.criterion.metric).si_unit;
-  return injury::title_of(result.criterion) + " " + brief_quantity(*result.value, unit, units, 4);
+  return uncapitalised(injury::title_of(result.criterion)) + " " +
+         brief_quantity(*result.value, unit, units, 4);
 }
 
 std::string nose_text(const Nose& nose, const UnitSystem& units) {
@@ -37,7 +39,7 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
                   const ImpactCase& given, const UnitSystem& units) {
   std::vector<std::string> values, give, leave_out;
   const auto add = [&](const char* name, bool is_kept, const std::string& value) {
-    values.push_back(fmt::format("{} {}, {}", is_kept ? "the case's own" : "the standard's", name, value));
+    values.push_back(fmt::format("{} {}, {}", is_kept ? "the case's" : "the standard's", name, value));
     (is_kept ? give : leave_out).push_back(fmt::format("--keep-{}", name));
   };
   if (choice.other.nose)
@@ -52,9 +54,9 @@ Flag other_choice(const injury::OtherChoice& choice, const injury::Standard& sta
   const char* const name = !choice.other.speed  ? "OTHER NOSE"
                            : !choice.other.nose ? "OTHER SPEED"
                                                 : "OTHER NOSE AND SPEED";
-  return {name,
-          fmt::format("{}: with {}, the verdict is {} ({}); run {}", name, fmt::join(values, ", and "),
-                      to_string(choice.assessment.verdict), decisive_figure(choice.assessment, units), how)};
+  return {name, fmt::format("{}: with {}, the verdict would be {} ({}); to check, run {}", name,
+                            fmt::join(values, ", and "), to_string(choice.assessment.verdict),
+                            decisive_figure(choice.assessment, units), how)};
 }
 
 }  // namespace dashpad::output

@@ -16,7 +16,7 @@ namespace {
 
 std::string share_of_draws(const study::StudyAnswers::OfGroup& group, std::size_t limit) {
   const study::Estimate& estimate = group.exceedances[limit].probability;
-  return std::isfinite(estimate.value) ? fmt::format("in {} of draws", per_cent(estimate.value))
+  return std::isfinite(estimate.value) ? fmt::format("in {} of the draws", per_cent(estimate.value))
                                        : "undecided";
 }
 
@@ -46,7 +46,7 @@ std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit
                        std::ranges::count_if(answers.groups, [&](const study::StudyAnswers::OfGroup& group) {
                          return !std::isnan(probability(group));
                        }));
-  return fmt::format("{} {} at {}, {} at {}", capitalised(exceeds(answers.limits[limit], units)),
+  return fmt::format("{} {} at {}, and {} at {}", capitalised(exceeds(answers.limits[limit], units)),
                      share_of_draws(*best, limit), words_of_levels(answers, best->group, units),
                      share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
 }
@@ -66,17 +66,17 @@ std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& u
       return fmt::format("{} in all {} draws (probability at least {})", capitalised(exceeded), of.rows,
                          per_cent(estimate.low));
     if (of.undecided == 0 && of.exceeding == 0)
-      return fmt::format("{} in none of {} draws (probability at most {})", capitalised(exceeded), of.rows,
-                         per_cent(estimate.high));
-    return fmt::format("In {} of draws {} ({} to {})", per_cent(estimate.value), exceeded,
-                       per_cent(estimate.low), per_cent(estimate.high));
+      return fmt::format("{} in none of the {} draws (probability at most {})", capitalised(exceeded),
+                         of.rows, per_cent(estimate.high));
+    return fmt::format("{} in {} of the draws (95 % interval {} to {})", capitalised(exceeded),
+                       per_cent(estimate.value), per_cent(estimate.low), per_cent(estimate.high));
   }
   const LimitCount count = rows_above(answers, number);
   if (count.undecided == 0)
     if (std::string words = where_exceeded(answers, limit, units); !words.empty()) return words;
   if (count.rows == 0) return fmt::format("Whether {} is undecided", exceeded);
-  return fmt::format("In {} of {} rows {}{}", count.exceeding, count.rows, exceeded,
-                     count.undecided > 0 ? fmt::format("; {} more are undecided", count.undecided) : "");
+  return fmt::format("{} in {} of {} rows{}", capitalised(exceeded), count.exceeding, count.rows,
+                     count.undecided > 0 ? fmt::format("; {} more undecided", count.undecided) : "");
 }
 
 /// The answer about the first response with Sobol' indices; empty without any.
@@ -92,10 +92,10 @@ std::string index_answer(const study::StudyAnswers& answers) {
       return &other == &*most || !(other.total.high >= most->total.low);
     });
     if (!is_decided || !(most->total.low > 0))
-      return fmt::format("The draws do not determine which factor affects {} most; the {} leads",
+      return fmt::format("The draws do not determine which factor affects {} most; it may be the {}",
                          uncapitalised(name), factor_words(most->factor));
-    return fmt::format("{} depends most on the {}: {} of its variance", name, factor_words(most->factor),
-                       per_cent(std::min(most->total.value, 1.0)));
+    return fmt::format("{} depends most on the {}, which explains {} of its variance", name,
+                       factor_words(most->factor), per_cent(std::min(most->total.value, 1.0)));
   }
   return "";
 }
@@ -117,11 +117,11 @@ std::string range_answer(const study::StudyAnswers& answers, const UnitSystem& u
       three_digits(name, distribution.least, units) == three_digits(name, distribution.greatest, units))
     return fmt::format("{} is {}", title_of(name), three_digits(name, distribution.least, units));
   if (distribution.struck_through > 0)
-    return fmt::format("The pad bottoms out in {} of {} rows; in the others {} is {}",
+    return fmt::format("The pad bottoms out in {} of {} rows; in the others, {} is {}",
                        distribution.struck_through, distribution.struck_through + distribution.rows,
                        uncapitalised(title_of(name)),
                        three_digit_range(name, distribution.least, greatest_finite(answers), units));
-  return fmt::format("{} goes from {}", title_of(name),
+  return fmt::format("{} ranges from {}", title_of(name),
                      three_digit_range(name, distribution.least, distribution.greatest, units));
 }
 
@@ -138,7 +138,7 @@ std::string cushion_answer(const study::CushionCurves& curves, const UnitSystem&
                           brief_quantity(curve.static_stress[*least], "Pa", units, 3));
   }
   return minima.empty() ? ""
-                        : fmt::format("From {}, the lowest peaks are {}",
+                        : fmt::format("For a drop height of {}, the lowest peaks are {}",
                                       brief_quantity(drop.height, "m", units, 3), minima);
 }
 
@@ -152,7 +152,7 @@ std::string medians_answer(const study::StudyAnswers& answers, const UnitSystem&
                        three_digits(name, study::quantile(group.distributions.front(), 0.5)->value, units),
                        words_of_levels(answers, group.group, units));
   };
-  return fmt::format("The median of {} ranges from {} to {}", uncapitalised(title_of(name)), part(*least),
+  return fmt::format("The median {} ranges from {} to {}", uncapitalised(title_of(name)), part(*least),
                      part(*greatest));
 }
 
@@ -160,7 +160,7 @@ std::string spread_answer(const study::StudyAnswers& answers, const UnitSystem& 
   const std::string& name = response_name(answers, 0);
   const study::Distribution& distribution = answers.groups.front().distributions.front();
   std::vector<std::string> parts;
-  for (const auto& [probability, words] : {std::pair{0.5, "half of the draws"}, {0.95, "95 %"}})
+  for (const auto& [probability, words] : {std::pair{0.5, "half of the draws are"}, {0.95, "95 %"}})
     if (const auto found = study::quantile(distribution, probability); found && !std::isinf(found->value))
       parts.push_back(fmt::format("{} below {}", words, three_digits(name, found->value, units)));
   if (distribution.rows == 0 && distribution.struck_through == 0) return "";

@@ -53,8 +53,8 @@ std::string over_one(const study::StudyAnswers& answers, const std::vector<Level
                     name = factor_words(answers.study.factors.front().key),
                     limited = capitalised(exceeds(limit, units));
   return rows[*change].second
-             ? fmt::format("{} from {} {} upwards, not up to {}", limited, name, after, before)
-             : fmt::format("{} up to {} {}, not from {} upwards", limited, name, before, after);
+             ? fmt::format("{} if the {} is {} or more, but not at {} or less", limited, name, after, before)
+             : fmt::format("{} if the {} is {} or less, but not at {} or more", limited, name, before, after);
 }
 
 /// "4.5 m/s": the name only where the unit does not tell it from the other factor.
@@ -75,7 +75,7 @@ std::string where_kept(const study::Study& study, std::size_t factor, const std:
   const std::string before = level_words(study, factor, rows[*change - 1].first, units),
                     after = level_words(study, factor, rows[*change].first, units);
   return rows[*change].second ? fmt::format("up to somewhere between {} and {}", before, after)
-                              : fmt::format("above somewhere between {} and {}", before, after);
+                              : fmt::format("from somewhere between {} and {} upwards", before, after);
 }
 
 /// The ranges along the factor with more levels, at the first and the last level of the other one.
@@ -87,8 +87,7 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
   const auto level = [&](std::size_t factor, std::size_t row) {
     return answers.records.factors[factor][group.places[row]];
   };
-  std::map<double, std::vector<LevelRow>>
-      lines[2];  // for each factor: its levels, and the rows along the other factor
+  std::map<double, std::vector<LevelRow>> lines[2];  // by factor: its levels, the rows along the other one
   for (std::size_t row = 0; row < is_above.size(); ++row)
     for (std::size_t given = 0; given < 2; ++given)
       lines[given][level(given, row)].emplace_back(level(1 - given, row), is_above[row]);
@@ -98,10 +97,10 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
     std::ranges::sort(line->second);
     const std::string kept = where_kept(answers.study, 1 - of, line->second, units);
     if (kept.empty()) return "";
-    text += fmt::format("{} {} at {}", text.empty() ? "" : ",", kept,
+    text += fmt::format("{} {} at {}", text.empty() ? "" : ", and", kept,
                         level_words(answers.study, of, line->first, units));
   }
-  return fmt::format("{} stays within {}{}", title_of(limit.response),
+  return fmt::format("{} stays within the limit of {}{}", title_of(limit.response),
                      brief_quantity(limit.value, si_unit_of(limit.response), units), text);
 }
 
@@ -120,7 +119,7 @@ std::string where_exceeded(const study::StudyAnswers& answers, const study::Stud
       std::ranges::find(answers.study.responses, limit.response) - answers.study.responses.begin();
   const std::vector<double> values =
       study::values_of(answers.study, answers.records, group, static_cast<std::size_t>(response));
-  if (factors == 0 || factors > 2 ||
+  if (factors == 0 || factors > 2 || (factors == 2 && study::table_rows(answers.study) > 1) ||
       std::ranges::any_of(values, [](double value) { return std::isnan(value); }))
     return "";
   std::vector<bool> is_above;

@@ -53,7 +53,7 @@ void add_distributions(Table& table, const study::StudyAnswers& answers,
                                    distribution.rows + distribution.struck_through + distribution.without));
     row.push_back(distribution.without == 0
                       ? std::to_string(distribution.rows)
-                      : fmt::format("{} ({} without)", distribution.rows, distribution.without));
+                      : fmt::format("{} ({} without a value)", distribution.rows, distribution.without));
     table.rows.push_back(std::move(row));
   }
 }
@@ -115,23 +115,58 @@ std::string spread_text(const study::StudyAnswers& answers, std::size_t factor, 
   const auto text = [&](double value) { return level_text(answers.study, factor, value, units); };
   const Spread& spread = answers.study.factors[factor].spread;
   if (const auto* given = std::get_if<Normal>(&spread))
-    return fmt::format("normal, mean {}, deviation {}", text(given->mean), text(given->deviation));
+    return fmt::format("normal, mean {}, standard deviation {}", text(given->mean), text(given->deviation));
   if (const auto* given = std::get_if<Lognormal>(&spread))
-    return fmt::format("lognormal, median {}, spread of the logarithm {}", text(given->median),
+    return fmt::format("lognormal, median {}, standard deviation of the logarithm {}", text(given->median),
                        four_digits(given->spread));
   if (const auto* given = std::get_if<Uniform>(&spread))
     return fmt::format("uniform, {} to {}", text(given->low), text(given->high));
   if (const auto* given = std::get_if<Triangular>(&spread))
-    return fmt::format("triangular, {}, {}, {}", text(given->low), text(given->mode), text(given->high));
+    return fmt::format("triangular, {} to {}, mode {}", text(given->low), text(given->high),
+                       text(given->mode));
   if (const auto* given = std::get_if<Empirical>(&spread))
     return fmt::format("{} measured values, {} to {}", given->values.size(), text(given->values.front()),
                        text(given->values.back()));
-  const std::vector<double>& values = std::get<Levels>(spread).values;
-  std::string list = values.size() == 1 ? "1 level: " : fmt::format("{} levels: ", values.size());
+  if (const auto* given = std::get_if<ByDraw>(&spread)) {
+    const auto [least, greatest] = std::ranges::minmax(given->values);
+    return fmt::format("drawn from {}, {} to {}", plural(given->values.size(), "row"), text(least),
+                       text(greatest));
+  }
+  const std::vector<double>& values = *answers.study.factors[factor].given_values();
+  std::string list = plural(values.size(), std::holds_alternative<ByRow>(spread) ? "row" : "level") + ": ";
   if (values.size() > 8)
     return list + fmt::format("{}, {} ... {}", text(values[0]), text(values[1]), text(values.back()));
   for (std::size_t i = 0; i < values.size(); ++i) list += (i == 0 ? "" : ", ") + text(values[i]);
   return list;
+}
+
+/// The rows of a table of rows, each with its labels, if neither levels nor draws multiply them.
+std::optional<Table> row_table(const study::StudyAnswers& answers, const UnitSystem& units) {
+  constexpr std::size_t max_rows_shown = 50, max_labels = 2, max_responses = 5;
+  const study::Study& study = answers.study;
+  const std::size_t rows = study::table_rows(study);
+  if (rows < 2 || answers.rows != rows) return std::nullopt;
+  const study::Group& all = answers.groups.front().group;
+  const std::size_t shown = std::min(all.places.size(), max_rows_shown);
+  const std::size_t computed = all.places.size();
+  Table table{
+      .caption = shown < computed ? fmt::format("Rows (the first {} of {})", shown, computed) : "Rows",
+      .columns = {"Row"}};
+  for (std::size_t k = 0; k < shown; ++k)
+    table.rows.push_back({std::to_string(answers.records.rows[all.places[k]])});
+  for (std::size_t i = 0; i < std::min(study.labels.size(), max_labels); ++i) {
+    table.columns.push_back(one_line(study.labels[i].name));
+    for (std::size_t k = 0; k < shown; ++k)
+      table.rows[k].push_back(one_line(study.labels[i].texts[answers.records.rows[all.places[k]]]));
+  }
+  for (std::size_t i = 0; i < std::min(answers.responses.size(), max_responses); ++i) {
+    const std::string& name = response_name(answers, i);
+    const double scale = shown_as(si_unit_of(name), units).scale;
+    const std::vector<double> values = study::values_of(study, answers.records, all, answers.responses[i]);
+    table.columns.push_back(label(name, units));
+    for (std::size_t k = 0; k < shown; ++k) table.rows[k].push_back(four_digits_or_struck(scale * values[k]));
+  }
+  return table;
 }
 
 }  // namespace
@@ -141,9 +176,12 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
   const Row columns =
       drawn ? Row{"Response", "Mean", "Deviation", "5 %", "Median", "95 %", "Least", "Greatest", "Rows"}
             : Row{"Response", "Median", "Least", "Greatest", "Rows"};
-  std::vector<Table> tables{over_groups(
-      {.caption = drawn ? "Distribution" : "Over the grid", .columns = with_struck_through(answers, columns)},
-      answers, units, add_distributions)};
+  std::vector<Table> tables{over_groups({.caption = drawn                                  ? "Distribution"
+                                                    : study::table_rows(answers.study) > 1 ? "Over the rows"
+                                                                                           : "Over the grid",
+                                         .columns = with_struck_through(answers, columns)},
+                                        answers, units, add_distributions)};
+  if (std::optional<Table> rows = row_table(answers, units)) tables.push_back(*std::move(rows));
   if (!answers.limits.empty())
     tables.push_back(over_groups(
         {.caption = drawn ? "Probability of exceeding a limit" : "Share of rows above a limit",
@@ -151,15 +189,15 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
              answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
         answers, units, add_exceedances));
   if (answers.study.indices)
-    tables.push_back(over_groups(
-        {.caption = "Sobol' indices: share of the variance that a factor explains",
-         .columns = {"Response", "Factor", "Alone (first order)", "With interactions (total)", "Draws"}},
-        answers, units, add_indices));
+    tables.push_back(
+        over_groups({.caption = "Sobol' indices: share of the variance that each factor explains",
+                     .columns = {"Response", "Factor", "First order", "Total (with interactions)", "Draws"}},
+                    answers, units, add_indices));
   return tables;
 }
 
 Table factor_table(const study::StudyAnswers& answers, const UnitSystem& units) {
-  Table table{.caption = "Factors", .columns = {"Factor", "Varies"}};
+  Table table{.caption = "Factors", .columns = {"Factor", "Variation"}};
   for (std::size_t i = 0; i < answers.study.factors.size(); ++i) {
     const study::Factor& factor = answers.study.factors[i];
     std::string text = spread_text(answers, i, units);
@@ -179,34 +217,36 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
   };
   if (rows < answers.rows)
     texts.push_back(
-        fmt::format("NOT COMPLETE: {} of {} rows are computed, in the order of their batches. The same "
-                    "command continues.",
+        fmt::format("NOT COMPLETE: {} of {} rows have been computed, in batch order. Run the same command "
+                    "again to resume.",
                     rows, answers.rows));
-  add(records.doubtful, "DOUBTFUL:",
-      "miss the tolerance, give an invalid case or lack a figure asked for. They are not used to decide any "
-      "limit.");
+  add(records.doubtful, "DOUBTFUL: in",
+      "the tolerance is missed, the case is invalid or a requested figure is missing. These rows are not "
+      "used to decide any limit.");
   if (records.struck_through > 0)
     texts.push_back(fmt::format(
         "BOTTOMED OUT: in {} of {} rows ({} %) the pad bottomed out on its rigid support, where the force "
-        "has no bound. They count as above every limit on force, acceleration, clips, HIC and severity "
-        "index, and as above all other rows in the quantiles; these responses have no mean.",
+        "has no bound. In these rows, force, acceleration, clips, HIC and severity index are treated as "
+        "above every limit and, in the quantiles, as above all other rows; these responses have no mean.",
         records.struck_through, rows,
         four_digits(100 * static_cast<double>(records.struck_through) / static_cast<double>(rows))));
   if (records.bottomed > records.struck_through)
     add(records.bottomed - records.struck_through, "BOTTOMED: in",
-        "the pad was fully compressed and only the support gave way; they count by their figures.");
+        "the pad was fully compressed and only the support gave way; the figures of these rows are used as "
+        "computed.");
   add(records.time_limit, "TIME LIMIT: in",
-      "the impactor was still on the pad when the time limit was reached. Their largest values are lower "
-      "bounds: a limit that they do not exceed is undecided.");
-  add(records.beyond_strain,
-      "EXTRAPOLATED STRAIN:", "go beyond the tested strain, where the foam's stress is a guess.");
-  add(records.beyond_rate,
-      "EXTRAPOLATED RATE:", "go beyond the tested rates, where the stress follows an assumed law.");
+      "the impactor was still on the pad when the time limit was reached. In these rows, the largest "
+      "values are lower bounds, so a limit that they do not exceed is undecided.");
+  add(records.beyond_strain, "EXTRAPOLATED STRAIN: in",
+      "the strain goes beyond the tested range, where the stress is a guess.");
+  add(records.beyond_rate, "EXTRAPOLATED RATE: in",
+      "the strain rate goes beyond the tested range, where the stress follows an assumed law.");
   if (records.beyond_strain + records.beyond_rate == 0)
-    add(records.extrapolated, "EXTRAPOLATED:", "go beyond what the material was measured for.");
+    add(records.extrapolated, "EXTRAPOLATED: in", "the material goes beyond its tested range.");
   if (answers.groups.size() > max_groups_shown)
-    texts.push_back(fmt::format("CUT: the first {} of {} combinations of levels are shown; --json has all.",
-                                max_groups_shown, answers.groups.size()));
+    texts.push_back(
+        fmt::format("CUT: only the first {} of {} combinations of levels are shown; --json has all.",
+                    max_groups_shown, answers.groups.size()));
   return texts;
 }
 
@@ -227,19 +267,19 @@ std::string unstratified_factors(const study::Study& study) {
 
 std::string interval_note(const study::StudyAnswers& answers) {
   if (!answers.groups.front().group.drawn)
-    return "A grid gives no probabilities: figures are taken over its levels, with equal weight for each "
-           "row, and have no intervals. A range in brackets is due to undecided rows.";
+    return "A grid gives no probabilities: the figures are taken over all its rows, with equal weight for "
+           "each, and have no intervals. A range in brackets is due to undecided rows.";
   std::string note =
-      "In brackets: 95 % intervals, of the mean by Student's t, of quantiles between order statistics, of "
-      "probabilities by Clopper and Pearson. They cover the sampling only.";
+      "In brackets: 95 % intervals, from Student's t for means, from order statistics for quantiles, and "
+      "from Clopper and Pearson's method for probabilities. They cover the sampling error only.";
   if (answers.study.sampling != study::Sampling::monte_carlo)
     note +=
-        " The intervals assume independent draws; this study's are more even, so they are too wide rather "
-        "than too narrow.";
+        " They assume independent draws; the draws of this study are more evenly spread, so the intervals "
+        "are too wide rather than too narrow.";
   const std::string names = unstratified_factors(answers.study);
   if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
     note += fmt::format(
-        " Not stratified: {}. Of two correlated factors only the first keeps one draw per stratum of the "
+        " Not stratified: {}. Of two correlated factors, only the first keeps one draw per stratum of the "
         "Latin hypercube.",
         names);
   return note;

@@ -18,7 +18,8 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 3> known{{{"pad.material", "material"},
+constexpr std::array<Words, 4> known{{{"pad.material", "material"},
+                                      {static_stress, "static stress"},
                                       {"support.stiffness", "stiffness of the support"},
                                       {"support.scale", "scale of the support's force"}}};
 
@@ -174,6 +175,11 @@ std::string words_of_levels(const study::StudyAnswers& answers, const study::Gro
                             const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);
   std::string text;
+  if (!answers.study.labels.empty() && !group.places.empty()) {
+    const study::RowLabel& label = answers.study.labels.front();
+    const std::uint64_t row = answers.records.rows[group.places.front()];
+    text = one_line(label.texts[study::table_row_of(answers.study, row)]) + ": ";
+  }
   for (std::size_t i = 0; i < group.levels.size(); ++i)
     text += (i == 0 ? "" : ", ") + factor_at(answers.study, factors[i], group.levels[i], units);
   return text;

@@ -16,8 +16,7 @@ inline constexpr std::size_t max_lines_drawn = 8;
 std::string four_digits(double value);
 /// The same of a value that is infinite where the pad bottomed out on a rigid support: those words then.
 std::string four_digits_or_struck(double value);
-/// An estimate with its interval: "12.3 (11.9 to 12.8)", "12.3 (below 13)"; no brackets without an interval.
-/// An infinite value is "bottomed out".
+/// "12.3 (11.9 to 12.8)", "12.3 (below 13)", "12.3" without an interval; an infinite value is "bottomed out".
 std::string with_interval(const study::Estimate& estimate, double scale = 1);
 /// The same with three decimals: shares.
 std::string share_with_interval(const study::Estimate& share);

@@ -54,7 +54,7 @@ void check_physics(const CsvRecord& record, const MeasuredTest& test) {
   if (std::abs(test.energy_in_lb - energy) > energy_tolerance * energy)
     record.fault("energy_in_lb", fmt::format("must be within 1 % of M V^2/2, which is {:.1f} in.lb", energy));
   if (test.rebound_mph && *test.rebound_mph >= test.speed_mph)
-    record.fault("rebound_mph", "must be less than the speed of the impact");
+    record.fault("rebound_mph", "must be less than the impact speed");
   if (test.time_to_peak_ms && test.total_time_ms && *test.time_to_peak_ms >= *test.total_time_ms)
     record.fault("time_to_peak_ms", "must be less than the total time");
 }
@@ -69,11 +69,11 @@ void check_rows(CsvTable& table, const std::vector<MeasuredTest>& tests) {
     if (!std::isfinite(tests[i].weight_lb)) continue;
     const double weight = weights.emplace(tests[i].projectile, tests[i].weight_lb).first->second;
     if (weight != tests[i].weight_lb)
-      record.fault("weight_lb", fmt::format("must be that of the rows before: {:g}", weight));
+      record.fault("weight_lb", fmt::format("must be {:g}, as in earlier rows for this projectile", weight));
   }
   for (const Projectile projectile : {Projectile::aluminium, Projectile::steel})
     if (!tests.empty() && std::ranges::count(tests, projectile, &MeasuredTest::projectile) == 0)
-      table.fault(std::string("has no test of the projectile ") + to_string(projectile));
+      table.fault(fmt::format("has no test with the {} projectile", to_string(projectile)));
 }
 
 std::vector<double> read_readings(const CsvRecord& record, bool is_fraction) {
@@ -82,7 +82,7 @@ std::vector<double> read_readings(const CsvRecord& record, bool is_fraction) {
   for (std::string word; words >> word;) {
     double value = 0;
     const std::string rule = why_no_reading(word, is_fraction, value);
-    if (!rule.empty()) record.fault("readings", fmt::format("\"{}\": {}", word, rule));
+    if (!rule.empty()) record.fault("readings", fmt::format("\"{}\" {}", word, rule));
     readings.push_back(value);
   }
   return readings;
@@ -102,11 +102,11 @@ std::string broken_rule(const UnplacedReadings& group, const MeasuredTests& meas
       return fmt::format("test {} has a reading of its own; the group must not include it", test.number);
   const std::size_t rows = free_tests(measured, group).size();
   if (group.readings.size() > rows)
-    return fmt::format("{} readings cannot belong to {} tests", group.readings.size(), rows);
+    return fmt::format("the number of readings must be at most {}, not {}", rows, group.readings.size());
   for (const UnplacedReadings& other : measured.unplaced)
     if (other.column == group.column && other.first_test <= group.last_test &&
         group.first_test <= other.last_test)
-      return fmt::format("shares tests with the group {} to {}", other.first_test, other.last_test);
+      return fmt::format("shares tests with the group for tests {} to {}", other.first_test, other.last_test);
   return "";
 }
 
@@ -170,7 +170,7 @@ void read_supports(const fs::path& file, ValidationData& data, std::vector<input
     const TestSupport support = read_support(record);
     const StaticPoint point{record.number("deflection_in"), record.number("force_lb")};
     if (support == TestSupport::plate) {
-      if (has_plate) record.fault("support", "the plate is linear: one point");
+      if (has_plate) record.fault("support", "the plate must have only one point, because it is linear");
       has_plate = true;
       data.plate_stiffness_lb_per_in = point.force_lb / point.deflection_in;
       if (data.plate_stiffness_lb_per_in == 0 || std::isinf(data.plate_stiffness_lb_per_in))
@@ -184,8 +184,8 @@ void read_supports(const fs::path& file, ValidationData& data, std::vector<input
       record.fault("force_lb", "must be more than that of the previous point");
     data.load_cell.push_back(point);
   }
-  if (!table.records.empty() && data.load_cell.empty()) table.fault("has no point of the load cell");
-  if (!table.records.empty() && !has_plate) table.fault("has no point of the plate");
+  if (!table.records.empty() && data.load_cell.empty()) table.fault("has no point for the load cell");
+  if (!table.records.empty() && !has_plate) table.fault("has no point for the plate");
 }
 
 void read_constants(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {
@@ -194,14 +194,14 @@ void read_constants(const fs::path& file, ValidationData& data, std::vector<inpu
     PrintedConstant constant{record.text("name"), record.number("value"), record.text("unit"),
                              record.text("where")};
     if (std::ranges::count(data.printed, constant.name, &PrintedConstant::name) > 0)
-      record.fault("name", "is there twice");
+      record.fault("name", "appears twice");
     data.printed.push_back(std::move(constant));
   }
   if (table.records.empty()) return;
   std::istringstream names(constants_of_the_study);
   for (std::string name; names >> name;)
     if (std::ranges::count(data.printed, name, &PrintedConstant::name) == 0)
-      table.fault("has no constant " + name);
+      table.fault("does not contain the constant " + name);
 }
 
 void read_table_3_2(const fs::path& file, ValidationData& data, std::vector<input::Fault>& faults) {

@@ -117,7 +117,7 @@ struct CsvTable : CsvFile {
       return texts;
     };
     if (!rows.next(row) || trimmed() != columns) {
-      fault("must name these columns first: " + input::listing(columns), static_cast<int>(row.line));
+      fault("must name these columns, in this order: " + input::listing(columns), static_cast<int>(row.line));
       return;
     }
     while (rows.next(row)) {
@@ -125,7 +125,7 @@ struct CsvTable : CsvFile {
       if (!row.fault.empty())
         fault(std::string(row.fault), line);
       else if (row.fields.size() != columns.size())
-        fault(fmt::format("has {} fields; the columns are {}", row.fields.size(), columns.size()), line);
+        fault(fmt::format("must have {} fields, not {}", columns.size(), row.fields.size()), line);
       else
         records.emplace_back(*this, line, trimmed());
     }

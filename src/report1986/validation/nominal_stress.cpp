@@ -217,9 +217,9 @@ std::string remark_on(const ValidationData& data, const NominalStressFit& fit) {
   double ways = 1;
   for (const char* const column : columns) ways *= placings(data.measured, column);
   return fmt::format(
-      "The assignment with the smallest scatter, {} points, out of {:.2g} assignments: nearly all strains "
-      "have lost their tests, and some forces. It is the most favourable choice, not the report's Figure "
-      "3-5, which has {:g} tests, and {:g} of them in its fit; that cannot be rebuilt.",
+      "Shown is the assignment with the least scatter ({} points) out of {:.2g}, since the tests of nearly "
+      "all strains and of some forces are unknown. It is the most favourable choice and not the "
+      "report's Figure 3-5, which shows {:g} tests, {:g} of them fitted, and cannot be reconstructed.",
       fit.points.size(), ways, data.constant("nominal_stress_tests"),
       data.constant("nominal_stress_clustered_tests"));
 }
@@ -229,7 +229,7 @@ std::string remark_on(const ValidationData& data, const NominalStressFit& fit) {
 double nominal_stress_psi(const Material& ensolite, double peak_strain, double speed_mph,
                           double thickness_in) {
   const auto* law = std::get_if<NineParameter>(&ensolite.law);
-  if (!law) throw std::invalid_argument("the nominal stress needs the 9-parameter law");
+  if (!law) throw std::invalid_argument("the nominal stress requires the nine-parameter law");
   const double rate = inch_per_s_of_mph * speed_mph / thickness_in;
   const double shape =
       std::pow(peak_strain, law->contact_exponent) / std::pow(1 - peak_strain, law->compaction_exponent);

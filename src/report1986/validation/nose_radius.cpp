@@ -102,7 +102,7 @@ RadiusCriterion of_tests(const ValidationData& data, const std::vector<Predictio
   for (const MeasuredTest& test : data.measured.tests)
     if (const auto reading = measured(test, quantity); reading && test.support == support)
       expected.push_back({setup_of(test, 0), *reading});
-  return criterion_of(std::move(name), "certain rows of Table 3-1; accurate solver", at_tests,
+  return criterion_of(std::move(name), "readings in Table 3-1 whose test is known; accurate solver", at_tests,
                       Program::accurate, quantity, expected);
 }
 
@@ -133,8 +133,8 @@ RadiusCriterion strains_on_the_load_cell(const ValidationData& data,
     return residuals;
   };
   return radius_criterion("strains on the load cell",
-                          "plug readings of tests 28 to 33, mean over all assignments; accurate solver", "1",
-                          residuals_at);
+                          "plug readings from tests 28 to 33, mean over all assignments; accurate solver",
+                          "1", residuals_at);
 }
 
 RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<Prediction>& others,
@@ -144,7 +144,7 @@ RadiusCriterion forces_of_curve_b(const ValidationData& data, const std::vector<
     expected.push_back({{Projectile::aluminium, TestSupport::plate, speed, 0},
                         curve_b_force_lb(data, Projectile::aluminium, speed)});
   return criterion_of(std::move(name),
-                      fmt::format("curve \"B\" at 14 to 20 mph, the report's estimate; {}",
+                      fmt::format("curve \"B\" (the report's estimate) at 14 to 20 mph; {}",
                                   program == Program::accurate ? "accurate solver" : to_string(program)),
                       others, program, Quantity::peak_force, expected);
 }
@@ -158,7 +158,7 @@ RadiusCriterion ratios_of_the_report(const ValidationData& data, const std::vect
                         data.constant(constant) * curve_a_force_lb(data, projectile, speed)});
   return criterion_of(
       "the report's force ratios",
-      fmt::format("1 to 0.4 and 1.4 to 0.4 of curve \"A\" (section 4); {}", to_string(program)), others,
+      fmt::format("1 to 0.4 and 1.4 to 0.4 times curve \"A\" (section 4); {}", to_string(program)), others,
       program, Quantity::peak_force, expected);
 }
 
@@ -171,8 +171,8 @@ RadiusCriterion times_of_the_report(const ValidationData& data, const std::vecto
           {setup, 1e3 * data.constant("expected_travel_in") / (inch_per_s_of_mph * setup.speed_mph) +
                       data.constant("excess_of_predicted_time_ms")});
   return criterion_of("the report's times to peak",
-                      fmt::format("2 ms above VT = 1.25 in (section 4); {}", to_string(program)), others,
-                      program, Quantity::time_to_peak, expected);
+                      fmt::format("2 ms above the line VT = 1.25 in (section 4); {}", to_string(program)),
+                      others, program, Quantity::time_to_peak, expected);
 }
 
 }  // namespace
@@ -204,7 +204,7 @@ RadiusCriterion radius_criterion(
   criterion.at_an_end = std::isfinite(least.sum) && is_at_an_end(sums, least.index);
   criterion.admitted = {radii.front(), radii.back()};
   const auto missing = std::ranges::count_if(sums, [](double sum) { return std::isnan(sum); });
-  if (missing > 0) criterion.remark += fmt::format("; no figure at {} of {} radii", missing, radii.size());
+  if (missing > 0) criterion.remark += fmt::format("; no result at {} of {} radii", missing, radii.size());
   if (criterion.readings < 2 || std::ssize(radii) - missing < 3) return criterion;
   const int freedom = criterion.readings - 1;
   const double quantile = std::pow(uncertainty::student_95(freedom), 2);  // of F(1, freedom)

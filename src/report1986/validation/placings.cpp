@@ -84,7 +84,7 @@ double placings(const MeasuredTests& measured, const std::string& column) {
 
 void for_each_placing(const MeasuredTests& measured, const std::string& column, const Visit& visit) {
   if (placings(measured, column) > max_placings)
-    throw std::length_error("too many assignments of the unassigned readings of " + column);
+    throw std::length_error("too many ways to assign the unassigned readings of " + column);
   const std::vector<Group> groups = groups_of(measured, column);
   Search{measured_column(column).reading, groups, visit, measured.tests}.place(0, 0, 0);
 }

@@ -66,8 +66,8 @@ void read_broken_run(const spit1984::Run& run, double thickness_in, Prediction& 
   prediction.peak_strain = deepest->penetration_in / thickness_in;
   const double left = end[-1].force_lb / peak->force_lb;
   if (left <= little_force_left) prediction.rebound_mph = -end[-1].speed_in_per_s / inch_per_s_of_mph;
-  prediction.remark += fmt::format("; used up to {:.1f} ms, where {:.0f} % of the peak force is left",
-                                   end[-1].time_ms, 100 * left);
+  prediction.remark += fmt::format("{}used up to {:.1f} ms, when the force is {:.0f} % of its peak",
+                                   prediction.remark.empty() ? "" : "; ", end[-1].time_ms, 100 * left);
 }
 
 /// The plate is linear, so it has no later slopes.

@@ -143,7 +143,7 @@ void add_energy_trends(const ValidationData& data, std::vector<Trend>& trends) {
          }});
   };
   add("exponent", false, "", [](const LineFit& line) { return line.slope; });
-  add("factor", false, "; interval of the line's zero by Fieller's theorem",
+  add("factor", false, "; interval for the zero of the line by Fieller's theorem",
       [](const LineFit& line) { return exponential(line.ratio); });
   add("exponent", true, "", [](const LineFit& line) { return reciprocal(line.slope); });
   add("factor", true, "", [](const LineFit& line) { return exponential(negative(line.intercept)); });
@@ -152,7 +152,7 @@ void add_energy_trends(const ValidationData& data, std::vector<Trend>& trends) {
 std::vector<Trend> trends_of(const ValidationData& data) {
   std::vector<Trend> trends{
       {{.name = "travel_in",
-        .title = "V T, load cell",
+        .title = "VT, load cell",
         .unit = "in",
         .residual_unit = "ms",
         .method = "least squares of T against 1/V; 1 mph = 17.64 in/s, as in the report"},
@@ -174,7 +174,7 @@ std::vector<Trend> trends_of(const ValidationData& data) {
   add_rebound("rebound_ratio_plate", "V_R/V, flexible plate", ", all tests on the plate", on_plate);
   const double high_speed = data.constant("plate_speed_mph");
   add_rebound(
-      "rebound_ratio_plate", "V_R/V, flexible plate without the fastest test",
+      "rebound_ratio_plate", "V_R/V, flexible plate, without the fastest test",
       ", the two tests through which the report draws the line",
       [high_speed](const MeasuredTest& test) { return on_plate(test) && test.speed_mph < high_speed; });
   add_energy_trends(data, trends);

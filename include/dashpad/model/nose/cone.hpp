@@ -31,7 +31,7 @@ struct Cone {
 
 inline constexpr std::array<Parameter<Cone>, 3> Cone::parameters{{
     {"radius", "R", "m", &Cone::radius, positive, "radius of the cone's base"},
-    {"half_angle", "alpha", "rad", &Cone::half_angle, from_to(0.01, 1.56), "angle between axis and side"},
+    {"half_angle", "alpha", "rad", &Cone::half_angle, from_to(0.01, 1.56), "angle from the axis to the side"},
     {"tip_radius", "r0", "m", &Cone::tip_radius, not_negative, "radius of the flat tip; 0 for a point",
      LeftOut::as_default},
 }};

@@ -23,7 +23,7 @@ struct Cylinder {
 
 inline constexpr std::array<Parameter<Cylinder>, 2> Cylinder::parameters{{
     {"radius", "R", "m", &Cylinder::radius, positive, "radius of the cylinder"},
-    {"length", "l", "m", &Cylinder::length, positive, "length of the cylinder, along its axis"},
+    {"length", "l", "m", &Cylinder::length, positive, "length of the cylinder along its axis"},
 }};
 
 }  // namespace dashpad

@@ -29,9 +29,10 @@ struct Ellipsoid {
 };
 
 inline constexpr std::array<Parameter<Ellipsoid>, 3> Ellipsoid::parameters{{
-    {"half_depth", "b", "m", &Ellipsoid::half_depth, positive, "semi-axis along the motion"},
-    {"half_length", "R1", "m", &Ellipsoid::half_length, positive, "semi-axis across the motion"},
-    {"half_width", "R2", "m", &Ellipsoid::half_width, positive, "the other semi-axis across the motion"},
+    {"half_depth", "b", "m", &Ellipsoid::half_depth, positive, "semi-axis in the direction of motion"},
+    {"half_length", "R1", "m", &Ellipsoid::half_length, positive, "semi-axis perpendicular to the motion"},
+    {"half_width", "R2", "m", &Ellipsoid::half_width, positive,
+     "other semi-axis perpendicular to the motion"},
 }};
 
 }  // namespace dashpad

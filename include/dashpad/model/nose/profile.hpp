@@ -47,7 +47,7 @@ struct Profile {
 };
 
 inline constexpr std::array<Parameter<Profile>, 1> Profile::parameters{{
-    {"scale", "k", "1", &Profile::scale, from_to(1e-3, 1e3), "factor on the lengths of the profile",
+    {"scale", "k", "1", &Profile::scale, from_to(1e-3, 1e3), "factor applied to the lengths of the profile",
      LeftOut::as_default},
 }};
 

@@ -29,7 +29,7 @@ struct Rod {
 
 inline constexpr std::array<Parameter<Rod>, 2> Rod::parameters{{
     {"radius", "r", "m", &Rod::radius, positive, "radius of the rod"},
-    {"tip_radius", "R", "m", &Rod::tip_radius, positive, "radius of its domed end"},
+    {"tip_radius", "R", "m", &Rod::tip_radius, positive, "radius of the domed end"},
 }};
 
 }  // namespace dashpad

@@ -33,13 +33,13 @@ struct CrushableFoam {
 inline constexpr std::array<Parameter<CrushableFoam>, 5> CrushableFoam::parameters{{
     {"unloading_modulus", "E", "Pa", &CrushableFoam::unloading_modulus, positive, "unloading modulus"},
     {"lag_strain", "l", "1", &CrushableFoam::lag_strain, lag_strains,
-     "strain over which the stress follows a change of the rate", LeftOut::as_default},
+     "strain over which the stress adapts to a change in strain rate", LeftOut::as_default},
     {"continuation_exponent", "n", "1", &CrushableFoam::continuation_exponent, continuation_exponents,
      "exponent of (1 - strain) in the curve beyond the last tested strain", LeftOut::as_default},
     {"gentlest_continuation", "n_low", "1", &CrushableFoam::gentlest_continuation, continuation_exponents,
-     "lower bound of this exponent", LeftOut::as_default},
+     "lower bound on continuation_exponent", LeftOut::as_default},
     {"steepest_continuation", "n_high", "1", &CrushableFoam::steepest_continuation, continuation_exponents,
-     "upper bound of this exponent", LeftOut::as_default},
+     "upper bound on continuation_exponent", LeftOut::as_default},
 }};
 
 }  // namespace dashpad

@@ -68,21 +68,21 @@ inline constexpr Bounds continuation_exponents = from_to(1, 6);
 
 inline constexpr std::array<Parameter<Foam>, 8> Foam::parameters{{
     {"friction", "f", "1", &Foam::friction, from_to(0, 0.45),
-     "fraction of the base curve that is lost even in a slow test", LeftOut::as_default},
+     "friction stress as a fraction of the base stress, however slow the test", LeftOut::as_default},
     {"unloading_factor", "HU", "1", &Foam::unloading_factor, from_to(0, 1),
      "fraction of the stress that remains when the foam is nearly unloaded", LeftOut::as_default},
     {"unloading_shape", "SHAPE", "1", &Foam::unloading_shape, from_to(0.01, 50),
-     "exponent of the work in unloading", LeftOut::as_default},
+     "exponent of the work ratio in unloading", LeftOut::as_default},
     {"recoil", "k", "1", &Foam::recoil, from_to(0, 1),
-     "fraction of the rate-dependent stress that resists the recovery", LeftOut::as_default},
+     "fraction of the rate-dependent stress that resists recovery", LeftOut::as_default},
     {"lag_strain", "l", "1", &Foam::lag_strain, lag_strains,
-     "strain over which the stress follows a change of the rate", LeftOut::as_default},
+     "strain over which the stress adapts to a change in strain rate", LeftOut::as_default},
     {"continuation_exponent", "n", "1", &Foam::continuation_exponent, continuation_exponents,
      "exponent of (1 - strain) in the curve beyond the last tested strain", LeftOut::as_default},
     {"gentlest_continuation", "n_low", "1", &Foam::gentlest_continuation, continuation_exponents,
-     "lower bound of this exponent", LeftOut::as_default},
+     "lower bound on continuation_exponent", LeftOut::as_default},
     {"steepest_continuation", "n_high", "1", &Foam::steepest_continuation, continuation_exponents,
-     "upper bound of this exponent", LeftOut::as_default},
+     "upper bound on continuation_exponent", LeftOut::as_default},
 }};
 
 }  // namespace dashpad

@@ -47,9 +47,9 @@ inline constexpr std::array<Parameter<LinearViscoelastic>, 3> LinearViscoelastic
     {"asymptotic_modulus", "E_inf", "Pa", &LinearViscoelastic::asymptotic_modulus, positive,
      "modulus under a sustained strain"},
     {"initial_modulus", "E_0", "Pa", &LinearViscoelastic::initial_modulus, positive,
-     "modulus under a sudden strain, not below asymptotic_modulus"},
+     "modulus under a sudden strain, at least asymptotic_modulus"},
     {"relaxation_time", "tau", "s", &LinearViscoelastic::relaxation_time, positive,
-     "time constant of the relaxation"},
+     "relaxation time constant"},
 }};
 
 }  // namespace dashpad

@@ -67,15 +67,14 @@ inline constexpr std::array<Parameter<NineParameter>, 8> NineParameter::paramete
      "exponent of the strain"},
     {"compaction_exponent", "n", "1", &NineParameter::compaction_exponent, from_to(0, 4),
      "exponent of (1 - strain)"},
-    {"relaxation_time", "tau", "s", &NineParameter::relaxation_time, positive,
-     "time constant of the relaxation"},
+    {"relaxation_time", "tau", "s", &NineParameter::relaxation_time, positive, "relaxation time constant"},
     {"rate_modulus", "E_r", "Pa", &NineParameter::rate_modulus, not_negative,
-     "modulus of the stress added by a strain rate of 1/s"},
+     "modulus of the stress added at a strain rate of 1/s"},
     {"rate_exponent", "r", "1", &NineParameter::rate_exponent, above_to(0, 1), "exponent of the strain rate"},
     {"residual_strain_time", "tau*", "s", &NineParameter::residual_strain_time, positive,
-     "scale of the strain rate in the residual strain in unloading"},
+     "time that scales the strain rate in the residual strain on unloading"},
     {"residual_strain_exponent", "p", "1", &NineParameter::residual_strain_exponent, above_to(0, 1),
-     "its exponent"},
+     "exponent of the residual strain"},
 }};
 
 }  // namespace dashpad

@@ -38,11 +38,11 @@ struct RigidFoam {
 inline constexpr std::array<Parameter<RigidFoam>, 4> RigidFoam::parameters{{
     {"crush_stress", "S1", "Pa", &RigidFoam::crush_stress, positive, "stress of the crush plateau"},
     {"crush_strain", "e1", "1", &RigidFoam::crush_strain, Bounds{.lowest = 0, .highest = 1},
-     "strain at the end of the plateau, below second_strain"},
+     "strain at the end of the plateau, less than second_strain"},
     {"second_stress", "S2", "Pa", &RigidFoam::second_stress, positive,
-     "stress at second_strain, not below crush_stress"},
+     "stress at second_strain, at least crush_stress"},
     {"second_strain", "e2", "1", &RigidFoam::second_strain, Bounds{.lowest = 0, .highest = 1},
-     "strain where the last, steepest part begins"},
+     "strain at which the last, steepest part begins"},
 }};
 
 }  // namespace dashpad

@@ -27,7 +27,7 @@ struct PadCondition {
 
 /// The admissible densities and temperatures depend on the card, too (violations()).
 inline constexpr std::array<Parameter<PadCondition>, 3> PadCondition::parameters{{
-    {"scale", "", "1", &PadCondition::scale, from_to(1e-3, 1e3), "scale of the foam's stress",
+    {"scale", "", "1", &PadCondition::scale, from_to(1e-3, 1e3), "factor applied to the foam's stress",
      LeftOut::as_default},
     {"density", "", "kg/m3", &PadCondition::density, positive, "density of the foam", LeftOut::as_default},
     {"temperature", "", "K", &PadCondition::temperature, above_to(0, 2000), "temperature of the foam",

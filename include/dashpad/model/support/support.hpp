@@ -4,8 +4,7 @@
 ///   F = Fs(Xs), piecewise linear through the origin and any number of points, increasing; beyond the last
 ///   point the last slope continues; below the origin the force is 0        (theory.md, Eq. 4; report, Eq. 6)
 ///
-/// F and Xs are positive in compression. A rigid support deflects by nothing under any force. Masses, losses,
-/// gap and preload are in Backing.
+/// F and Xs are positive in compression; Xs of a rigid support is 0. Masses, losses, gap, preload: Backing.
 
 #include <array>
 #include <vector>
@@ -84,9 +83,9 @@ inline constexpr std::array<Parameter<Backing>, 8> Backing::parameters{{
     {"unloading_stiffness", "k_u", "N/m", &Backing::unloading_stiffness, wide(1e-3, 1e15),
      "unloading stiffness of a support that crushes", LeftOut::zero},
     {"damping", "c", "N s/m", &Backing::damping, wide(1e-6, 1e12),
-     "coefficient of a damper parallel to the support", LeftOut::zero},
+     "coefficient of a damper in parallel with the support", LeftOut::zero},
     {"loss_factor", "\\eta", "1", &Backing::loss_factor, from_to(0, 2),
-     "loss factor of the support, represented by a damper", LeftOut::zero},
+     "loss factor of the support, modelled as a damper", LeftOut::zero},
     {"mass", "m", "kg", &Backing::mass, wide(1e-6, 1e6), "mass of the panel that carries the pad",
      LeftOut::none},
     {"body_mass", "M_b", "kg", &Backing::body_mass, wide(1e-6, 1e6), "mass of a free body behind the support",
@@ -95,7 +94,7 @@ inline constexpr std::array<Parameter<Backing>, 8> Backing::parameters{{
     {"preload", "F_p", "N", &Backing::preload, wide(1e-6, 1e12), "preload of the support against a stop",
      LeftOut::zero},
     {"earlier_force", "F_e", "N", &Backing::earlier_force, wide(1e-6, 1e12),
-     "largest earlier force on a support that crushes", LeftOut::zero},
+     "largest previous force on a support that crushes", LeftOut::zero},
 }};
 
 }  // namespace dashpad

@@ -16,7 +16,7 @@ std::string case_text(const ImpactCase& impact, const UnitSystem& units);
 struct CaseWords {
   std::string impactor;  ///< "a sphere of mass 4.5 kg and radius 82.5 mm"
   std::string speed;
-  std::string pad;      ///< "30 mm vn600 (foam law), bonded"
+  std::string pad;      ///< "vn600 (foam law), 30 mm thick, bonded"
   std::string support;  ///< "a rigid support"
   std::string blows;    ///< "3 times; between blows the pad recovers fully"; empty of one blow
 };

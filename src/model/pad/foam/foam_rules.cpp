@@ -40,9 +40,9 @@ bool check_points(const TableCurve& table, const std::string& key, Violations& b
   const std::string strains = key + ".strain";
   const std::string stresses = key + ".stress";
   if (table.strain.size() != table.stress.size())
-    broken.push_back(
-        {stresses, double(table.stress.size()),
-         fmt::format("has {} numbers where strain has {}", table.stress.size(), table.strain.size())});
+    broken.push_back({stresses, double(table.stress.size()),
+                      fmt::format("the number of entries, {}, must equal that of strain, {}",
+                                  table.stress.size(), table.strain.size())});
   else if (table.strain.size() < TableCurve::fewest_points || table.strain.size() > TableCurve::max_points)
     broken.push_back({strains, double(table.strain.size()),
                       fmt::format("must have between {} and {} points besides the origin, which is implied",
@@ -70,7 +70,7 @@ bool check_base(const TableCurve& table, Violations& broken) {
     if (table.stress[i] < table.stress[i - 1])
       broken.push_back(
           {entry("curve.stress", i), table.stress[i],
-           "must not be less than the previous stress: the curve of the slowest test cannot fall"});
+           "must not be less than the previous stress: the curve of the slowest test must not fall"});
   return broken.size() == before;
 }
 
@@ -82,7 +82,7 @@ bool check_base(const Form& form, Violations& broken) {
   if constexpr (std::is_same_v<Form, GibsonAshbyCurve>)
     if (form.highest_strain >= 1 - form.relative_density) {
       broken.push_back({"curve.highest_strain", form.highest_strain,
-                        "must be less than 1 - relative_density, where no gas is left"});
+                        "must be less than 1 - relative_density, at which no gas is left"});
       return false;
     }
   double stress = 0;
@@ -92,7 +92,7 @@ bool check_base(const Form& form, Violations& broken) {
     if (!(next > stress && std::isfinite(next))) {
       broken.push_back(
           {"curve.highest_strain", form.highest_strain,
-           fmt::format("the curve must rise up to here, but does not at a strain of {:.3g}", e)});
+           fmt::format("the curve must rise up to this strain, but does not at a strain of {:.3g}", e)});
       return false;
     }
     stress = next;
@@ -120,11 +120,10 @@ void check_crossing(const TableCurve& fast_table, const MonotoneCurve& fast, dou
     if (slow_table && on_straight_lines(fast_table.strain, fast_table.stress, e) >=
                           (1 - max_crossing) * on_straight_lines(slow_table->strain, slow_table->stress, e))
       continue;
-    broken.push_back(
-        {key, stress,
-         fmt::format("the curve at {:.4g} 1/s crosses that at {:.4g} 1/s: at a strain of {:.3g} its "
-                     "stress is {:.3g} times that of the slower one",
-                     fast_rate, slow_rate, e, stress / slow(e))});
+    broken.push_back({key, stress,
+                      fmt::format("the curve at {:.4g} 1/s crosses the one at {:.4g} 1/s: at a strain of "
+                                  "{:.3g}, its stress is {:.3g} times the stress at the lower rate",
+                                  fast_rate, slow_rate, e, stress / slow(e))});
     return;
   }
 }
@@ -141,7 +140,7 @@ void check_effect(const FactorRateEffect& effect, const FoamCurves& curves, cons
                   Violations& broken) {
   if (effect.rate.size() != effect.factor.size() || effect.rate.empty() || effect.rate.size() > max_rates)
     broken.push_back({"rate.factors", double(effect.factor.size()),
-                      fmt::format("there must be as many factors as rates, from 1 to {}", max_rates)});
+                      fmt::format("must have 1 to {} factors, one for each rate", max_rates)});
   double before = curves.slowest_rate;
   for (std::size_t i = 0; i < effect.rate.size(); ++i) {
     check_rate(effect.rate[i], before, entry("rate.rates", i), broken);
@@ -151,7 +150,8 @@ void check_effect(const FactorRateEffect& effect, const FoamCurves& curves, cons
   for (std::size_t i = 0; i < effect.factor.size(); ++i) {
     if (!(effect.factor[i] >= least && effect.factor[i] <= 1e6))
       broken.push_back({entry("rate.factors", i), effect.factor[i],
-                        fmt::format("must be at least {:.6g}, the factor before, and at most 1e6", least)});
+                        fmt::format("must be at least {:.6g}{} and at most 1e6", least,
+                                    i > 0 ? ", the previous factor," : "")});
     least = std::max(least, effect.factor[i]);
   }
 }
@@ -160,7 +160,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
                   Violations& broken) {
   if (effect.curves.empty() || effect.curves.size() > max_rates)
     broken.push_back({"rate.curves", double(effect.curves.size()),
-                      fmt::format("must hold between 1 and {} curves", max_rates)});
+                      fmt::format("must have between 1 and {} curves", max_rates)});
   double before = curves.slowest_rate;
   std::optional<MonotoneCurve> slower;
   const auto* slow_table = base ? std::get_if<TableCurve>(&curves.base) : nullptr;
@@ -175,7 +175,7 @@ void check_effect(const CurvesRateEffect& effect, const FoamCurves& curves, cons
     if (const double fall = softening_of(table.stress); fall > max_softening)
       broken.push_back(
           {key + ".stress", fall,
-           fmt::format("falls by {:.0f} % after a larger stress; at most 10 % is allowed", 100 * fall)});
+           fmt::format("falls by {:.0f} % from an earlier peak; at most 10 % is allowed", 100 * fall)});
     const MonotoneCurve curve(table);
     if (in_order && (slower || base)) {
       const auto slow = [&](double e) { return slower ? slower->stress(e) : base->at(strain_of(e)).stress; };
@@ -206,10 +206,10 @@ template <class Law>
 void check_continuation(const Law& law, Violations& broken) {
   if (law.gentlest_continuation > law.continuation_exponent)
     broken.push_back(
-        {"gentlest_continuation", law.gentlest_continuation, "must not be above continuation_exponent"});
+        {"gentlest_continuation", law.gentlest_continuation, "must be at most continuation_exponent"});
   if (law.steepest_continuation < law.continuation_exponent)
     broken.push_back(
-        {"steepest_continuation", law.steepest_continuation, "must not be below continuation_exponent"});
+        {"steepest_continuation", law.steepest_continuation, "must be at least continuation_exponent"});
 }
 
 }  // namespace
@@ -231,10 +231,10 @@ void check_rules(const Foam& law, Violations& broken) {
     if (back.strain[i] > base->last_strain() * (1 + 1e-9))
       broken.push_back(
           {entry("unloading.strain", i), back.strain[i],
-           fmt::format("must be at most the last strain of the curve, {:.6g}", base->last_strain())});
+           fmt::format("must be at most the last strain of the loading curve, {:.6g}", base->last_strain())});
     else if (back.stress[i] > loading * (1 + max_crossing))
       broken.push_back({entry("unloading.stress", i), back.stress[i],
-                        fmt::format("must not be above the loading curve, {:.6g} Pa there", loading)});
+                        fmt::format("must be at most the loading stress, {:.6g} Pa", loading)});
   }
 }
 

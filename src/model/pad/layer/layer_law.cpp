@@ -14,7 +14,7 @@
 namespace dashpad {
 namespace {
 
-const std::string must = "a layer needs a law whose stress rises with the strain: ";
+const std::string must = "a layer needs a law whose stress rises with strain: ";
 
 /// A largest strain from which the stress rises noticeably on the way back; nothing if there is none.
 std::optional<double> strain_of_falling_return(const Foam& law) {
@@ -56,7 +56,7 @@ std::optional<double> falling_rate(const FoamCurves& curves) {
 
 std::vector<Violation> of_curves(const FoamCurves& curves) {
   if (const auto rate = falling_rate(curves))
-    return {{"rate", *rate, must + fmt::format("its curve at {:.3g} per second falls", *rate)}};
+    return {{"rate", *rate, must + fmt::format("the curve at {:.3g} per second falls", *rate)}};
   return {};
 }
 
@@ -76,21 +76,21 @@ std::optional<LayerLaw> layer_law(const PadLaw& law) {
 std::vector<Violation> violations_as_layer(const PadLaw& law) {
   if (std::holds_alternative<RigidFoam>(law))
     return {{"law", no_value,
-             must + "rigid-foam is rigid in unloading, so that a stress does not determine its strain"}};
+             must + "the rigid-foam law is rigid on unloading, so its stress does not determine its strain"}};
   if (std::holds_alternative<NineParameter>(law) || std::holds_alternative<TwentyOneParameter>(law))
     return {{"law", no_value,
-             must + "that of " + name_of(law) + " jumps and falls where the rate changes its sign"}};
+             must + "the stress of the " + name_of(law) +
+                 " law jumps and falls where the strain rate changes sign"}};
   if (!layer_law(law))
-    return {
-        {"law", no_value,
-         name_of(law) +
-             " is not available in layers; these are elastic, linear-viscoelastic, foam and crushable-foam"}};
+    return {{"law", no_value,
+             name_of(law) +
+                 " is not available in layers; use elastic, linear-viscoelastic, foam or crushable-foam"}};
   if (const auto* crushable = std::get_if<CrushableFoam>(&law)) return of_curves(crushable->curves);
   if (const auto* foam = std::get_if<Foam>(&law)) {
     if (const auto largest = strain_of_falling_return(*foam))
-      return {
-          {"unloading", *largest,
-           must + fmt::format("in unloading from the strain {:.3g} it increases before it falls", *largest)}};
+      return {{"unloading", *largest,
+               must + fmt::format("on unloading from a strain of {:.3g}, the stress rises before it falls",
+                                  *largest)}};
     return of_curves(foam->curves);
   }
   return {};

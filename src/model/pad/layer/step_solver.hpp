@@ -1,6 +1,5 @@
 #pragma once
-/// The strains of all layers of a column at the end of one step, by the stress there (theory.md, Eq. 52).
-/// Each result is the guess for the next.
+/// Strains of all layers after a step, by the stress there (theory.md, Eq. 52). Each is the next guess.
 
 #include <algorithm>
 #include <array>

@@ -33,14 +33,14 @@ struct AvalleCurve {
 };
 
 inline constexpr std::array<Parameter<AvalleCurve>, 6> AvalleCurve::parameters{{
-    {"plateau_stress", "A", "Pa", &AvalleCurve::plateau_stress, positive, "stress of the plateau"},
+    {"plateau_stress", "A", "Pa", &AvalleCurve::plateau_stress, positive, "plateau stress"},
     {"modulus", "E", "Pa", &AvalleCurve::modulus, positive, "initial modulus"},
     {"plateau_exponent", "m", "1", &AvalleCurve::plateau_exponent, from_to(0, 20),
      "exponent of (1 - strain) in the plateau term"},
     {"densification_stress", "B", "Pa", &AvalleCurve::densification_stress, not_negative,
-     "densification stress at half compression"},
+     "densification stress at a strain of 0.5"},
     {"densification_exponent", "n", "1", &AvalleCurve::densification_exponent, from_to(0.5, 20),
-     "its exponent"},
+     "exponent of the densification term"},
     {"highest_strain", "e_h", "1", &AvalleCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
      "strain up to which the curve was fitted"},
 }};

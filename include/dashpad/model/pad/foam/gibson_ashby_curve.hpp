@@ -18,7 +18,7 @@ struct GibsonAshbyCurve {
   double modulus = 0;           ///< E, Pa, > 0
   double plateau_stress = 0;    ///< S, Pa, > 0
   double gas_pressure = 0;      ///< p0, Pa, >= 0: 0.1013 MPa for closed cells, 0 for open ones
-  double relative_density = 0;  ///< R, density of the foam divided by that of its solid, [0, 0.9]
+  double relative_density = 0;  ///< R, density of the foam divided by that of the solid, [0, 0.9]
   double highest_strain = 0;    ///< highest fitted strain, (0, 1 - R)
 
   static constexpr const char* name = "gibson-ashby";
@@ -32,12 +32,12 @@ struct GibsonAshbyCurve {
 };
 
 inline constexpr std::array<Parameter<GibsonAshbyCurve>, 5> GibsonAshbyCurve::parameters{{
-    {"modulus", "E", "Pa", &GibsonAshbyCurve::modulus, positive, "initial modulus of the cell walls"},
-    {"plateau_stress", "S", "Pa", &GibsonAshbyCurve::plateau_stress, positive, "stress of the plateau"},
+    {"modulus", "E", "Pa", &GibsonAshbyCurve::modulus, positive, "initial modulus due to the cell walls"},
+    {"plateau_stress", "S", "Pa", &GibsonAshbyCurve::plateau_stress, positive, "plateau stress"},
     {"gas_pressure", "p0", "Pa", &GibsonAshbyCurve::gas_pressure, not_negative,
-     "pressure of the gas in closed cells"},
+     "gas pressure in the closed cells"},
     {"relative_density", "R", "1", &GibsonAshbyCurve::relative_density, from_to(0, 0.9),
-     "density of the foam divided by that of its solid"},
+     "density of the foam divided by that of the solid"},
     {"highest_strain", "e_h", "1", &GibsonAshbyCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
      "strain up to which the curve was fitted"},
 }};

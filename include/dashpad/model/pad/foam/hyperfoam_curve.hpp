@@ -38,7 +38,7 @@ inline constexpr std::array<Parameter<HyperfoamCurve>, 5> HyperfoamCurve::parame
     {"first_modulus", "mu_1", "Pa", &HyperfoamCurve::first_modulus, positive, "modulus of the first term"},
     {"first_exponent", "a_1", "1", &HyperfoamCurve::first_exponent, hyperfoam_exponents, "its exponent"},
     {"second_modulus", "mu_2", "Pa", &HyperfoamCurve::second_modulus, not_negative,
-     "modulus of the second term; 0: there is none"},
+     "modulus of the second term; 0 for none"},
     {"second_exponent", "a_2", "1", &HyperfoamCurve::second_exponent, hyperfoam_exponents, "its exponent"},
     {"highest_strain", "e_h", "1", &HyperfoamCurve::highest_strain, Bounds{.lowest = 0, .highest = 1},
      "strain up to which the curve was fitted"},

@@ -60,10 +60,10 @@ using RateEffect = std::variant<NoRateEffect, PowerRateEffect, FactorRateEffect,
 inline constexpr std::size_t max_rates = 50;
 
 inline constexpr std::array<Parameter<PowerRateEffect>, 3> PowerRateEffect::parameters{{
-    {"exponent", "a", "1", &PowerRateEffect::exponent, from_to(0, 1), "exponent of the rate at strain zero"},
+    {"exponent", "a", "1", &PowerRateEffect::exponent, from_to(0, 1), "exponent of the rate at zero strain"},
     {"exponent_slope", "b", "1", &PowerRateEffect::exponent_slope, from_to(-5, 5),
-     "change of this exponent with the strain"},
-    {"highest_rate", "r_h", "1/s", &PowerRateEffect::highest_rate, positive, "highest tested rate"},
+     "change in the exponent per unit strain"},
+    {"highest_rate", "r_h", "1/s", &PowerRateEffect::highest_rate, positive, "highest tested strain rate"},
 }};
 
 }  // namespace dashpad

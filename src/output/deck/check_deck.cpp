@@ -1,0 +1,96 @@
+// One element of a material, compressed at a constant rate, with the answer beside it.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "output/deck/deck_text.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr double side = 0.01;            // m
+constexpr double share_of_curve = 0.9;   // of the last strain of the curve
+constexpr double rate_without_any = 10;  // 1/s, for a curve that holds at all rates
+
+/// The nominal stress of a curve as the solver reads it, in straight lines from the origin, Pa.
+double stress_on_lines(const TableCurve& curve, double strain) {
+  const auto after = std::ranges::lower_bound(curve.strain, strain) - curve.strain.begin();
+  const auto i = static_cast<std::size_t>(std::min(after, std::ssize(curve.strain) - 1));
+  const double e = i == 0 ? 0 : curve.strain[i - 1], s = i == 0 ? 0 : curve.stress[i - 1];
+  return s + (curve.stress[i] - s) * (strain - e) / (curve.strain[i] - e);
+}
+
+/// A cube with its corner at the origin, on nodes 1 to 8; the bottom is held, the top moves along z alone.
+std::string cube(double length) {
+  std::string nodes = "*NODE\n$    NID               X               Y               Z\n";
+  std::string held = "*BOUNDARY_SPC_NODE\n$      NID       CID      DOFX      DOFY      DOFZ\n";
+  constexpr int corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int i = 0; i < 8; ++i) {
+    const bool on_top = i >= 4;
+    nodes += fmt::format("{:>8}{:>16.9g}{:>16.9g}{:>16.9g}\n", i + 1, corners[i % 4][0] * length,
+                         corners[i % 4][1] * length, on_top ? length : 0.0);
+    held += fmt::format("{:>10}{:>10}{:>10}{:>10}{:>10}\n", i + 1, 0, 1, 1, on_top ? 0 : 1);
+  }
+  return nodes +
+         "*ELEMENT_SOLID\n$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8\n"
+         "       1       1       1       2       3       4       5       6       7       8\n" +
+         held;
+}
+
+std::string top_moves(int curve_id) {
+  std::string text = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n$      NID       DOF       VAD      LCID        SF\n";
+  for (int node = 5; node <= 8; ++node)
+    text += fmt::format("{:>10}{:>10}{:>10}{:>10}{:>10}\n", node, 3, 2, curve_id, "-1.0");
+  return text;
+}
+
+}  // namespace
+
+std::string material_check_deck(const Material& material, const MaterialDeckOptions& options,
+                                const std::string& included) {
+  const MaterialPoints points = deck_points(material, options);
+  const PointsAtRate& tested = points.loading.back();
+  const bool has_rates = points.loading.size() > 1;
+  const double rate = has_rates ? tested.rate : rate_without_any;
+  const double last = share_of_curve * tested.curve.strain.back();
+  const UnitSystem& units = options.units;
+  const auto in = [&](double value, const char* si_unit) { return value_in(units, value, si_unit); };
+  const double length = in(side, "m"), end = in(last / rate, "s");
+  const int motion = options.first_id + static_cast<int>(points.loading.size()) + 1;
+  std::string text = "*KEYWORD\n";
+  const auto note = [&](const std::string& line) { text += comment("$", line); };
+  note(fmt::format("One element of {}, compressed at {:g} 1/s to a nominal strain of {:.4g}.", material.name,
+                   rate, last));
+  note(
+      "NOT RUN IN THIS SOLVER: written to the rules of the solver's manual and read back by Dashpad only. "
+      "Run it and compare the total force on the four upper nodes (bndout) with this table. Its forces are "
+      "the deck's curve, linear between points, times the area of the face. Poisson's ratio is 0, so the "
+      "sides may be held.");
+  text += fmt::format("$ {:>14}{:>16}{:>16}\n", fmt::format("time ({})", units.time), "nominal strain",
+                      fmt::format("force ({})", units.force));
+  constexpr int lines = 9;
+  for (int i = 1; i <= lines; ++i) {
+    const double strain = last * i / lines;
+    text += fmt::format("$ {:>14.6g}{:>16.6g}{:>16.6g}\n", in(strain / rate, "s"), strain,
+                        in(side * side * stress_on_lines(tested.curve, strain), "N"));
+  }
+  text += fmt::format(
+      "*TITLE\nOne element of {}\n*INCLUDE\n{}\n"
+      "*CONTROL_TERMINATION\n{:>10.4g}\n*DATABASE_BNDOUT\n{:>10.4g}\n*DATABASE_ELOUT\n{:>10.4g}\n"
+      "*DATABASE_HISTORY_SOLID\n{:>10}\n"
+      "*PART\nFoam\n$      PID     SECID       MID\n{:>10}{:>10}{:>10}\n"
+      "*SECTION_SOLID\n$    SECID    ELFORM\n{:>10}{:>10}\n",
+      plain_ascii(material.name), included, end, end / 100, end / 100, 1, 1, 1, options.first_id, 1, 1);
+  text += cube(length) + top_moves(motion);
+  text +=
+      define_curve("Displacement of the top against time", motion, "$               TIME       DISPLACEMENT",
+                   number_field(0) + number_field(0) + "\n" + number_field(2 * end) +
+                       number_field(2 * last * length) + "\n");
+  return text + "*END\n";
+}
+
+}  // namespace dashpad::output
