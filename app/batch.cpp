@@ -1,14 +1,17 @@
 // dashpad batch: cases from a stream of JSON, answers as they are solved.
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
-#include <fmt/format.h>
+#include <unistd.h>
 
 #include "command.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -70,8 +73,9 @@ ExitCode solve_line(const input::CaseFile& input, const BatchRequest& request, J
   return exit_code(solution.summary);
 }
 
-ExitCode answer_line(const std::string& text, int line, const BatchRequest& request,
-                     std::optional<double> tolerance) {
+/// Answers a line; absent if nobody reads the answers any more.
+std::optional<ExitCode> answer_line(const std::string& text, int line, const BatchRequest& request,
+                                    std::optional<double> tolerance) {
   const bool is_stream = request.file == "-";
   input::JsonCase given{"", input::fault_of_file(request.file, "a line must not be longer than 1 MiB", line)};
   if (text.size() <= longest_line)
@@ -87,7 +91,12 @@ ExitCode answer_line(const std::string& text, int line, const BatchRequest& requ
   } else {
     answer["faults"] = array_of(given.read.faults(), fault_json);
   }
-  write_result(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  const int problem =
+      write_all(STDOUT_FILENO, answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (problem == EPIPE) return std::nullopt;
+  if (problem != 0)
+    throw std::runtime_error("could not write to standard output: " +
+                             std::generic_category().message(problem));
   return code;
 }
 
@@ -107,8 +116,9 @@ int batch(const BatchRequest& request) {
   for (std::string text; next_line(lines, text);) {
     ++number;
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const ExitCode code = answer_line(text, number, request, tolerance);
-    if (code == exit_refused || worst == exit_done) worst = code;
+    const std::optional<ExitCode> code = answer_line(text, number, request, tolerance);
+    if (!code) break;
+    if (*code == exit_refused || worst == exit_done) worst = *code;
   }
   return worst;
 }

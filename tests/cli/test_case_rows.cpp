@@ -256,6 +256,14 @@ TEST_F(CaseRows, OfABatchComeFromStandardInputAndAreAnsweredBeforeItEnds) {
   EXPECT_THAT(outcome.out, StartsWith("{\"id\":null,\"line\":1,"));
 }
 
+TEST_F(CaseRows, OfABatchEndWhereNobodyReadsTheAnswers) {
+  const Outcome outcome =
+      shell("{ yes '{\"case\": \"" + file("case.toml") +
+            "\"}' | timeout 60 $DASHPAD batch - --no-intervals; echo $? >&2; } | head -n 1 | wc -l");
+  EXPECT_EQ(outcome.out, "1\n");
+  EXPECT_EQ(outcome.err, "0\n") << "124: it goes on for ever";
+}
+
 TEST_F(CaseRows, AreCheckedAsJson) {
   const Outcome good = dashpad({"check", file("case.toml"), "--json"});
   EXPECT_EQ(good.exit_code, 0);
