@@ -21,7 +21,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 
 constexpr double g = 9.80665;
-constexpr double duration = 10e-3, step = 0.1e-3;  // s
+constexpr double duration = 10e-3, sample_interval = 0.1e-3;  // s
 
 double half_sine(double time) {
   return time > 0 && time < duration ? std::sin(std::numbers::pi * time / duration) : 0;
@@ -33,8 +33,8 @@ MeasuredPulse pulse_of(const std::function<double(double)>& shape, double begin,
   std::mt19937 random(1984);
   const auto one = [&] { return static_cast<double>(random()) / 4294967296.0; };
   MeasuredPulse measured;
-  for (int i = 0; i <= std::lround((15e-3 - begin) / step); ++i) {
-    const double time = begin + i * step;
+  for (int i = 0; i <= std::lround((15e-3 - begin) / sample_interval); ++i) {
+    const double time = begin + i * sample_interval;
     double sum = -6;
     for (int k = 0; k < 12; ++k) sum += one();
     measured.pulse.time.push_back(time);
@@ -53,7 +53,8 @@ TEST(sensor_offset, is_the_mean_of_the_quiet_part) {
     EXPECT_EQ(found->begin, -5e-3);
     EXPECT_LT(found->end, 0);
     EXPECT_GT(found->end, -2e-3);
-    EXPECT_EQ(static_cast<double>(found->samples), std::round((found->end - found->begin) / step) + 1);
+    EXPECT_EQ(static_cast<double>(found->samples),
+              std::round((found->end - found->begin) / sample_interval) + 1);
   }
 }
 
@@ -66,7 +67,7 @@ TEST(sensor_offset, is_that_of_the_fall_and_not_of_the_rest_before) {
     const auto found = offset_before_impact(measured);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->mean.at(0), 0.2 * g, 4 * noise * g / std::sqrt(2900) + 1e-9);
-    EXPECT_NEAR(found->begin, -300e-3, noise > 0 ? 20 * step : 1e-9);
+    EXPECT_NEAR(found->begin, -300e-3, noise > 0 ? 20 * sample_interval : 1e-9);
     ASSERT_TRUE(found->rest);
     EXPECT_NEAR(found->rest->mean.at(0), 1.2 * g, 4 * noise * g / std::sqrt(2400) + 1e-9);
     const std::size_t before = measured.pulse.time.size();
