@@ -49,9 +49,11 @@ bool add_misspelt_figures(const input::CaseRows& rows, const std::string& file, 
 }  // namespace
 
 std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input::Folders& folders,
-                                          const ImpactMeasurement& stem) {
+                                          const ImpactMeasurement& stem,
+                                          std::vector<input::InputFile>& files) {
   std::vector<ImpactMeasurement> drops;
   const auto file = table.file("rows", folders.of_file);
+  if (file) files.push_back({"the table of drops", *file});
   const double deviation = table.quantity("deviation", "1");
   if (stem.pulse || !stem.figures.empty())
     table.fault("rows", "contains the measurements; the entry itself must have none");

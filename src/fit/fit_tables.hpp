@@ -20,7 +20,8 @@ void read_impacts(input::TableReader& table, const input::Folders& folders,
 
 /// The impacts of such a table, made from `stem`, which has the case. Empty after a fault.
 std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input::Folders& folders,
-                                          const ImpactMeasurement& stem);
+                                          const ImpactMeasurement& stem,
+                                          std::vector<input::InputFile>& files);
 
 // Values. SI; NaN after a fault.
 

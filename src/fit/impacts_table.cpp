@@ -325,8 +325,10 @@ void read_impacts(TableReader& table, const input::Folders& folders, std::vector
                   std::vector<ImpactMeasurement>& into) {
   ImpactMeasurement impact;
   impact.file = table.text("case");
+  bool has_case = false;
   if (!impact.file.empty()) {
     if (auto read = read_case_of(table, impact.file, folders)) {
+      has_case = true;
       impact.impact = std::move(read->impact);
       impact.options = read->options;
       impact.states_neighbours = read->states_neighbours;
@@ -339,11 +341,10 @@ void read_impacts(TableReader& table, const input::Folders& folders, std::vector
   if (auto pulse = table.table("pulse", Presence::optional))
     impact.pulse = read_pulse(*pulse, folders, files);
   impact.is_held_out = table.flag("hold_out");
-  const bool has_case = impact.impact.impactor.mass > 0;  // else there was a fault
   if (!table.has("rows"))
     into.push_back(std::move(impact));
   else if (has_case)
-    std::ranges::move(read_drops(table, folders, impact), std::back_inserter(into));
+    std::ranges::move(read_drops(table, folders, impact, files), std::back_inserter(into));
   else
     (void)table.has("deviation");
   table.refuse_others();

@@ -112,14 +112,11 @@ bool has_column(const StoreHeading& heading, const std::string& name) {
 
 /// A field of CSV, in quotes where it needs them.
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  return text.find_first_of(",\"\n\r") == std::string::npos ? text : sql_name(text);  // the same quotes
 }
 
 void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns,
-            const Study& study) {
+            const std::vector<RowLabel>& labels, std::uint64_t rows_of_label) {
   const Outcome& outcome = row.outcome;
   fmt::format_to(std::back_inserter(text), "{},{},{:d},{:d},{:d},{:d},", row.row, to_string(outcome.status),
                  outcome.extrapolated != 0, (outcome.extrapolated & extrapolated_strain) != 0,
@@ -132,11 +129,8 @@ void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<Ex
       if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", column->scale * value);
       ++column;
     }
-  if (!study.labels.empty()) {
-    const std::size_t in_table = table_row_of(study, row.row);
-    for (const RowLabel& label : study.labels)
-      fmt::format_to(std::back_inserter(text), ",{}", csv_field(label.texts[in_table]));
-  }
+  for (const RowLabel& label : labels)
+    fmt::format_to(std::back_inserter(text), ",{}", csv_field(label.texts[row.row / rows_of_label]));
   text.push_back('\n');
 }
 
@@ -248,12 +242,13 @@ void export_csv(const Store& store, const std::function<void(std::string_view)>&
       columns.push_back(exported(column));
       names += "," + columns.back().name;
     }
-  const Study study = stored_study(store);
-  for (const RowLabel& label : study.labels) names += "," + csv_field(label.name);
+  const std::vector<RowLabel> labels = row_labels(store);
+  const std::uint64_t rows_of_label = labels.empty() ? 1 : store.rows() / labels.front().texts.size();
+  for (const RowLabel& label : labels) names += "," + csv_field(label.name);
   write(names + "\n");
   fmt::memory_buffer text;
   store.visit_rows([&](const StoredRow& row) {
-    append(text, row, columns, study);
+    append(text, row, columns, labels, rows_of_label);
     if (text.size() < piece) return;
     write({text.data(), text.size()});
     text.clear();

@@ -140,6 +140,14 @@ ImpactCase case_of(const Json& json) {
           .blows = blows_of(json)};
 }
 
+std::vector<RowLabel> labels_of(const Json& json) {
+  std::vector<RowLabel> labels;
+  if (json.contains("labels"))
+    for (const Json& label : json["labels"])
+      labels.push_back({label.at(0), label.at(1).get<std::vector<std::string>>()});
+  return labels;
+}
+
 Study study_of(const Json& json) {
   Study study;
   study.title = json.at("title");
@@ -149,9 +157,7 @@ Study study_of(const Json& json) {
       .tolerance = options.at(0), .time_limit = options.at(1), .max_steps = count_of(options.at(2))};
   for (const Json& factor : json.at("factors")) study.factors.push_back(factor_of(factor));
   for (const Json& material : json.at("materials")) study.materials.push_back(material_of(material));
-  if (json.contains("labels"))
-    for (const Json& label : json["labels"])
-      study.labels.push_back({label.at(0), label.at(1).get<std::vector<std::string>>()});
+  study.labels = labels_of(json);
   const Json& sampling = json.at("sampling");
   for (const Json& pair : sampling.at("correlations"))
     study.correlations.push_back({count_of(pair.at(0)), count_of(pair.at(1)), pair.at(2)});
@@ -292,6 +298,20 @@ Study stored_study(const Store& store) {
     throw DamagedStore(damaged);
   }
   throw DamagedStore(damaged);
+}
+
+std::vector<RowLabel> row_labels(const Store& store) {
+  const DamagedStore damaged(store.file() + ": the labels of its rows are damaged");
+  try {
+    std::vector<RowLabel> labels = labels_of(Json::parse(store.resolved_text()));
+    for (const RowLabel& label : labels)
+      if (label.texts.empty() || label.texts.size() != labels.front().texts.size() ||
+          store.rows() % label.texts.size() != 0)
+        throw damaged;
+    return labels;
+  } catch (const Json::exception&) {
+    throw damaged;
+  }
 }
 
 std::string resolved_text(const Study& study) {

@@ -20,4 +20,8 @@ std::string resolved_text(const Study& study);
 /// The study of a store, exact to the last bit. Throws DamagedStore if the store does not hold it.
 Study stored_study(const Store& store);
 
+/// The labels of its table of rows alone, also of a store whose study another version cannot read. Throws
+/// DamagedStore if they do not go with its rows.
+std::vector<RowLabel> row_labels(const Store& store);
+
 }  // namespace dashpad::study

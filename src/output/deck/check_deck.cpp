@@ -1,10 +1,8 @@
 // One element of a material, compressed at a constant rate, with the answer beside it.
 
-#include <algorithm>
-#include <stdexcept>
-
 #include <fmt/format.h>
 
+#include "model/pad/foam/foam_rules.hpp"
 #include "output/deck/deck_text.hpp"
 #include "quantities/text.hpp"
 
@@ -15,14 +13,6 @@ namespace {
 constexpr double side = 0.01;            // m
 constexpr double share_of_curve = 0.9;   // of the last strain of the curve
 constexpr double rate_without_any = 10;  // 1/s, for a curve that holds at all rates
-
-/// The nominal stress of a curve as the solver reads it, in straight lines from the origin, Pa.
-double stress_on_lines(const TableCurve& curve, double strain) {
-  const auto after = std::ranges::lower_bound(curve.strain, strain) - curve.strain.begin();
-  const auto i = static_cast<std::size_t>(std::min(after, std::ssize(curve.strain) - 1));
-  const double e = i == 0 ? 0 : curve.strain[i - 1], s = i == 0 ? 0 : curve.stress[i - 1];
-  return s + (curve.stress[i] - s) * (strain - e) / (curve.strain[i] - e);
-}
 
 /// A cube with its corner at the origin, on nodes 1 to 8; the bottom is held, the top moves along z alone.
 std::string cube(double length) {
@@ -75,8 +65,9 @@ std::string material_check_deck(const Material& material, const MaterialDeckOpti
   constexpr int lines = 9;
   for (int i = 1; i <= lines; ++i) {
     const double strain = last * i / lines;
-    text += fmt::format("$ {:>14.6g}{:>16.6g}{:>16.6g}\n", in(strain / rate, "s"), strain,
-                        in(side * side * stress_on_lines(tested.curve, strain), "N"));
+    text += fmt::format(
+        "$ {:>14.6g}{:>16.6g}{:>16.6g}\n", in(strain / rate, "s"), strain,
+        in(side * side * on_straight_lines(tested.curve.strain, tested.curve.stress, strain), "N"));
   }
   text += fmt::format(
       "*TITLE\nOne element of {}\n*INCLUDE\n{}\n"
