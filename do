@@ -426,7 +426,7 @@ task_nightly() {
   )
   for compiler in clang-14 clang-19; do step "$root/do" compile "$compiler"; done
   step "$root/do" wasm
-  step "$root/do" test asan-ubsan
+  step "$root/do" test asan-ubsan -LE 'page|documents|consumer|wasm'  # a browser, and other compilers' programs
   step "$root/do" lint
   step "$root/do" fuzz 60
   step "$tests/mats_of_known_truth" --least 54

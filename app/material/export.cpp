@@ -78,8 +78,8 @@ int export_material(const ExportMaterialRequest& request) {
   std::vector<Target> targets{{"-o", request.out}};
   if (!request.check_deck.empty()) {
     targets.push_back({"--check-deck", request.check_deck});
-    if (!request.format.starts_with("ls-dyna"))
-      errors.emplace_back("--check-deck: applies only to LS-DYNA formats");
+    if (request.format.starts_with("radioss"))
+      errors.emplace_back("--check-deck: applies only to LS-DYNA and Abaqus formats");
     if (request.out == "-" || request.check_deck == "-")
       errors.emplace_back("--check-deck: must be a file, and needs -o FILE, the deck that it includes");
   }
@@ -94,7 +94,8 @@ int export_material(const ExportMaterialRequest& request) {
   for (const std::string& remark : output::not_in_material_deck(*material, options))
     account += wrapped("  differs: " + remark, 4) + "\n";
   if (request.out != "-") account += "written: " + request.out + "\n";
-  if (!request.check_deck.empty()) account += "written: " + request.check_deck + " (not run in LS-DYNA)\n";
+  if (!request.check_deck.empty())
+    account += "written: " + request.check_deck + " (not run in that solver)\n";
   publish(
       targets, request.force,
       [&](const Target& target) {
@@ -134,7 +135,7 @@ void add_material_export(CLI::App& material, Action& action) {
              "Strain rate, such as \"100 1/s\", for formats with a single curve (default: the lowest)");
   add_option(sub, "--points N", request.points, "Number of evenly spaced points per curve, 4 to 100");
   add_option(sub, "--check-deck FILE", request.check_deck,
-             "LS-DYNA: also write a deck that compresses one element, and the force to expect");
+             "LS-DYNA, Abaqus: also write a deck that compresses one element, and the force to expect");
   add_force(sub, request.force);
   add_material_folder(sub, request.folder);
 }

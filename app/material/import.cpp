@@ -11,6 +11,7 @@
 #include "dashpad/output/card_toml.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::app {
 
@@ -32,6 +33,7 @@ constexpr const char* import_footer = R"(Examples:
   dashpad material import car.k --units t-mm-s --material 12      one foam of several, by number or name
   dashpad material import tests.csv --rate "0.01 1/s" -o my-foam.toml
   dashpad material import slow.csv fast.csv --rate "0.01 1/s" --rate "40 1/s" -o my-foam.toml
+  dashpad material import warm.csv cold.csv --rate "0.01 1/s" --rate "0.01 1/s" --temperature "23 degC" --temperature "-20 degC"
   dashpad material import machine.txt --thickness "25 mm" --area "25 cm2" --rate "0.02 1/s"
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
@@ -57,7 +59,7 @@ Exit codes: 0 success, 1 the card could not be written, 2 invalid input (nothing
 struct ImportRequest {
   std::vector<std::string> files;
   std::string units;
-  std::vector<std::string> rates;
+  std::vector<std::string> rates, temperatures;
   std::optional<std::string> thickness, area, material;
   input::StressStrainColumns columns;  ///< as given
   std::string out = "-";
@@ -70,17 +72,23 @@ using Found = std::vector<input::DeckMaterial>;
 
 /// The values of the options for tables.
 struct TableSettings {
-  std::vector<double> rates;
+  input::TestConditions conditions;
   input::StressStrainColumns columns;
 };
 
 TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
-  TableSettings settings{.rates = {}, .columns = request.columns};
+  TableSettings settings{.conditions = {}, .columns = request.columns};
+  auto& [rates, temperatures] = settings.conditions;
   for (const std::string& text : request.rates)
-    settings.rates.push_back(positive_quantity_of("--rate", text, "1/s", errors).value_or(1));
-  if (settings.rates.size() > request.files.size())
+    rates.push_back(positive_quantity_of("--rate", text, "1/s", errors).value_or(1));
+  if (rates.size() > request.files.size())
     errors.push_back(
-        fmt::format("--rate: more rates ({}) than files ({})", settings.rates.size(), request.files.size()));
+        fmt::format("--rate: more rates ({}) than files ({})", rates.size(), request.files.size()));
+  for (const std::string& text : request.temperatures)
+    temperatures.push_back(positive_quantity_of("--temperature", text, "K", errors).value_or(1));
+  if (!temperatures.empty() && temperatures.size() != request.files.size())
+    errors.push_back(fmt::format("--temperature: give one for each file; there are {} for {}",
+                                 temperatures.size(), plural(request.files.size(), "file")));
   settings.columns.thickness = positive_quantity_of("--thickness", request.thickness, "m", errors);
   settings.columns.area = positive_quantity_of("--area", request.area, "m2", errors);
   return settings;
@@ -98,6 +106,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_ta
   const bool has_columns =
       !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit).empty();
   if (!request.rates.empty()) errors.emplace_back("--rate: applies only to tables; a deck states its rates");
+  if (!request.temperatures.empty()) errors.emplace_back("--temperature: applies only to tables");
   if (has_columns || request.thickness || request.area)
     errors.emplace_back(
         "--strain, --stress, --strain-unit, --stress-unit, --thickness, --area: apply only to tables");
@@ -189,7 +198,7 @@ int import_material(const ImportRequest& request) {
   Found found;
   if (are_tables) {
     const std::vector<fs::path> files(request.files.begin(), request.files.end());
-    if (auto table = taken(input::read_stress_tables(files, settings.rates, settings.columns), errors))
+    if (auto table = taken(input::read_stress_tables(files, settings.conditions, settings.columns), errors))
       found.push_back(*std::move(table));
   } else if (units) {
     const auto includes = request.allows_includes ? input::Includes::allowed : input::Includes::ignored;
@@ -250,6 +259,9 @@ void add_material_import(CLI::App& material, Action& action) {
   add_deck_units(sub, request.units);
   add_option(sub, "--rate RATE", request.rates,
              "Strain rate, such as \"0.01 1/s\", of a table with one test; one for each of several tables");
+  add_option(sub, "--temperature TEMPERATURE", request.temperatures,
+             "Temperature of a table's specimen, such as \"-20 degC\", one for each table; that of the first "
+             "is the temperature of the card, the others give factors on its stresses");
   add_option(sub, "--strain COLUMN", request.columns.strain, "Strain or displacement column of a table");
   add_option(sub, "--stress COLUMN", request.columns.stress, "Stress or force column of a table");
   add_option(sub, "--strain-unit UNIT", request.columns.strain_unit,

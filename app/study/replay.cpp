@@ -68,13 +68,12 @@ Replay replay(const study::Store& store, const StudyReplayRequest& request) {
   study::Worker worker{study, design};
   try {
     result.impact = worker.case_of(result.stored.row);
-    result.solution = worker.replay(result.stored.row);
+    result.solution = worker.replay(result.stored.row, result.again);
   } catch (const std::invalid_argument& error) {
     throw Refused({fmt::format("ROW {}: its factors give an invalid case: {}", request.row, error.what())});
   }
   result.options = study.options;
   if (result.impact.blows) result.blows = solve_blows(result.impact, result.options);
-  study::ResponseReader{study.responses}(result.solution, result.again);
   return result;
 }
 

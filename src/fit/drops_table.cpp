@@ -46,10 +46,27 @@ bool add_misspelt_figures(const input::CaseRows& rows, const std::string& file, 
   return faults.size() > before;
 }
 
+/// A column whose numbers would not be used: `set` gives them for all drops, or the fit seeks them.
+void refuse_overruled(input::TableReader& table, const input::CaseRows& rows, const std::string& file,
+                      const Fit& fit) {
+  std::vector<std::string> settings;
+  if (const input::TomlNode* const set = table.node().child("set")) settings = settings_in(*set);
+  for (const input::RowColumn& column : rows.columns) {
+    const auto refuse = [&](const char* rule) {
+      table.faults().add({input::Fault{file, rows.header_line, column.key, "", rule}});
+    };
+    const auto is_own = [&](const std::string& setting) { return setting.starts_with(column.key + "="); };
+    if (std::ranges::any_of(settings, is_own))
+      refuse("is also given by set, for all drops: leave one of them out");
+    if (std::ranges::count(fit.unknowns, column.key, &Unknown::key))
+      refuse("is an unknown of the fit: leave one of them out");
+  }
+}
+
 }  // namespace
 
 std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input::Folders& folders,
-                                          const ImpactMeasurement& stem,
+                                          const ImpactMeasurement& stem, const Fit& fit,
                                           std::vector<input::InputFile>& files) {
   std::vector<ImpactMeasurement> drops;
   const auto file = table.file("rows", folders.of_file);
@@ -58,10 +75,13 @@ std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input
   if (stem.pulse || !stem.figures.empty())
     table.fault("rows", "contains the measurements; the entry itself must have none");
   const std::vector<input::RowKey> keys = keys_of_drops(stem.impact);
-  const auto unknown = [&](const std::string& key) { return study::rule_for_unknown(key, stem.impact); };
+  const auto unknown = [&](const std::string& key) {
+    return study::rule_for_unknown(key, stem.impact, study::factor_keys(stem.impact));
+  };
   const auto rows = file ? table.faults().take(input::read_case_rows(*file, keys, unknown)) : std::nullopt;
   if (!rows) return drops;
   if (add_misspelt_figures(*rows, file->string(), table.faults())) return drops;
+  refuse_overruled(table, *rows, file->string(), fit);
   const CaseQuantities quantities = quantities_of(stem.impact);
   for (std::size_t i = 0; i < rows->lines.size(); ++i) {
     ImpactMeasurement drop = stem;

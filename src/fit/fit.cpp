@@ -29,7 +29,7 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
     broken.push_back({key, no_value,
                       unknown.key == "pad.material"
                           ? "is not a number; fit one of its entries, such as pad.curve.modulus"
-                          : study::rule_for_unknown(unknown.key, fit.base)});
+                          : study::rule_for_unknown(unknown.key, fit.base, study::factor_keys(fit.base))});
     return;
   }
   if (&*std::ranges::find(fit.unknowns, unknown.key, &Unknown::key) != &unknown)
@@ -42,8 +42,9 @@ void check_key_of(const Fit& fit, const Unknown& unknown, Broken& broken) {
     ImpactCase impact_case = impact.impact;
     impact_case.pad.material = fit.base.pad.material;
     if (!has(impact_case))
-      broken.push_back(
-          {key, no_value, study::rule_for_unknown(unknown.key, impact_case) + " (in " + impact.file + ")"});
+      broken.push_back({key, no_value,
+                        study::rule_for_unknown(unknown.key, impact_case, study::factor_keys(impact_case)) +
+                            " (in " + impact.file + ")"});
   }
 }
 

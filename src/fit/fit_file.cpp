@@ -183,7 +183,8 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
     const CaseQuantity* const found = quantities.find(key);
     if (found == nullptr) {
       const bool on_trust = !has_base && (study::is_of_law(key) || key.starts_with("support."));
-      if (!on_trust) top.faults().add(*node, path, study::rule_for_unknown(key, fit.base));
+      if (!on_trust)
+        top.faults().add(*node, path, study::rule_for_unknown(key, fit.base, study::factor_keys(fit.base)));
     } else if (node->kind != TomlNode::Kind::table) {
       top.faults().add(*node, path, "must be a table, such as {bounds = [..., ...]}");
     } else {
@@ -210,10 +211,15 @@ input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::f
   const bool has_base = read_base(top, folders, result);
   const std::vector<input::InputFile> of_base(result.files.begin() + 1, result.files.end());
   read_unknowns(top, has_base, fit, lines);
-  read_each(top, "tests", lines,
-            [&](TableReader& table) { fit.tests.push_back(read_test(table, folders, result.files)); });
+  read_each(top, "tests", lines, [&](TableReader& table) {
+    fit.tests.push_back(read_test(table, folders, result.files));
+    if (!has_base || !fit.tests.back().temperature) return;
+    for (const Violation& broken : violations(
+             {.scale = 1, .density = {}, .temperature = fit.tests.back().temperature}, fit.base.pad.material))
+      table.fault(broken.key, broken.rule);
+  });
   read_each(top, "impacts", lines,
-            [&](TableReader& table) { read_impacts(table, folders, result.files, fit.impacts); });
+            [&](TableReader& table) { read_impacts(table, folders, result.files, fit); });
   read_search(top, fit);
   leave_neighbours_to_law(fit);
   top.refuse_others();

@@ -15,13 +15,17 @@ MaterialMeasurement read_test(input::TableReader& table, const input::Folders& f
                               std::vector<input::InputFile>& files);
 /// An entry of [[impacts]] is one impact, or with rows = "drops.csv" one for each row of that table: the case
 /// with the numbers of the row, and the measured figures of the row with the deviation of the entry.
+/// A number of the case that an unknown of the fit would overrule is a fault.
 void read_impacts(input::TableReader& table, const input::Folders& folders,
-                  std::vector<input::InputFile>& files, std::vector<ImpactMeasurement>& into);
+                  std::vector<input::InputFile>& files, Fit& fit);
 
 /// The impacts of such a table, made from `stem`, which has the case. Empty after a fault.
 std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input::Folders& folders,
-                                          const ImpactMeasurement& stem,
+                                          const ImpactMeasurement& stem, const Fit& fit,
                                           std::vector<input::InputFile>& files);
+
+/// The entries of `set` as settings, "impactor.mass=6 kg"; tables are opened.
+std::vector<std::string> settings_in(const input::TomlNode& set, const std::string& prefix = "");
 
 // Values. SI; NaN after a fault.
 

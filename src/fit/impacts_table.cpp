@@ -292,23 +292,29 @@ MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
   return result;
 }
 
-namespace {
-
-/// The entries of `set` as settings, "impactor.mass=6 kg"; tables are opened.
-void add_settings(const TomlNode& table, const std::string& prefix, std::vector<std::string>& into) {
-  for (const TomlNode& child : table.children)
+std::vector<std::string> settings_in(const TomlNode& set, const std::string& prefix) {
+  std::vector<std::string> settings;
+  for (const TomlNode& child : set.children)
     if (child.kind == TomlNode::Kind::table)
-      add_settings(child, prefix + child.key + ".", into);
+      std::ranges::move(settings_in(child, prefix + child.key + "."), std::back_inserter(settings));
     else
-      into.push_back(prefix + child.key + "=" + child.text);
+      settings.push_back(prefix + child.key + "=" + child.text);
+  return settings;
 }
+
+namespace {
 
 /// The case of an impact with the numbers of `set`; their faults are those of the entry.
 std::optional<input::CaseFile> read_case_of(TableReader& table, const std::string& name,
-                                            const input::Folders& folders) {
+                                            const input::Folders& folders, const Fit& fit) {
   std::vector<std::string> settings;
   const auto set = table.table("set", Presence::optional);
-  if (set) add_settings(set->node(), "", settings);
+  if (set) settings = settings_in(set->node());
+  for (const std::string& setting : settings)
+    if (const std::string key = setting.substr(0, setting.find('='));
+        std::ranges::count(fit.unknowns, key, &Unknown::key))
+      table.faults().add(set->node().line, table.full_key("set") + "." + key, "",
+                         "is an unknown of the fit: leave one of them out");
   auto read = input::read_case(folders.of_file / name, folders.materials, settings);
   if (read) return *std::move(read);
   for (input::Fault fault : read.faults())
@@ -322,12 +328,12 @@ std::optional<input::CaseFile> read_case_of(TableReader& table, const std::strin
 }  // namespace
 
 void read_impacts(TableReader& table, const input::Folders& folders, std::vector<input::InputFile>& files,
-                  std::vector<ImpactMeasurement>& into) {
+                  Fit& fit) {
   ImpactMeasurement impact;
   impact.file = table.text("case");
   bool has_case = false;
   if (!impact.file.empty()) {
-    if (auto read = read_case_of(table, impact.file, folders)) {
+    if (auto read = read_case_of(table, impact.file, folders, fit)) {
       has_case = true;
       impact.impact = std::move(read->impact);
       impact.options = read->options;
@@ -342,9 +348,9 @@ void read_impacts(TableReader& table, const input::Folders& folders, std::vector
     impact.pulse = read_pulse(*pulse, folders, files);
   impact.is_held_out = table.flag("hold_out");
   if (!table.has("rows"))
-    into.push_back(std::move(impact));
+    fit.impacts.push_back(std::move(impact));
   else if (has_case)
-    std::ranges::move(read_drops(table, folders, impact, files), std::back_inserter(into));
+    std::ranges::move(read_drops(table, folders, impact, fit, files), std::back_inserter(fit.impacts));
   else
     (void)table.has("deviation");
   table.refuse_others();
@@ -366,6 +372,7 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
                 "is missing; give the strain rate of the test, such as \"0.01 1/s\", or name a time column: "
                 "columns = {time = \"time\"}");
   read_range(table, test);
+  if (table.has("temperature")) test.temperature = table.quantity("temperature", "K");
   test.has_offset = table.flag("offset");
   test.is_held_out = table.flag("hold_out");
   if (test.has_offset && test.is_held_out)

@@ -277,14 +277,16 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test) {
     if (counts(test, i)) pieces.push_back(path.pieces_to[i]);
   using Memos = tbb::enumerable_thread_specific<FoamMemo>;
   return [base = fit.base, setters = law_setters(fit), history = std::move(path.history),
-          pieces = std::move(pieces),
+          pieces = std::move(pieces), temperature = test.temperature,
           memos = std::make_shared<Memos>()](std::span<const double> values, std::span<double> predicted) {
     const Material material = material_of(base, setters, values);
     const PadLaw& law = material.law;
     // A foam's numbers are within their bounds, and rule_of_rising() sees to its curve.
     if (!std::holds_alternative<Foam>(law) && !violations(law).empty()) return false;
     const std::vector<double> stress = laboratory::stress_at_ends(law, history, &memos->local());
-    for (std::size_t i = 0; i < pieces.size(); ++i) predicted[i] = pieces[i] == 0 ? 0 : stress[pieces[i] - 1];
+    const double factor = stress_factor({.scale = 1, .density = {}, .temperature = temperature}, material);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      predicted[i] = pieces[i] == 0 ? 0 : factor * stress[pieces[i] - 1];
     return true;
   };
 }

@@ -35,6 +35,14 @@ bool is_of_cushion_curves(const Study& study) {
   return has_mass;
 }
 
+/// The first response of a kind: that of the last blow, or of others.
+std::optional<std::size_t> place_of_kind(const Study& study, const std::string& key) {
+  for (std::size_t i = 0; i < study.responses.size(); ++i)
+    if (const ResultQuantity* kind = find_response_kind(study.responses[i]); kind && kind->key == key)
+      return i;
+  return std::nullopt;
+}
+
 std::size_t number_of(const Study& study, const std::string& response) {
   const std::optional<std::size_t> place = place_of(study.responses, response);
   if (!place) throw std::invalid_argument("the study does not store the response \"" + response + "\"");
@@ -91,8 +99,8 @@ std::optional<std::size_t> min_peak(const CushionCurve& curve) {
 }
 
 std::optional<CushionCurves> cushion_curves(const Study& study, const Records& records) {
-  const auto deceleration = place_of(study.responses, "peak_acceleration");
-  const auto penetration = place_of(study.responses, "peak_penetration");
+  const auto deceleration = place_of_kind(study, "peak_acceleration");
+  const auto penetration = place_of_kind(study, "peak_penetration");
   if (!is_of_cushion_curves(study) || !deceleration || !penetration) return std::nullopt;
 
   // Rows by speed and thickness, then by mass.
@@ -210,12 +218,15 @@ std::vector<Group> groups(const Study& study, const Design& design, const Record
 std::vector<double> values_of(const Study& study, const Records& records, const Group& group,
                               std::size_t response) {
   const bool unbounded = grows_with_force(study, response);
+  const auto of = find_response(study.responses[response]);
+  const bool is_of_last = !of || of->first_blow == 0;  // the blow that bottomed out
   std::vector<double> values;
   values.reserve(group.places.size());
-  for (const std::size_t place : group.places)
-    values.push_back(unbounded && records.statuses[place] == Status::bottomed_out
-                         ? infinite
-                         : records.responses[response][place]);
+  for (const std::size_t place : group.places) {
+    const double value = records.responses[response][place];
+    const bool has_bottomed = records.statuses[place] == Status::bottomed_out;
+    values.push_back(unbounded && has_bottomed && (is_of_last || std::isnan(value)) ? infinite : value);
+  }
   return values;
 }
 

@@ -9,6 +9,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "input/spelling.hpp"
+#include "study/foam_factors.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {
@@ -54,13 +55,20 @@ std::vector<FactorKey> factor_keys(const ImpactCase& base) {
   return keys;
 }
 
-std::string rule_for_unknown(const std::string& key, const ImpactCase& base) {
+std::vector<FactorKey> factor_keys(const Study& study) {
+  std::vector<FactorKey> keys = factor_keys(study.base);
+  for (const FoamFactor& factor : foam_factors(study)) keys.push_back({factor.key, "1"});
+  return keys;
+}
+
+std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
+                             const std::vector<FactorKey>& known_keys) {
   if (key == "support.stiffness" || key == "support.scale")
     return base.support.is_rigid()
                ? "the support of the case is rigid"
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
   std::vector<std::string> known;
-  for (const FactorKey& each : factor_keys(base)) known.push_back(each.key);
+  for (const FactorKey& each : known_keys) known.push_back(each.key);
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);
@@ -74,12 +82,37 @@ bool is_of_law(const std::string& key) {
   return is_in(of_pad, "pad.parameters.") || is_in(of_pad, "pad.curve.") || is_in(of_pad, "pad.rate.");
 }
 
+std::vector<FoamFactor> foam_factors(const Study& study) {
+  if (study.materials.empty()) return uncertainty::foam_factors(study.base);
+  std::vector<FoamFactor> factors;
+  ImpactCase impact = study.base;
+  for (const Material& material : study.materials) {
+    impact.pad.material = material;
+    for (FoamFactor& factor : uncertainty::foam_factors(impact))
+      if (!std::ranges::count(factors, factor.key, &FoamFactor::key)) factors.push_back(std::move(factor));
+  }
+  return factors;
+}
+
+void draw_foam_uncertainty(Study& study) {
+  for (const FoamFactor& factor : foam_factors(study)) {
+    if (std::ranges::count(study.factors, factor.key, &Factor::key)) continue;
+    Spread spread = Normal{0, 1};
+    if (!factor.is_statistical) spread = Uniform{factor.lowest, factor.highest};
+    study.factors.push_back({.key = factor.key, .unit = "1", .spread = spread, .lowest = {}, .highest = {}});
+  }
+}
+
 Application::Application(const Study& study) {
   const CaseQuantities quantities = quantities_of(study.base);
   // The nominal value differs between materials.
   const bool is_nominal = study.base.pad.neighbours == nominal_neighbours(study.base.pad) &&
                           std::ranges::count(study.factors, "pad.neighbours", &Factor::key) == 0;
   for (const Factor& factor : study.factors) {
+    if (uncertainty::is_foam_factor(factor.key)) {
+      steps_.emplace_back([](ImpactCase&, double) {});  // known only once the impact is solved
+      continue;
+    }
     if (factor.key == "pad.material") {
       steps_.emplace_back([&study, is_nominal](ImpactCase& into, double value) {
         const Material& chosen = study.materials.at(static_cast<std::size_t>(value));

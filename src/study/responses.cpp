@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -170,11 +173,38 @@ const std::vector<ResultQuantity>& response_kinds() {
   return kinds;
 }
 
-const ResultQuantity* find_response_kind(const std::string& name) {
+std::optional<Response> find_response(const std::string& name) {
+  const std::size_t point = name.find('.');
+  const std::string_view key = std::string_view(name).substr(0, point);
   const auto& kinds = response_kinds();
-  const auto found =
-      std::ranges::find_if(kinds, [&](const ResultQuantity& kind) { return name == kind.key; });
-  return found == kinds.end() ? nullptr : &*found;
+  const auto kind = std::ranges::find_if(kinds, [&](const ResultQuantity& each) { return key == each.key; });
+  if (kind == kinds.end()) return std::nullopt;
+  if (point == std::string::npos) return Response{&*kind};
+  Response response{&*kind};
+  const char* const blows = name.c_str() + point + 1;
+  if (std::sscanf(blows, "mean_%3d_%3d", &response.first_blow, &response.last_blow) < 2) {
+    std::sscanf(blows, "blow_%3d", &response.first_blow);
+    response.last_blow = response.first_blow;
+  }
+  // Columns of stores have this name: it is written in one way only.
+  const auto& [quantity, first, last] = response;
+  const bool is_one_spelling = name == fmt::format("{}.blow_{}", kind->key, first) ||
+                               (last > first && name == fmt::format("{}.mean_{}_{}", kind->key, first, last));
+  return first > 0 && is_one_spelling ? std::optional(response) : std::nullopt;
+}
+
+const ResultQuantity* find_response_kind(const std::string& name) {
+  const auto response = find_response(name);
+  return response ? response->kind : nullptr;
+}
+
+std::string response_title(const std::string& name) {
+  const auto response = find_response(name);
+  if (!response) return name;
+  const auto& [kind, first, last] = *response;
+  if (first == 0) return kind->title;
+  return last > first ? fmt::format("{}, mean of blows {} to {}", kind->title, first, last)
+                      : fmt::format("{} of blow {}", kind->title, first);
 }
 
 bool is_possible(const ResultQuantity& kind, double value) {
@@ -205,10 +235,11 @@ std::vector<std::string> default_responses() {
 
 ResponseReader::ResponseReader(std::span<const std::string> names) {
   for (const std::string& name : names) {
-    const ResultQuantity* kind = find_response_kind(name);
-    if (kind == nullptr) throw std::invalid_argument("no response: " + name);
-    kinds_.push_back(static_cast<std::size_t>(kind - response_kinds().data()));
-    if (kind->part == Part::pulse && !pulse_) pulse_ = std::make_unique<PulseFigures>();
+    const auto response = find_response(name);
+    if (!response) throw std::invalid_argument("no response: " + name);
+    wanted_.push_back({static_cast<std::size_t>(response->kind - response_kinds().data()), *response});
+    needs_blows_ = needs_blows_ || response->first_blow > 0;
+    if (response->kind->part == Part::pulse && !pulse_) pulse_ = std::make_unique<PulseFigures>();
   }
 }
 
@@ -218,21 +249,35 @@ ResponseReader& ResponseReader::operator=(ResponseReader&&) noexcept = default;
 
 void ResponseReader::operator()(const Solution& solution, Outcome& outcome) {
   const Summary& summary = solution.summary;
-  outcome.status = summary.status;
-  outcome.extrapolated = (summary.is_beyond(Beyond::strain) ? extrapolated_strain : 0U) |
-                         (summary.is_beyond(Beyond::rate) ? extrapolated_rate : 0U) |
-                         (summary.is_beyond(Beyond::other) ? extrapolated_otherwise : 0U);
-  outcome.bottomed = summary.bottomed.has_value();
-  outcome.error = 0;
-  outcome.values.assign(kinds_.size(), no_value);
+  if (!needs_blows_ || summary.blow == 1) {
+    outcome = {.values = std::move(outcome.values)};
+    outcome.values.assign(wanted_.size(), no_value);
+    sums_.assign(wanted_.size(), 0);
+  }
+  if (outcome.status != Status::tolerance_not_met) outcome.status = summary.status;
+  outcome.extrapolated |= (summary.is_beyond(Beyond::strain) ? extrapolated_strain : 0U) |
+                          (summary.is_beyond(Beyond::rate) ? extrapolated_rate : 0U) |
+                          (summary.is_beyond(Beyond::other) ? extrapolated_otherwise : 0U);
+  outcome.bottomed = outcome.bottomed || summary.bottomed.has_value();
   if (pulse_) pulse_->take(solution);
-  for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const Recipe& recipe = recipes()[kinds_[i]];
-    if (recipe.of_pulse && !pulse_->whole()) continue;
-    const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
-    if (is_possible(recipe.kind, figure.value)) outcome.values[i] = figure.value;
-    // An estimate that is no number bounds nothing.
-    outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    const auto& [number, of] = wanted_[i];
+    const bool is_of_last = of.first_blow == 0;
+    if (!is_of_last && (summary.blow < of.first_blow || summary.blow > of.last_blow)) continue;
+    const Recipe& recipe = recipes()[number];
+    double value = no_value;
+    if (!recipe.of_pulse || pulse_->whole()) {
+      const EstimatedValue figure = recipe.of_pulse ? recipe.of_pulse(*pulse_) : recipe.of_summary(summary);
+      if (is_possible(recipe.kind, figure.value)) value = figure.value;
+      // An estimate that is no number bounds nothing.
+      outcome.error = std::max(outcome.error, std::isnan(figure.error) ? infinite : figure.error);
+    }
+    if (is_of_last) {
+      outcome.values[i] = value;
+      continue;
+    }
+    sums_[i] += value;
+    if (summary.blow == of.last_blow) outcome.values[i] = sums_[i] / (of.last_blow - of.first_blow + 1);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "study/run_batches.hpp"
+#include "uncertainty/foam_factors.hpp"
 
 namespace dashpad::study {
 
@@ -25,20 +26,58 @@ Worker::Worker(const Study& study, const Design& design)
       application_(study),
       responses_(study.responses),
       impact_(study.base),
-      factors_(study.factors.size()) {}
+      factors_(study.factors.size()) {
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    if (uncertainty::is_foam_factor(study.factors[i].key)) of_foam_.push_back(i);
+}
+
+Worker::~Worker() = default;
+Worker::Worker(Worker&&) noexcept = default;
 
 const ImpactCase& Worker::case_of(std::uint64_t row) {
   design_.factors_of(row, factors_);
+  if (of_foam_.empty()) {
+    application_(factors_, impact_);
+    return impact_;
+  }
+  // A drawn foam is another material: the next row begins with the one of the card.
+  impact_ = study_.base;
   application_(factors_, impact_);
+  uncertainty::FoamDraw::Numbers numbers;
+  for (const std::size_t i : of_foam_) numbers.emplace_back(study_.factors[i].key, factors_[i]);
+  const Summary nominal = solver_.solve(impact_, study_.options).summary;
+  draw_ = std::make_unique<const uncertainty::FoamDraw>(numbers, nominal, impact_);
   return impact_;
 }
 
-Solution Worker::replay(std::uint64_t row) { return solver_.solve(case_of(row), study_.options); }
+const Solution& Worker::solve(Outcome& outcome) {
+  const Solution* last = nullptr;
+  if (responses_.needs_blows()) {
+    solver_.solve_each_blow(impact_, study_.options, [&](const ImpactCase&, const Solution& solution) {
+      responses_(solution, outcome);
+      last = &solution;
+    });
+  } else {
+    last = &solver_.solve(impact_, study_.options);
+    responses_(*last, outcome);
+  }
+  if (draw_)
+    for (std::size_t i = 0; i < outcome.values.size(); ++i)
+      outcome.values[i] =
+          draw_->figure(*find_response_kind(study_.responses[i]), outcome.values[i], last->summary);
+  return *last;
+}
+
+Solution Worker::replay(std::uint64_t row, Outcome& outcome) {
+  case_of(row);
+  return solve(outcome);
+}
 
 void Worker::compute_row(std::uint64_t row, StoredRow& result) {
   result.row = row;
   try {
-    responses_(solver_.solve(case_of(row), study_.options), result.outcome);
+    case_of(row);
+    solve(result.outcome);
   } catch (const std::invalid_argument&) {
     result.outcome = {};
     result.outcome.values.assign(study_.responses.size(), std::numeric_limits<double>::quiet_NaN());

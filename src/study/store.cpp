@@ -126,7 +126,10 @@ void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<Ex
   for (const auto* values : {&row.factors, &outcome.values})
     for (const double value : *values) {
       text.push_back(',');
-      if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", column->scale * value);
+      if (const auto& names = column->names; value >= 0 && value < static_cast<double>(names.size()))
+        text.append(csv_field(names[static_cast<std::size_t>(value)]));
+      else if (!std::isnan(value))
+        fmt::format_to(std::back_inserter(text), "{}", column->scale * value);
       ++column;
     }
   for (const RowLabel& label : labels)
@@ -233,6 +236,13 @@ std::vector<double> Store::column(const std::string& name) const {
   return values;
 }
 
+std::vector<std::string> Store::materials() const {
+  Statement query{file_->database, "SELECT name FROM materials ORDER BY number"};
+  std::vector<std::string> names;
+  while (query.next()) names.push_back(query.name(0));
+  return names;
+}
+
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write) {
   constexpr std::size_t piece = 1 << 16;
   std::string names = "row,status,extrapolated,extrapolated_strain,extrapolated_rate,bottomed,error";
@@ -240,6 +250,7 @@ void export_csv(const Store& store, const std::function<void(std::string_view)>&
   for (const auto* list : {&store.factors(), &store.responses()})
     for (const StoredColumn& column : *list) {
       columns.push_back(exported(column));
+      if (column.name == "pad.material") columns.back().names = store.materials();
       names += "," + columns.back().name;
     }
   const std::vector<RowLabel> labels = row_labels(store);

@@ -41,7 +41,8 @@ std::uint64_t bytes_per_row(const StoreHeading& heading) {
 StoredColumn response_column(const std::string& name) {
   const ResultQuantity* kind = find_response_kind(name);
   if (kind == nullptr) throw std::invalid_argument("no response \"" + name + "\"");
-  return {name, kind->si_unit, kind->meaning};
+  const bool is_of_blows = name != kind->key;
+  return {name, kind->si_unit, is_of_blows ? response_title(name) : kind->meaning};
 }
 
 void write_facts(const Database& database, const StoreHeading& heading, const Study& study) {

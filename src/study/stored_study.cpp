@@ -5,6 +5,8 @@
 
 #include "json/curves_json.hpp"
 #include "model/parameter_values.hpp"
+#include "study/stored_uncertainty.hpp"
+#include "uncertainty/foam_factors.hpp"
 
 namespace dashpad::study {
 namespace {
@@ -78,6 +80,7 @@ Material material_of(const Json& json) {
     const Numbers range = json["fitted"].get<Numbers>();
     material.fitted = FittedRange{range.at(0), range.at(1), range.at(2)};
   }
+  if (json.contains("uncertainty")) material.uncertainty = uncertainty_of(json["uncertainty"]);
   return material;
 }
 
@@ -174,7 +177,7 @@ bool has_columns_of(const Store& store, const Study& study) {
   const auto same = [](const StoredColumn& column, const std::string& name, const std::string& unit) {
     return column.name == name && column.unit == unit;
   };
-  const std::vector<FactorKey> keys = factor_keys(study.base);
+  const std::vector<FactorKey> keys = factor_keys(study);
   const bool factors_fit = std::ranges::equal(
       store.factors(), study.factors, [&](const StoredColumn& column, const Factor& factor) {
         const auto key = std::ranges::find(keys, factor.key, &FactorKey::key);
@@ -272,6 +275,17 @@ Json case_json(const ImpactCase& impact) {
   return json;
 }
 
+/// What the cards state as uncertain, on which drawn foams depend.
+void add_uncertainties(const Study& study, Json& json) {
+  const auto add = [](const Material& material, Json& stored) {
+    stored["uncertainty"] = uncertainty_json(material.uncertainty);
+  };
+  add(study.base.pad.material, json["case"]["material"]);
+  for (std::size_t i = 0; i < study.base.pad.layers.size(); ++i)
+    add(study.base.pad.layers[i].material, json["case"]["layers"][i]["material"]);
+  for (std::size_t i = 0; i < study.materials.size(); ++i) add(study.materials[i], json["materials"][i]);
+}
+
 Json sampling_json(const Study& study) {
   Json correlations = Json::array();
   for (const Correlation& pair : study.correlations)
@@ -326,6 +340,8 @@ std::string resolved_text(const Study& study) {
                {"sampling", sampling_json(study)},
                {"responses", study.responses}};
   for (const RowLabel& label : study.labels) json["labels"].push_back({label.name, label.texts});
+  if (std::ranges::any_of(study.factors, uncertainty::is_foam_factor, &Factor::key))
+    add_uncertainties(study, json);
   return json_text(json);
 }
 

@@ -11,14 +11,15 @@
 #include "dashpad/study/responses.hpp"
 #include "input/spelling.hpp"
 #include "model/parameter_values.hpp"
+#include "study/foam_factors.hpp"
 #include "study/sampling.hpp"
 
 namespace dashpad::study {
 namespace {
 
 void check_key(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
-  if (!std::ranges::count(factor_keys(study.base), factor.key, &FactorKey::key))
-    broken.push_back({"factors." + factor.key, no_value, rule_for_unknown(factor.key, study.base)});
+  if (const auto known = factor_keys(study); !std::ranges::count(known, factor.key, &FactorKey::key))
+    broken.push_back({"factors." + factor.key, no_value, rule_for_unknown(factor.key, study.base, known)});
   const auto first = std::ranges::find(study.factors, factor.key, &Factor::key);
   if (&*first != &factor) broken.push_back({"factors." + factor.key, no_value, "is given twice"});
 }
@@ -67,6 +68,20 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
       }
 }
 
+/// A range of a foam is not left.
+void check_foam_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
+  if (!uncertainty::is_foam_factor(factor.key)) return;
+  if (const auto* given = factor.given_values(); given && given->empty()) return;
+  const std::vector<FoamFactor> known = foam_factors(study);
+  const auto found = std::ranges::find(known, factor.key, &FoamFactor::key);
+  if (found == known.end() || found->is_statistical) return;
+  const CheckedRange range = checked_range(factor);
+  if (range.low < found->lowest || range.high > found->highest)
+    broken.push_back({"factors." + factor.key, range.low < found->lowest ? range.low : range.high,
+                      fmt::format("must lie between {} and {}, the ends of what is uncertain", found->lowest,
+                                  found->highest)});
+}
+
 void check_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
   const std::string key = "factors." + factor.key;
   check_key(study, factor, broken);
@@ -78,6 +93,7 @@ void check_factor(const Study& study, const Factor& factor, std::vector<Violatio
   }
   const std::string rule = rule_broken_by(factor);
   if (!rule.empty()) broken.push_back({key, no_value, rule});
+  if (rule.empty()) check_foam_factor(study, factor, broken);
 }
 
 /// The columns of a table are equally long and hold finite numbers.
@@ -162,8 +178,15 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i) {
     const std::string key = fmt::format("responses[{}]", i + 1), &name = study.responses[i];
-    if (!std::ranges::count(known, name))
+    const int blows = study.base.blows ? study.base.blows->count : 1;
+    const auto response = find_response(name);
+    if (!response)
       broken.push_back({key, no_value, name + " is not a response" + input::meant_or_listed(name, known)});
+    else if (response->last_blow > blows)
+      broken.push_back({key, no_value,
+                        fmt::format("{}: the case has {}", name,
+                                    study.base.blows ? fmt::format("only {} blows", blows)
+                                                     : "no [blows], that is a single blow")});
     if (std::find(study.responses.begin(), study.responses.begin() + static_cast<std::ptrdiff_t>(i), name) !=
         study.responses.begin() + static_cast<std::ptrdiff_t>(i))
       broken.push_back({key, no_value, name + " is given twice"});

@@ -10,6 +10,7 @@
 #include "input/case_rows.hpp"
 #include "input/spelling.hpp"
 #include "study/factor_spread.hpp"
+#include "study/foam_factors.hpp"
 
 namespace dashpad::study {
 
@@ -36,6 +37,8 @@ struct FactorLines {
 const std::vector<std::string> keys_about_all_factors{"factors", "samples", "indices"};
 
 constexpr std::size_t max_materials = 1000;
+
+constexpr const char* foam_uncertainty = "foam_uncertainty";
 
 struct Entry {
   std::string key;
@@ -124,7 +127,7 @@ bool read_entry(const Entry& entry, const std::string& path, const Known& known,
   const auto found = std::ranges::find(known.keys, key, &FactorKey::key);
   if (found == known.keys.end()) {
     const bool on_trust = !known.has_base && (is_of_law(key) || key.starts_with("support."));
-    if (!on_trust) faults.add(*node, path, rule_for_unknown(key, study.base));
+    if (!on_trust) faults.add(*node, path, rule_for_unknown(key, study.base, known.keys));
     return false;
   }
   if (node->kind != input::TomlNode::Kind::table) {
@@ -180,7 +183,7 @@ bool read_table(input::TableReader& top, const std::string& key, const std::vect
     if (key == "rows" || !each.unit.empty()) row_keys.push_back({.key = each.key, .unit = each.unit});
   const auto unknown = [&](const std::string& name) {
     return name == "pad.material" ? "cannot be drawn: name the materials in a table of rows"
-                                  : rule_for_unknown(name, study.base);
+                                  : rule_for_unknown(name, study.base, keys);
   };
   const auto rows = top.faults().take(input::read_case_rows(*file, row_keys, unknown));
   if (!rows) return false;
@@ -205,14 +208,14 @@ bool read_table(input::TableReader& top, const std::string& key, const std::vect
 FactorLines read_factors(input::TableReader& top, bool has_base, const input::Folders& folders,
                          Study& study) {
   FactorLines lines;
-  const std::vector<FactorKey> keys = factor_keys(study.base);
+  const std::vector<FactorKey> keys = factor_keys(study);
   for (const char* const key : {"rows", "samples_from"})
     if (has_base ? !read_table(top, key, keys, folders, study, lines) : top.has(key))
       lines.at_fault.emplace_back(key);
-  const bool has_table = top.has("rows") || top.has("samples_from");
-  const auto table = top.table("factors", has_table ? input::Presence::optional : input::Presence::required);
+  const bool has_others = top.has("rows") || top.has("samples_from") || top.has(foam_uncertainty);
+  const auto table = top.table("factors", has_others ? input::Presence::optional : input::Presence::required);
   if (!table) {
-    if (has_table && lines.at_fault.empty()) return lines;
+    if (has_others && lines.at_fault.empty()) return lines;
     lines.at_fault = keys_about_all_factors;
     return lines;
   }
@@ -333,6 +336,14 @@ void read_correlations(input::TableReader& table, const FactorLines& lines, Stud
                      [&](input::TableReader& entry) { read_correlation(entry, lines, study); });
 }
 
+/// Adds what the cards leave uncertain to the factors, if the file asks for it.
+void read_foam_uncertainty(input::TableReader& top, const FactorLines& lines, Study& study) {
+  if (!top.flag(foam_uncertainty) || !lines.at_fault.empty()) return;
+  if (foam_factors(study).empty())
+    top.fault(foam_uncertainty, "the card of the pad leaves nothing uncertain that could be drawn");
+  draw_foam_uncertainty(study);
+}
+
 void read_sampling_plan(input::TableReader& table, Study& study) {
   const bool sampled = std::ranges::any_of(study.factors, &Factor::is_sampled);
   if (sampled || table.has("samples")) study.samples = read_count(table, "samples", 1, max_rows);
@@ -359,6 +370,7 @@ input::Reading<Study> read_study(const std::filesystem::path& file, const std::f
   }
   study.options.tolerance = top.has("tolerance") ? top.number("tolerance") : default_tolerance;
   const FactorLines lines = read_factors(top, base.has_value(), folders, study);
+  if (base) read_foam_uncertainty(top, lines, study);
   read_sampling_plan(top, study);
   read_correlations(top, lines, study);
   study.responses = read_responses(top);

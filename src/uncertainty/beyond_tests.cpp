@@ -163,12 +163,14 @@ void add_continuation(const ImpactCase& impact, const Summary& summary, Open& op
   if (!by_curves) return;
   open.sources.push_back(
       {Source::continuation, fmt::format("the stress beyond a strain of {:.3g}", first), ""});
-  open.lines.push_back(
-      {.source = Source::continuation, .ends = {-1, 1}, .at = [impact, beyond](double place) {
-         return with_parts(impact, [&](Material& material, PadCondition&, std::size_t i) {
-           if (beyond[i]) continue_by(material, *beyond[i], place);
-         });
-       }});
+  open.lines.push_back({.source = Source::continuation,
+                        .key = "foam.continuation",
+                        .ends = {-1, 1},
+                        .move = [beyond](ImpactCase& moved_case, double place) {
+                          change_parts(moved_case, [&](Material& material, PadCondition&, std::size_t i) {
+                            if (beyond[i]) continue_by(material, *beyond[i], place);
+                          });
+                        }});
 }
 
 void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
@@ -195,11 +197,14 @@ void add_rate(const ImpactCase& impact, const Summary& summary, Open& open) {
   }
   if (words.empty()) return;
   open.sources.push_back({Source::rate, words, ""});
-  open.lines.push_back({.source = Source::rate, .ends = {1}, .at = [impact, growths](double place) {
-                          return with_parts(impact,
-                                            [&](Material& material, PadCondition& condition, std::size_t i) {
-                                              if (growths[i]) grow(material, condition, *growths[i], place);
-                                            });
+  open.lines.push_back({.source = Source::rate,
+                        .key = "foam.rate",
+                        .ends = {1},
+                        .move = [growths](ImpactCase& moved_case, double place) {
+                          change_parts(moved_case,
+                                       [&](Material& material, PadCondition& condition, std::size_t i) {
+                                         if (growths[i]) grow(material, condition, *growths[i], place);
+                                       });
                         }});
 }
 

@@ -26,6 +26,16 @@ std::vector<Part> parts_of(const Pad& pad, const Summary& summary) {
   return parts;
 }
 
+Open open_sources_of(const ImpactCase& impact, const Summary& summary) {
+  Open open;
+  add_continuation(impact, summary, open);
+  add_rate(impact, summary, open);
+  add_way_back(impact, summary, open);
+  add_statistics(impact, summary, open);
+  add_neighbours(impact, summary, open);
+  return open;
+}
+
 namespace {
 
 /// Tolerance of the impacts at the ends of lines.
@@ -129,7 +139,9 @@ class Search {
   void solve_all(std::vector<Job>& jobs) {
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
       Job& job = jobs[i];
-      job.figures = solved_figures(job.of ? job.of->line->at(job.at) : impact_, options_, asked_);
+      ImpactCase impact = impact_;
+      if (job.of) job.of->line->move(impact, job.at);
+      job.figures = solved_figures(impact, options_, asked_);
     });
     impacts_ += static_cast<int>(jobs.size());
   }
@@ -261,31 +273,17 @@ Deviation deviation_of(const Solved& solved, std::size_t figure) {
 /// The deviation at 95 % by a source given as shares.
 Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double nominal,
                        const Solution& solution) {
-  const auto even = [](double value) { return Deviation{two_sided_95 * value, two_sided_95 * value}; };
-  switch (figure.quantity->role.doubt) {
-    case Doubt::none: break;
-    case Doubt::of_acceleration: return even(shares.acceleration * nominal);
-    case Doubt::of_hic: return even(shares.hic * nominal);
-    case Doubt::of_hic_d: return even(shares.hic * (nominal - injury::hic_d(0)));
-    case Doubt::of_rebound: return even(shares.rebound * nominal);
-    case Doubt::of_penetration: {
-      Deviation deviation = even(shares.penetration * nominal);
-      const double deepest = solution.summary.peak_penetration;
-      const double of_figure =
-          deepest > 0 ? nominal / deepest : 0;  // 1, or of the strain one over the thickness
-      deviation.down = std::hypot(deviation.down, shares.shallower * of_figure);
-      deviation.up = std::hypot(deviation.up, shares.deeper * of_figure);
-      return deviation;
-    }
-    case Doubt::of_level: {
-      // A pulse scaled up by a share exceeds a level as long as the pulse exceeds a lower one.
-      const Pulse pulse = injury::pulse_of(solution.history);
-      const double share = two_sided_95 * shares.acceleration;
-      return {nominal - injury::cumulative_dwell(pulse, figure.level * (1 + share)),
-              injury::cumulative_dwell(pulse, figure.level * std::max(1 - share, 0.0)) - nominal};
-    }
+  if (figure.quantity->role.doubt == Doubt::of_level) {
+    // A pulse scaled up by a share exceeds a level as long as the pulse exceeds a lower one.
+    const Pulse pulse = injury::pulse_of(solution.history);
+    const double share = two_sided_95 * shares.acceleration;
+    return {nominal - injury::cumulative_dwell(pulse, figure.level * (1 + share)),
+            injury::cumulative_dwell(pulse, figure.level * std::max(1 - share, 0.0)) - nominal};
   }
-  return {};
+  const auto change = [&](double deviations) {
+    return change_of(*figure.quantity, nominal, solution.summary, shares, deviations);
+  };
+  return {-change(-two_sided_95), change(two_sided_95)};
 }
 
 constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,
@@ -323,12 +321,7 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
                    std::span<const double> dwell_levels) {
   const Summary& summary = solution.summary;
   if (summary.status == Status::not_run) return;
-  Open open;
-  add_continuation(impact, summary, open);
-  add_rate(impact, summary, open);
-  add_way_back(impact, summary, open);
-  add_statistics(impact, summary, open);
-  add_neighbours(impact, summary, open);
+  Open open = open_sources_of(impact, summary);
   Intervals intervals{.sources = std::move(open.sources), .warning = warning_of_model(impact)};
   if (!bottomed_on_rigid_support(summary) && !is_cut(summary)) {
     const std::vector<AskedFigure> asked = asked_figures(dwell_levels);

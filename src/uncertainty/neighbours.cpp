@@ -90,6 +90,7 @@ void add_neighbours(const ImpactCase& impact, const Summary& summary, Open& open
       is_helped ? error_with_neighbours(*tip, impact.pad.floor, summary.peak_strain) : error_of_columns(*tip);
   const double thickness = impact.pad.thickness;
   open.shares.push_back({.source = Source::neighbours,
+                         .key = "foam.neighbours",
                          .acceleration = error.peak,
                          .hic = error.hic,
                          .shallower = (error.depth_bias + 1.96 * error.depth_scatter) * thickness,

@@ -48,7 +48,7 @@ WayBack open_of(const Foam& foam, const Uncertainty& uncertainty, bool has_rate)
 
 bool is_open(const ValueRange& range) { return range.high > range.low; }
 
-void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open& open) {
+void add_scatter(const std::vector<Part>& parts, Open& open) {
   std::vector<double> scatter;
   std::string unmeasured;
   for (const Part& part : parts) {
@@ -64,48 +64,63 @@ void add_scatter(const ImpactCase& impact, const std::vector<Part>& parts, Open&
                           fmt::format("the sample-to-sample scatter (standard deviation {:.2g} %)",
                                       100 * std::ranges::max(scatter)),
                           ""});
-  Line line{.source = Source::scatter};
+  Line line{.source = Source::scatter, .key = "foam.scatter"};
   line.ends = {-line.deviations, line.deviations};
-  line.at = [impact, scatter](double place) {
-    return with_parts(impact, [&](Material&, PadCondition& condition, std::size_t i) {
+  line.move = [scatter](ImpactCase& impact, double place) {
+    change_parts(impact, [&](Material&, PadCondition& condition, std::size_t i) {
       condition.scale *= std::max(1 + place * scatter[i], 0.01);
     });
   };
   open.lines.push_back(std::move(line));
 }
 
-/// The case with the values at one end of an axis.
-ImpactCase with_values(ImpactCase impact, const std::string& prefix, const PosteriorAxes& axes,
-                       std::size_t axis, bool is_plus) {
+/// A number of a case moved by deviations along an axis, whose ends lie one below and above: by equal ratios
+/// if they are positive, else by equal steps.
+double moved(double value, double nominal, double minus, double plus, double deviations) {
+  const double end = deviations < 0 ? minus : plus, by = std::abs(deviations);
+  return nominal > 0 && end > 0 ? value * std::pow(end / nominal, by) : value + by * (end - nominal);
+}
+
+/// The line along an axis; on it lie the values of the case that are unknowns of a fit.
+Line line_along(const ImpactCase& impact, const std::string& prefix, const PosteriorAxes& axes,
+                std::size_t axis) {
+  std::vector<CaseQuantity> unknowns;
+  std::vector<double> nominal, minus, plus;
   const CaseQuantities quantities = quantities_of(impact);
-  for (std::size_t i = 0; i < axes.keys.size(); ++i) {
-    if (const CaseQuantity* const given = quantities.find(prefix + axes.keys[i]))
-      given->set(impact, (is_plus ? axes.plus : axes.minus)[axis][i]);
-  }
-  return impact;
+  for (std::size_t i = 0; i < axes.keys.size(); ++i)
+    if (const CaseQuantity* const unknown = quantities.find(prefix + axes.keys[i])) {
+      unknowns.push_back(*unknown);
+      nominal.push_back(unknown->get(impact));
+      minus.push_back(axes.minus[axis][i]);
+      plus.push_back(axes.plus[axis][i]);
+    }
+  // The ends lie at one standard deviation; the result is multiplied by 1.96.
+  return {.source = Source::posterior,
+          .ends = {-1, 1},
+          .move =
+              [=](ImpactCase& moved_case, double place) {
+                for (std::size_t i = 0; i < unknowns.size(); ++i)
+                  unknowns[i].set(moved_case,
+                                  moved(unknowns[i].get(moved_case), nominal[i], minus[i], plus[i], place));
+              },
+          .deviations = 1};
 }
 
 void add_posterior(const ImpactCase& impact, const std::vector<Part>& parts, Open& open) {
-  bool any = false;
+  int count = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PosteriorAxes& axes = parts[i].material->uncertainty.posterior;
     const std::string prefix = impact.pad.layers.empty() ? "pad." : fmt::format("pad.layers[{}].", i + 1);
     for (std::size_t axis = 0; axis < axes.minus.size(); ++axis) {
-      any = true;
-      // The ends lie at one standard deviation; the result is multiplied by 1.96.
-      open.lines.push_back(
-          {.source = Source::posterior,
-           .ends = {-1, 1},
-           .at = [impact, prefix, axes,
-                  axis](double place) { return with_values(impact, prefix, axes, axis, place > 0); },
-           .deviations = 1});
+      open.lines.push_back(line_along(impact, prefix, axes, axis));
+      open.lines.back().key = fmt::format("foam.posterior_{}", ++count);
     }
   }
-  if (any) open.sources.push_back({Source::posterior, "the uncertainty of the fitted parameters", ""});
+  if (count > 0) open.sources.push_back({Source::posterior, "the uncertainty of the fitted parameters", ""});
 }
 
 void add_misfit(const std::vector<Part>& parts, Open& open) {
-  Shares shares{.source = Source::misfit};
+  Shares shares{.source = Source::misfit, .key = "foam.misfit"};
   const Misfit* worst = nullptr;
   for (const Part& part : parts)
     if (const auto& misfit = part.material->uncertainty.misfit) {
@@ -157,8 +172,11 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
                                      : "the unloading of the foam",
                             ""});
     // Place 1 has the largest loss, -1 the smallest.
-    open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact, of_part](double place) {
-                            return with_parts(impact, [&](Material& material, PadCondition&, std::size_t i) {
+    open.lines.push_back({.source = Source::way_back,
+                          .key = "foam.way_back",
+                          .ends = {-1, 1},
+                          .move = [of_part](ImpactCase& moved_case, double place) {
+                            change_parts(moved_case, [&](Material& material, PadCondition&, std::size_t i) {
                               if (!of_part[i]) return;
                               Foam& foam = std::get<Foam>(material.law);
                               foam.recoil = towards(foam.recoil, of_part[i]->recoil, place);
@@ -170,8 +188,11 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
   if (!lag) return;
   if (!recoil && !unloading)
     open.sources.push_back({Source::way_back, "how quickly the stress follows a change in strain rate", ""});
-  open.lines.push_back({.source = Source::way_back, .ends = {-1, 1}, .at = [impact](double place) {
-                          return with_parts(impact, [&](Material& material, PadCondition&, std::size_t) {
+  open.lines.push_back({.source = Source::way_back,
+                        .key = "foam.lag_strain",
+                        .ends = {-1, 1},
+                        .move = [](ImpactCase& moved_case, double place) {
+                          change_parts(moved_case, [&](Material& material, PadCondition&, std::size_t) {
                             auto* const foam = std::get_if<Foam>(&material.law);
                             if (foam == nullptr) return;
                             const ValueRange range =
@@ -185,7 +206,7 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
 
 void add_statistics(const ImpactCase& impact, const Summary& summary, Open& open) {
   const std::vector<Part> parts = parts_of(impact.pad, summary);
-  add_scatter(impact, parts, open);
+  add_scatter(parts, open);
   add_posterior(impact, parts, open);
   add_misfit(parts, open);
 }

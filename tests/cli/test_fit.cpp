@@ -78,6 +78,40 @@ TEST_F(FitTest, AnswersFirstAndWritesACardThatSolves) {
   EXPECT_EQ(dashpad({"run", file("with-card.toml")}).exit_code, 0);
 }
 
+/// A cold test gives the modulus at the temperature of the card.
+TEST_F(FitTest, TheTemperatureOfATestScalesItsStresses) {
+  ASSERT_EQ(dashpad({"fit", file("fit.toml"), "--output", file("card.toml")}).exit_code, 0);
+  const std::string card = read_file(file("card.toml"));
+  write_file(file("card.toml"),
+             card + "\n[temperature]\ntemperatures = [\"-20 degC\", \"23 degC\"]\nfactors = [1.6, 1]\n");
+  std::istringstream warm(power_csv());
+  std::string cold, line;
+  std::getline(warm, cold);
+  while (std::getline(warm, line)) {
+    const std::size_t comma = line.find(',');
+    cold += "\n" + line.substr(0, comma + 1) + std::to_string(1.6 * std::stod(line.substr(comma + 1)));
+  }
+  write_file(file("cold.csv"), cold + "\n");
+  const std::string fit = R"([pad]
+material = "card.toml"
+[unknowns]
+"pad.curve.modulus" = {bounds = ["1 kPa", "1 MPa"]}
+[[tests]]
+file = "cold.csv"
+rate = "0.01 1/s"
+noise = "1 kPa"
+temperature = "-20 degC"
+)";
+  write_file(file("cold.toml"), fit);
+  const Outcome outcome = dashpad({"fit", file("cold.toml"), "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out)["unknowns"][0]["value"].get<double>(), 100e3, 3e3);
+  write_file(file("card.toml"), card);
+  const Outcome refused = dashpad({"fit", file("cold.toml")});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("has no temperature table"));
+}
+
 TEST_F(FitTest, JsonIsAsTheSchemaSays) {
   const Outcome outcome = dashpad({"fit", file("fit.toml"), "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

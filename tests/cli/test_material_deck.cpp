@@ -318,9 +318,22 @@ TEST_F(MaterialCommandTest, ACheckDeckCompressesOneElement) {
                           HasSubstr("*ELEMENT_SOLID"), HasSubstr("*END\n")));
   // 10 mm x 10 mm times the stress at a strain of 0.9 * 0.7, on the line from 0.4 to 0.7: 0.0913 MPa.
   EXPECT_THAT(deck, testing::ContainsRegex("0\\.63 +9\\.133"));
-  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("(not run in LS-DYNA)"));
+  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("(not run in that solver)"));
   EXPECT_EQ(export_as("radioss-70", {"-o", file("r.inc"), "--check-deck", file("r.k")}).exit_code, 2);
   EXPECT_EQ(export_as("ls-dyna-057", {"--check-deck", file("c.k")}).exit_code, 2);
+}
+
+TEST_F(MaterialCommandTest, ACheckDeckOfAbaqusCompressesOneElement) {
+  const Outcome outcome =
+      export_as("abaqus-low-density-foam", {"-o", file("out.inp"), "--check-deck", file("check.inp")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string deck = read_file(file("check.inp"));
+  EXPECT_THAT(deck, AllOf(HasSubstr("NOT RUN IN THIS SOLVER"), HasSubstr("\n*INCLUDE, INPUT=out.inp\n"),
+                          HasSubstr("\n*ELEMENT, TYPE=C3D8R"), HasSubstr("\nTOP, 3, 3, -6.3\n"),
+                          HasSubstr("\n*END STEP\n")));
+  const std::string material = read_file(file("out.inp"));
+  const std::size_t name = material.find("NAME=") + 5;
+  EXPECT_THAT(deck, HasSubstr("MATERIAL=" + material.substr(name, material.find('\n', name) - name) + "\n"));
 }
 
 TEST_F(MaterialCommandTest, IncludedFilesAreReadIfThatIsAllowed) {

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   input::is_stress_table(file);
   for (const std::vector<double>& rates : {std::vector<double>{}, {0.01}})
     if (const auto made =
-            read_or_refuse([&] { return input::read_stress_tables({file}, rates, specimen).value(); }))
+            read_or_refuse([&] { return input::read_stress_tables({file}, {rates}, specimen).value(); }))
       require(violations(made->material).empty(), "a foam of tests keeps its rules");
   return 0;
 }

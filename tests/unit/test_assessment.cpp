@@ -18,6 +18,7 @@
 #include "dashpad/output/assessment.hpp"
 #include "example_result.hpp"
 #include "quantities/text.hpp"
+#include "shared/gravity.hpp"
 #include "shown_values.hpp"
 
 namespace dashpad {
@@ -37,7 +38,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr double g = standard_gravity;
 constexpr double pulse_duration = 10e-3;
 
 /// A half sine of 10 ms with a peak of 100 g: 3 ms lie above 100 g cos(0.15 pi) = 89.10 g, and the time above

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "dashpad/impact/solution.hpp"
+#include "shared/gravity.hpp"
 
 namespace dashpad::test {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using injury::Hic;
 using injury::hic;
 
-constexpr double g = standard_gravity;
 constexpr double forever = injury::unlimited_window;
 
 Pulse in_g(std::vector<double> time, std::vector<double> levels) {

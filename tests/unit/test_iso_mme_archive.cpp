@@ -13,6 +13,7 @@
 
 #include "input/iso_mme/test_files.hpp"
 #include "sample_mme.hpp"
+#include "shared/gravity.hpp"
 
 namespace dashpad {
 namespace {
@@ -26,8 +27,6 @@ using ::testing::DoubleEq;
 using ::testing::HasSubstr;
 using ::testing::Pointwise;
 using ::testing::SizeIs;
-
-constexpr double g = 9.80665;
 
 /// A zip or, with another ending, a gzipped tar of the files, with names just as given.
 void pack(const fs::path& file, const std::vector<std::pair<std::string, std::string>>& files,

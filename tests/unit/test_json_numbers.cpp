@@ -15,12 +15,11 @@
 #include "distinct_numbers.hpp"
 #include "example_result.hpp"
 #include "json/json_values.hpp"
+#include "shared/gravity.hpp"
 #include "shown_values.hpp"
 
 namespace dashpad::test {
 namespace {
-
-constexpr double g = standard_gravity;
 
 using Numbers = std::map<std::string, double>;
 

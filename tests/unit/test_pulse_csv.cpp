@@ -12,6 +12,7 @@
 #include "dashpad/input/fault.hpp"
 #include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "shared/gravity.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {
@@ -22,8 +23,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 using ::testing::Pointwise;
-
-constexpr double g = 9.80665;
 
 injury::MeasuredPulse read(const std::string& text, const input::PulseOptions& options = {}) {
   const test::TemporaryFolder folder;

@@ -9,6 +9,7 @@
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/input/case_file.hpp"
 #include "dashpad/study/answers.hpp"
 #include "dashpad/study/responses.hpp"
 #include "sample_case.hpp"
@@ -51,6 +52,45 @@ TEST(responses, are_the_figures_of_the_summary) {
     EXPECT_EQ(outcome.values.at(0), expected.at(name).first) << name;
     EXPECT_EQ(outcome.error, expected.at(name).second) << name;
   }
+}
+
+/// A pad that remembers its blows: each response against the blows one by one.
+TEST(responses, are_of_single_blows_or_their_mean) {
+  const ImpactCase impact =
+      input::read_case(test::source / "examples" / "five-drops-on-a-cushion.toml", test::source / "materials")
+          ->impact;
+  const std::vector<Blow> blows = solve_blows(impact, {.tolerance = 1e-3});
+  ASSERT_GE(blows.size(), 4u);
+  const auto peak = [&](std::size_t blow) { return *blows.at(blow - 1).solution.summary.peak_acceleration; };
+  const std::vector<std::string> names{"peak_acceleration.blow_1", "peak_acceleration.mean_2_4",
+                                       "peak_acceleration", "hic15.mean_1_2", "peak_force.blow_99"};
+  ResponseReader read{names};
+  EXPECT_TRUE(read.needs_blows());
+  Outcome outcome;
+  for (int times = 0; times < 2; ++times) {  // the memory of the first is used again
+    for (const Blow& blow : blows) read(blow.solution, outcome);
+    EXPECT_EQ(outcome.values[0], peak(1));
+    EXPECT_DOUBLE_EQ(outcome.values[1], (peak(2) + peak(3) + peak(4)) / 3);
+    EXPECT_EQ(outcome.values[2], peak(blows.size()));
+    EXPECT_DOUBLE_EQ(outcome.values[3], (injury::whole_pulse_figures(blows[0].solution)->hic15.value +
+                                         injury::whole_pulse_figures(blows[1].solution)->hic15.value) /
+                                            2);
+    EXPECT_TRUE(std::isnan(outcome.values[4]));
+  }
+  EXPECT_FALSE(ResponseReader{std::vector<std::string>{"peak_force"}}.needs_blows());
+}
+
+TEST(responses, of_blows_have_one_spelling) {
+  EXPECT_EQ(find_response("peak_force")->first_blow, 0);
+  EXPECT_EQ(find_response("peak_force.blow_12")->last_blow, 12);
+  EXPECT_EQ(find_response("peak_force.mean_2_5")->first_blow, 2);
+  EXPECT_EQ(response_title("peak_force.mean_2_5"), "Peak force, mean of blows 2 to 5");
+  EXPECT_EQ(response_title("peak_force.blow_1"), "Peak force of blow 1");
+  for (const char* name :
+       {"peak_force.", "peak_force.blow_0", "peak_force.blow_01", "peak_force.blow_1x", "peak_force.mean_5_2",
+        "peak_force.mean_2", "peak_force.mean_2_2", "peak_force.mean_2_5_7", "peak_force.blow_-1",
+        "peak_force.mean_ 2_5", "peak_farce.blow_1", ".blow_1", "peak_force.blow_99999999999999999999"})
+    EXPECT_FALSE(find_response(name)) << name;
 }
 
 TEST(responses, are_all_in_the_documents) {

@@ -11,6 +11,7 @@
 
 #include "dashpad/injury/measured_pulse.hpp"
 #include "dashpad/injury/metrics.hpp"
+#include "shared/gravity.hpp"
 
 namespace dashpad {
 namespace {
@@ -20,7 +21,6 @@ using injury::offset_before_impact;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 
-constexpr double g = 9.80665;
 constexpr double duration = 10e-3, sample_interval = 0.1e-3;  // s
 
 double half_sine(double time) {

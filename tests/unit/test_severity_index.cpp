@@ -10,11 +10,11 @@
 #include <stdexcept>
 
 #include "dashpad/impact/solution.hpp"
+#include "shared/gravity.hpp"
 
 namespace dashpad::test {
 namespace {
 
-constexpr double g = standard_gravity;
 constexpr double pi = std::numbers::pi;
 
 double of_line(double a, double b, double begin = 0, double duration = 1) {

@@ -16,6 +16,7 @@
 #include "dashpad/output/assessment.hpp"
 #include "sample_case.hpp"
 #include "shared/generated_text.hpp"
+#include "shared/gravity.hpp"
 #include "shared/temporary_folder.hpp"
 
 namespace dashpad {
@@ -31,7 +32,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const std::filesystem::path folder = test::source / "standards";
-constexpr double g = standard_gravity;
 constexpr double kmh = 1 / 3.6;
 
 Standard preset(const std::string& text) {

@@ -12,6 +12,7 @@
 #include "dashpad/output/study.hpp"
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "sample_case.hpp"
 #include "shared/temporary_folder.hpp"
 #include "small_study.hpp"
 
@@ -29,8 +30,6 @@ std::string told(const study::StudyAnswers& answers) {
 using study::Store;
 using study::Study;
 namespace fs = std::filesystem;
-
-const fs::path source{DASHPAD_SOURCE_DIR};
 
 class StoredStudyTest : public ::testing::Test {
  protected:

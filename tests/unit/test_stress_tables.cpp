@@ -37,7 +37,7 @@ class StressTableTest : public testing::Test {
     std::vector<std::filesystem::path> files;
     for (const std::string& text : texts)
       files.push_back(folder_.write(fmt::format("test{}.txt", files.size() + 1), text));
-    return input::read_stress_tables(files, rates, columns).value();
+    return input::read_stress_tables(files, {rates}, columns).value();
   }
   std::string said(auto&& read_it) {
     try {

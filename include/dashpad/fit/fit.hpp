@@ -46,12 +46,15 @@ inline double place_between(double lowest, double highest, bool is_logarithmic, 
 
 /// A compression test, strain and stress point by point. Between the points the strain is straight in time.
 struct MaterialMeasurement {
-  std::string file;             ///< name for messages and for the card
-  std::vector<double> time;     ///< s since first contact, increasing
-  std::vector<double> strain;   ///< each in [0, 1)
-  std::vector<double> stress;   ///< Pa
-  double lowest_strain = 0;     ///< points with strains from here
-  double highest_strain = 1;    ///< end of the strains that count; the others are only passed through
+  std::string file;            ///< name for messages and for the card
+  std::vector<double> time;    ///< s since first contact, increasing
+  std::vector<double> strain;  ///< each in [0, 1)
+  std::vector<double> stress;  ///< Pa
+  double lowest_strain = 0;    ///< points with strains from here
+  double highest_strain = 1;   ///< end of the strains that count; the others are only passed through
+  /// Temperature of the specimen, K, for a card with a temperature table; absent: the temperature at which
+  /// its factor is 1.
+  std::optional<double> temperature = {};
   std::optional<double> noise;  ///< standard deviation of a stress, Pa; absent: estimated from the misfit
   bool has_offset = false;      ///< its force zero is shifted by an unknown stress
   bool is_held_out = false;     ///< predicted, not fitted

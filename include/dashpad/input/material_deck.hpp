@@ -43,13 +43,19 @@ const UnitSystem& deck_system(std::string_view name);
 /// be read.
 bool is_stress_table(const std::filesystem::path& file);
 
+/// How the tests in files were made, in the order of the files.
+struct TestConditions {
+  std::vector<double> rates = {};  ///< 1/s, of the files with a single stress; may be fewer
+  /// K, one for each file, or none. The first is that of the card; others become its temperature table.
+  std::vector<double> temperatures = {};
+};
+
 /// Makes a foam of tests in tables: a column of strain or displacement, and columns of stress or force
 /// (`wanted` names them). Of several stresses in a file, each header has the rate after an @: "stress_kPa @
-/// 10 1/s". `rates`, 1/s, are those of the files with a single stress, in their order; they may be fewer.
-/// Loadings follow the largest strain so far; that of the slowest test is made to rise within its noise, and
-/// its way back is the unloading curve. What moved or was left out is in `differences`. Reports at most 200
-/// faults a file.
+/// 10 1/s". Loadings follow the largest strain so far; that of the slowest test is made to rise within its
+/// noise, and its way back is the unloading curve. What moved or was left out is in `differences`. Reports at
+/// most 200 faults a file.
 Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path>& files,
-                                         const std::vector<double>& rates, const StressStrainColumns& wanted);
+                                         const TestConditions& conditions, const StressStrainColumns& wanted);
 
 }  // namespace dashpad::input

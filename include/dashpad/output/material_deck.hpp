@@ -47,9 +47,9 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
 /// why_no_material_deck().
 std::string material_deck(const Material& material, const MaterialDeckOptions& options);
 
-/// A deck of LS-DYNA that includes that deck as the file `included` and compresses one element of the
-/// material at the highest rate of its curves, with the force by the curve in straight lines, F = A s(v t /
-/// L), as comments. Nobody ran it in that solver, which it says. For formats of LS-DYNA.
+/// A deck of LS-DYNA or Abaqus that includes that deck as the file `included` and compresses one element of
+/// the material at the highest rate of its curves, with the force by the curve in straight lines, F = A s(v t
+/// / L), as comments. Nobody ran it in that solver, which it says. For formats of these solvers.
 std::string material_check_deck(const Material& material, const MaterialDeckOptions& options,
                                 const std::string& included);
 

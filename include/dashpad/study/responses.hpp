@@ -2,6 +2,7 @@
 /// The responses that a study keeps of each impact: figures of the summary and of the pulse, by name.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +14,19 @@ namespace dashpad::study {
 
 /// The quantities of the table of results that a study may keep, in SI; those of a pulse need the history.
 const std::vector<ResultQuantity>& response_kinds();
-/// Null for a name that is none of response_kinds().
+
+/// A response of a study. Of a series of blows it is that of the last one computed, unless the name says of
+/// which: "peak_acceleration.blow_1", or the mean "peak_acceleration.mean_2_5".
+struct Response {
+  const ResultQuantity* kind;
+  int first_blow = 0, last_blow = 0;  ///< from 1; 0: the last one computed
+};
+/// The response of that name, or nothing.
+std::optional<Response> find_response(const std::string& name);
+/// Its quantity, or null.
 const ResultQuantity* find_response_kind(const std::string& name);
+/// "Peak acceleration", "Peak acceleration, mean of blows 2 to 5"; the name itself where it is no response.
+std::string response_title(const std::string& name);
 
 /// Whether an impact can have this value, SI: finite, and not below zero unless the response has a sign.
 bool is_possible(const ResultQuantity& kind, double value);
@@ -52,16 +64,25 @@ class PulseFigures;
 /// Fills outcomes with the responses of these names only. It reuses its memory; each thread needs its own.
 class ResponseReader {
  public:
-  /// Throws std::invalid_argument for a name that is none of response_kinds().
+  /// Throws std::invalid_argument for a name that is no response.
   explicit ResponseReader(std::span<const std::string> names);
   ~ResponseReader();
   ResponseReader(ResponseReader&&) noexcept;
   ResponseReader& operator=(ResponseReader&&) noexcept;
 
+  /// Whether a response is of other blows than the last: all blows of a series must be read then.
+  [[nodiscard]] bool needs_blows() const { return needs_blows_; }
+  /// Reads a solution; if needs_blows(), those of a series one after the other into the same outcome.
   void operator()(const Solution& solution, Outcome& outcome);
 
  private:
-  std::vector<std::size_t> kinds_;       ///< numbers in response_kinds()
+  struct Wanted {
+    std::size_t number = 0;  ///< in response_kinds()
+    Response of;
+  };
+  std::vector<Wanted> wanted_;
+  std::vector<double> sums_;  ///< over the blows so far
+  bool needs_blows_ = false;
   std::unique_ptr<PulseFigures> pulse_;  ///< present if a figure of the pulse is asked for
 };
 

@@ -4,11 +4,16 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
+
+namespace dashpad::uncertainty {
+class FoamDraw;
+}
 
 namespace dashpad::study {
 
@@ -16,19 +21,23 @@ namespace dashpad::study {
 class Worker {
  public:
   Worker(const Study& study, const Design& design);
+  ~Worker();
+  Worker(Worker&&) noexcept;
   /// Computes rows batch * size to (batch + 1) * size - 1, as far as the design has them. Rows whose factors
   /// make no valid case get the status not_run and NaN everywhere.
   std::vector<StoredRow> compute(std::uint64_t batch, std::uint64_t size);
   /// The same into rows that were used before, whose memory is used again.
   void compute(std::uint64_t batch, std::uint64_t size, std::vector<StoredRow>& rows);
-  /// Solves one row with its history. Throws std::invalid_argument if its factors make no valid case, and
-  /// std::out_of_range for a row that the design does not have.
-  Solution replay(std::uint64_t row);
-  /// The case of a row. Throws as replay().
+  /// The case of a row; if its foam is drawn, the impact of the card as it is is solved first. Throws
+  /// std::invalid_argument if its factors make no valid case, and std::out_of_range for a row that the design
+  /// does not have.
   const ImpactCase& case_of(std::uint64_t row);
+  /// Solves case_of() a row with its history, for its outcome.
+  Solution replay(std::uint64_t row, Outcome& outcome);
 
  private:
   void compute_row(std::uint64_t row, StoredRow& result);
+  const Solution& solve(Outcome& outcome);
 
   const Study& study_;
   const Design& design_;
@@ -37,6 +46,8 @@ class Worker {
   Solver solver_;
   ImpactCase impact_;
   std::vector<double> factors_;
+  std::vector<std::size_t> of_foam_;  ///< places of the factors that draw what is uncertain of the foam
+  std::unique_ptr<const uncertainty::FoamDraw> draw_;  ///< of the row at hand, if any
 };
 
 struct Progress {

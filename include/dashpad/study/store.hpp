@@ -91,6 +91,8 @@ class Store {
   /// A column (factor, response, "row" or "error") of all rows done, by row number; NaN for missing values.
   /// Throws std::invalid_argument for another name.
   [[nodiscard]] std::vector<double> column(const std::string& name) const;
+  /// The names of the materials, to which the numbers in the column "pad.material" refer.
+  [[nodiscard]] std::vector<std::string> materials() const;
 
   ~Store();
   Store(Store&&) noexcept;
@@ -104,16 +106,18 @@ class Store {
 
 /// A column as files have it: SI, but accelerations in g.
 struct ExportedColumn {
-  std::string name;  ///< name with unit: "peak_force_N", "impactor.speed_m_per_s"
-  std::string unit;  ///< "" for a material
-  double scale = 1;  ///< factor on the values of the store
+  std::string name;                     ///< name with unit: "peak_force_N", "impactor.speed_m_per_s"
+  std::string unit;                     ///< "" for a material
+  double scale = 1;                     ///< factor on the values of the store
+  std::vector<std::string> names = {};  ///< of the materials, whose numbers the store has
 };
 ExportedColumn exported(const StoredColumn& column);
 
 /// Writes the rows done as CSV, in pieces so that memory does not grow: a heading, then a line per row by row
 /// number. Columns: row, status, extrapolated, extrapolated_strain, extrapolated_rate and bottomed (0 or 1),
 /// error, factors, responses; the heading has units: "impactor.speed_m_per_s". Numbers read back exactly,
-/// except accelerations, which the store has in m/s2; missing values are empty. Passes exceptions of `write`.
+/// except accelerations, which the store has in m/s2; materials have their names; missing values are empty.
+/// Passes exceptions of `write`.
 void export_csv(const Store& store, const std::function<void(std::string_view)>& write);
 
 }  // namespace dashpad::study

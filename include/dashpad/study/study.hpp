@@ -128,11 +128,19 @@ struct FactorKey {
   std::string unit;  ///< SI; "1" for a pure number, "" for a material
 };
 
-/// All factors of a case with this law and support: its quantities (case_quantity.hpp) and its material.
+/// All factors of the study's case with this law and support: its quantities (case_quantity.hpp), its
+/// material, and what the cards of its materials leave uncertain ("foam.scatter").
+std::vector<FactorKey> factor_keys(const Study& study);
+/// The same without what is uncertain, which a fit cannot seek.
 std::vector<FactorKey> factor_keys(const ImpactCase& base);
 
-/// The message for a factor that is none of factor_keys(): what was meant, or what there is instead.
-std::string rule_for_unknown(const std::string& key, const ImpactCase& base);
+/// The message for a factor that is none of `known`: what was meant, or what there is instead.
+std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
+                             const std::vector<FactorKey>& known);
+
+/// Adds a factor for all that the cards leave uncertain and the study does not vary already: a range is drawn
+/// evenly, a statistical source is normal.
+void draw_foam_uncertainty(Study& study);
 
 /// Whether a key is that of a number of the pad's law or of its curves, which depend on the material.
 bool is_of_law(const std::string& key);

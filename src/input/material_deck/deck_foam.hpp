@@ -122,6 +122,7 @@ struct DeckRateCurve {
   double rate = 0;       ///< 1/s; 0: not stated
   std::size_t line = 0;  ///< where the rate stands
   DeckCurve curve;
+  std::optional<double> temperature = {};  ///< K, of a measured test
 };
 
 /// Air in the closed cells of a crushed foam, which adds P0 e / (1 - e - phi) to its skeleton.
@@ -129,6 +130,12 @@ struct DeckAir {
   double pressure = 0;
   double relative_density = 0;
 };
+
+/// Takes the tests at other temperatures than `reference`, K, out of `tests`: each of these temperatures gets
+/// a factor on the stresses at `reference` in tests at the same rate. Adds how well these follow to
+/// `differences`. The table is empty if there are none.
+TemperatureTable take_temperatures(std::vector<DeckRateCurve>& tests, double reference,
+                                   std::vector<std::string>& differences, MeasurementFaults& faults);
 
 struct DeckFoam {
   std::string card;  ///< "*MAT_083"
@@ -146,6 +153,7 @@ struct DeckFoam {
   bool linear_in_rate = true;
   std::optional<ViscoelasticFoam> viscoelastic;  ///< the whole law; then there are no curves
   std::optional<HyperfoamCurve> hyperfoam;       ///< the base curve, in place of points of the first loading
+  TemperatureTable temperature_table;
   std::string basis = "solver card";
   std::string source;
   std::vector<std::string> assumptions, differences;

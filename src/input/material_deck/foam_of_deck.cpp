@@ -74,7 +74,7 @@ std::string in_words_of_deck(const std::string& key, const DeckFoam& foam) {
 bool settle_rates(DeckFoam& foam, MeasurementFaults& faults) {
   bool sound = true;
   for (std::size_t i = 0; i < foam.loading.size(); ++i) {
-    const auto& [rate, line, curve] = foam.loading[i];
+    const auto& [rate, line, curve, temperature] = foam.loading[i];
     if (rate != rate) sound = false;
     if (rate < 0) {
       faults.add(line, foam.card + ": rate", fmt::format("{:.6g}", rate),
@@ -244,6 +244,7 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
       foam.title.empty() ? fmt::format("{} {}", foam.card, foam.id) : quoted_part(foam.title, longest_title);
   material.source = foam.source;
   material.basis = foam.basis;
+  material.temperature_table = foam.temperature_table;
   if (foam.density > 0) material.density = foam.density;
   const std::vector<Violation> broken = violations(material);
   for (const Violation& violation : broken)

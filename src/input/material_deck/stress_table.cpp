@@ -98,8 +98,9 @@ std::vector<DeckRateCurve> tests_in(const std::filesystem::path& file, std::opti
 
 /// The tests of all files, the slowest first.
 std::vector<DeckRateCurve> tests_in(const std::vector<std::filesystem::path>& files,
-                                    const std::vector<double>& rates, const StressStrainColumns& wanted,
+                                    const TestConditions& conditions, const StressStrainColumns& wanted,
                                     std::vector<std::string>& remarks) {
+  const auto& [rates, temperatures] = conditions;
   std::vector<DeckRateCurve> tests;
   std::vector<Fault> errors;
   for (std::size_t i = 0; i < files.size(); ++i) try {
@@ -111,6 +112,7 @@ std::vector<DeckRateCurve> tests_in(const std::vector<std::filesystem::path>& fi
             errors.push_back({files[i].string(), static_cast<int>(test.line), "", "",
                               "with several files, give a --rate for each, in the order of the files"});
         }
+        if (i < temperatures.size()) test.temperature = temperatures[i];
         tests.push_back(std::move(test));
       }
     } catch (const InputError& error) {
@@ -143,12 +145,16 @@ bool is_stress_table(const std::filesystem::path& file) {
 }
 
 Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path>& files,
-                                         const std::vector<double>& rates,
+                                         const TestConditions& conditions,
                                          const StressStrainColumns& wanted) {
   return reading_of([&]() -> DeckMaterial {
     DeckFoam foam;
-    std::vector<DeckRateCurve> tests = tests_in(files, rates, wanted, foam.differences);
+    std::vector<DeckRateCurve> tests = tests_in(files, conditions, wanted, foam.differences);
     MeasurementFaults faults(files.front().string());
+    if (!conditions.temperatures.empty())
+      foam.temperature_table =
+          take_temperatures(tests, conditions.temperatures.front(), foam.differences, faults);
+    faults.throw_if_any();
     foam.card = "table";
     foam.title = to_utf8(files.front().stem().string());
     foam.line = tests.front().line;

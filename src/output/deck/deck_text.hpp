@@ -109,6 +109,8 @@ std::string ls_dyna_material(const Material& material, const MaterialPoints& poi
 std::string radioss_material(const Material& material, const MaterialPoints& points,
                              const MaterialDeckOptions& options, DeckNumbers& numbers);
 
+/// A name that Abaqus takes without quotes: letters, digits, _ and -, a letter first, at most 80.
+std::string abaqus_name(const Material& material);
 /// Of a foam.
 std::string abaqus_material(const Material& material, const MaterialPoints& points,
                             const MaterialDeckOptions& options, DeckNumbers& numbers);

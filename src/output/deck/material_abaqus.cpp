@@ -9,9 +9,6 @@
 
 namespace dashpad::output {
 
-namespace {
-
-/// A name that Abaqus takes without quotes: letters, digits, _ and -, a letter first, at most 80.
 std::string abaqus_name(const Material& material) {
   std::string name;
   for (const char c : material.name)
@@ -19,6 +16,8 @@ std::string abaqus_name(const Material& material) {
   if (name.empty() || !std::isalpha(static_cast<unsigned char>(name.front()))) name = "FOAM-" + name;
   return name.substr(0, 80);
 }
+
+namespace {
 
 class TestRows {
  public:

@@ -6,6 +6,7 @@
 
 #include "dashpad/study/responses.hpp"
 #include "output/text/study_words.hpp"
+#include "uncertainty/foam_factors.hpp"
 
 namespace dashpad::output {
 
@@ -276,6 +277,14 @@ std::string interval_note(const study::StudyAnswers& answers) {
     note +=
         " They assume independent draws; the draws of this study are more evenly spread, so the intervals "
         "are too wide rather than too narrow.";
+  if (std::ranges::any_of(answers.study.factors, [](const study::Factor& factor) {
+        return uncertainty::is_foam_factor(factor.key) &&
+               std::holds_alternative<study::Uniform>(factor.spread);
+      }))
+    note +=
+        " The foam is drawn as well: all values within the ranges that its tests leave open are assumed to "
+        "be "
+        "equally likely.";
   const std::string names = unstratified_factors(answers.study);
   if (answers.study.sampling == study::Sampling::latin_hypercube && !names.empty())
     note += fmt::format(

@@ -18,10 +18,17 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 4> known{{{"pad.material", "material"},
-                                      {static_stress, "static stress"},
-                                      {"support.stiffness", "stiffness of the support"},
-                                      {"support.scale", "scale of the support's force"}}};
+constexpr std::array<Words, 11> known{{{"pad.material", "material"},
+                                       {static_stress, "static stress"},
+                                       {"support.stiffness", "stiffness of the support"},
+                                       {"support.scale", "scale of the support's force"},
+                                       {"foam.continuation", "stress beyond the tested strain"},
+                                       {"foam.rate", "stress beyond the tested rates"},
+                                       {"foam.way_back", "unloading of the foam"},
+                                       {"foam.lag_strain", "lag strain of the foam"},
+                                       {"foam.scatter", "sample-to-sample scatter"},
+                                       {"foam.misfit", "misfit of the law"},
+                                       {"foam.neighbours", "error of the columns"}}};
 
 /// The meaning of a number in the table of its owner; "" for another key.
 template <class Owner>
@@ -43,7 +50,8 @@ std::string_view meaning_of(std::string_view key) {
 }
 
 /// The owners of the numbers in the tables of a case.
-constexpr std::array<Words, 5> owners{{{"pad.parameters.", " of the foam"},
+constexpr std::array<Words, 6> owners{{{"pad.parameters.", " of the foam"},
+                                       {"foam.", " of the foam"},
                                        {"pad.curve.", " of the foam"},
                                        {"pad.rate.", " of the foam's rate effect"},
                                        {"impactor.", " of the nose"},
@@ -124,11 +132,11 @@ const std::string& response_name(const study::StudyAnswers& answers, std::size_t
 
 std::string title_of(const std::string& name) {
   const ResultQuantity* quantity = find_result_quantity(name);
-  return quantity == nullptr ? name : quantity->title;
+  return quantity == nullptr ? study::response_title(name) : quantity->title;
 }
 
 std::string si_unit_of(const std::string& response) {
-  const ResultQuantity* quantity = find_result_quantity(response);
+  const ResultQuantity* quantity = study::find_response_kind(response);
   return quantity == nullptr ? "1" : quantity->si_unit;
 }
 
