@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t for_people = 3;
 
 // clang-format off
-const std::array<UnitSystem, 7>& table() {
-  static const std::array<UnitSystem, 7> systems{{
+const std::array<UnitSystem, 9>& table() {
+  static const std::array<UnitSystem, 9> systems{{
       // name               length mass         time  speed    acceleration force stiffness pressure energy
       {"si",                "mm", "kg",        "ms", "m/s",   "m/s2",      "N",   "N/mm",   "kPa", "J"},
       {"us",                "in", "lb",        "ms", "mph",   "m/s2",      "lbf", "lbf/in", "psi", "in.lbf"},
@@ -21,6 +21,8 @@ const std::array<UnitSystem, 7>& table() {
       {"kg-mm-ms",          "mm", "kg",        "ms", "mm/ms", "mm/ms2",    "kN",  "kN/mm",  "GPa", "J"},
       {"kg-m-s",            "m",  "kg",        "s",  "m/s",   "m/s2",      "N",   "N/m",    "Pa",  "J"},
       {"t-mm-s",            "mm", "t",         "s",  "mm/s",  "mm/s2",     "N",   "N/mm",   "MPa", "mJ"},
+      {"g-mm-ms",           "mm", "g",         "ms", "mm/ms", "mm/ms2",    "N",   "N/mm",   "MPa", "mJ"},
+      {"g-cm-us",           "cm", "g",         "us", "cm/us", "cm/us2",    "g.cm/us2", "g/us2", "Mbar", "g.cm2/us2"},
       {"lbf-s2/in-in-s",    "in", "lbf.s2/in", "s",  "in/s",  "in/s2",     "lbf", "lbf/in", "psi", "in.lbf"},
   }};
   return systems;

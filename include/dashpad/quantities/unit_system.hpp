@@ -32,6 +32,8 @@ std::span<const UnitSystem> unit_systems();
 ///   kg-mm-ms         kN, GPa, J, mm/ms
 ///   kg-m-s           N, Pa, J, m/s
 ///   t-mm-s           N, MPa, mJ, mm/s
+///   g-mm-ms          N, MPa, mJ, mm/ms
+///   g-cm-us          Mbar, cm/us; the force is 10 MN
 ///   lbf-s2/in-in-s   lbf, psi, in.lbf, in/s; the mass is 175.127 kg
 std::span<const UnitSystem> consistent_systems();
 

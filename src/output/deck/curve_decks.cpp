@@ -30,8 +30,8 @@ std::string function_block(const Curve& curve, int id) {
 
 /// Mass, length and time as in the line of /BEGIN: by its codes or, if one has none, as numbers of SI units.
 std::string unit_triple(const UnitSystem& units) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> codes{
-      {{"kg", "kg"}, {"t", "Mg"}, {"mm", "mm"}, {"m", "m"}, {"ms", "ms"}, {"s", "s"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> codes{
+      {{"kg", "kg"}, {"t", "Mg"}, {"g", "g"}, {"mm", "mm"}, {"m", "m"}, {"ms", "ms"}, {"s", "s"}}};
   const std::array<std::pair<std::string, const char*>, 3> triple{
       {{units.mass, "kg"}, {units.length, "m"}, {units.time, "s"}}};
   std::string in_codes, in_numbers;
