@@ -28,6 +28,7 @@ See also dashpad material import --help and dashpad material export --help. To l
 
 constexpr const char* import_footer = R"(Examples:
   dashpad material import foam.k --units t-mm-s                   show the card on the screen
+  dashpad material import seat_0000.rad                           in the units that the deck states
   dashpad material import foam.k --units mm-t-s -o my-foam.toml   write it to a file
   dashpad material import car.k --units t-mm-s -o cards/          write each foam of a deck to a folder
   dashpad material import car.k --units t-mm-s --material 12      one foam of several, by number or name
@@ -38,8 +39,9 @@ constexpr const char* import_footer = R"(Examples:
 
 Decks: LS-DYNA keywords *MAT_057 (LOW_DENSITY_FOAM), 063 (CRUSHABLE_FOAM), 083 (FU_CHANG_FOAM) and 163
 (MODIFIED_CRUSHABLE_FOAM) with their *DEFINE_CURVE and *DEFINE_TABLE; Radioss starter blocks /MAT/LAW33, LAW62, LAW70
-and LAW90 with their /FUNCT; Abaqus *LOW DENSITY FOAM and *HYPERFOAM. A deck does not state its units; give them with
---units. Files that a deck includes from its folder are read with --allow-includes.
+and LAW90 with their /FUNCT; Abaqus *LOW DENSITY FOAM and *HYPERFOAM. Give the units of the deck with --units, unless it
+states them itself (/BEGIN and /UNIT of Radioss, *CONTROL_UNITS of LS-DYNA). Files that a deck includes from its folder
+are read with --allow-includes.
 
 Tables of compression tests (CSV, text): strain (as a fraction or in %) and stress, with units in the header, such
 as strain_percent,stress_kPa; or displacement and force, with --thickness and --area of the specimen. German, French,
@@ -94,7 +96,7 @@ TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
   return settings;
 }
 
-/// Checks the options that depend on the kind of file.
+/// Checks the options that depend on the kind of file. Returns the units of a deck, if they are given.
 std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_tables, Wrong& errors) {
   if (are_tables) {
     if (request.allows_includes) errors.emplace_back("--allow-includes: applies only to decks");
@@ -113,11 +115,7 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_ta
   if (request.files.size() > 1)
     errors.emplace_back(
         "FILE: only one deck can be given; if there are several files, all must be tables of tests");
-  if (request.units.empty()) {
-    errors.emplace_back("--units: is required, as in --units t-mm-s; a deck does not state its units");
-    return std::nullopt;
-  }
-  return deck_units_of(request.units, errors);
+  return request.units.empty() ? std::nullopt : deck_units_of(request.units, errors);
 }
 
 /// Keeps the foam of that number or name.
@@ -151,6 +149,7 @@ std::vector<Target> targets_of(const ImportRequest& request, const Found& found,
 std::string understood(const input::DeckMaterial& found) {
   const Material& material = found.material;
   std::string text = fmt::format("{}, line {}: {}\n", found.card, found.line, material.title);
+  if (!found.units.empty()) text += fmt::format("  units {}\n", found.units);
   std::visit(
       [&]<class Law>(const Law& law) {
         if constexpr (SharesSlip<Law>) {
@@ -200,10 +199,10 @@ int import_material(const ImportRequest& request) {
     const std::vector<fs::path> files(request.files.begin(), request.files.end());
     if (auto table = taken(input::read_stress_tables(files, settings.conditions, settings.columns), errors))
       found.push_back(*std::move(table));
-  } else if (units) {
+  } else if (units || (request.units.empty() && errors.empty())) {
     const auto includes = request.allows_includes ? input::Includes::allowed : input::Includes::ignored;
     found =
-        taken(input::read_material_deck(request.files.front(), *units, includes), errors).value_or(Found());
+        taken(input::read_material_deck(request.files.front(), units, includes), errors).value_or(Found());
   }
   if (request.material && !found.empty()) keep_only(*request.material, found, errors);
   const std::vector<Target> targets = targets_of(request, found, errors);
@@ -227,9 +226,10 @@ int import_material(const ImportRequest& request) {
 }  // namespace
 
 void add_deck_units(CLI::App& app, std::string& units) {
-  add_option(
-      app, "--units SYSTEM", units,
-      "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), lbf-s2/in-in-s (lbf, psi)");
+  add_option(app, "--units SYSTEM", units,
+             "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), g-mm-ms (N, MPa), "
+             "g-cm-us (Mbar), "
+             "lbf-s2/in-in-s (lbf, psi)");
 }
 
 std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& errors) {

@@ -1,6 +1,7 @@
 // Foams in the decks of LS-DYNA and Radioss.
 
 #include <cstdint>
+#include <optional>
 
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/input/material_deck.hpp"
@@ -40,6 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   (void)read_or_refuse([&] {
     return input::read_material_deck(folder() / "deck.k", plain_si(), input::Includes::allowed).value();
   });
+  (void)read_or_refuse([&] { return input::read_material_deck(folder() / "deck.k", std::nullopt).value(); });
   if (!found) return 0;
   require(!found->empty(), "a deck that is read holds a foam");
   for (const input::DeckMaterial& each : *found) {

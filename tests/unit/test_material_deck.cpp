@@ -381,7 +381,7 @@ TEST_F(MaterialDeckTest, TheUnitsOfARadiossDeckMustBeThoseStated) {
       "                  kg                  mm                  ms\n";
   EXPECT_NO_THROW(read(begin + law_90 + radioss_functions, "kg-mm-ms"));
   EXPECT_THAT(faults(begin + law_90 + radioss_functions),
-              ElementsAre(HasSubstr("4: units = kg: must be t"), HasSubstr("4: units = ms: must be s")));
+              ElementsAre(HasSubstr("4: units = kg, mm, ms: are those of kg-mm-ms, but --units is t-mm-s")));
 }
 
 TEST_F(MaterialDeckTest, SeveralMaterialsHaveNamesOfTheirOwn) {

@@ -18,9 +18,10 @@ namespace dashpad::input {
 /// A material with the decisions of its reader.
 struct DeckMaterial {
   Material material;
-  std::string card;                      ///< "*MAT_083", "/MAT/LAW90", "table"
-  long id = 0;                           ///< its number in the deck; 0 in a table
-  int line = 0;                          ///< where it begins
+  std::string card;   ///< "*MAT_083", "/MAT/LAW90", "table"
+  long id = 0;        ///< its number in the deck; 0 in a table
+  int line = 0;       ///< where it begins
+  std::string units;  ///< "t-mm-s", or "t-mm-s, as the deck states on line 4"; empty for a table
   std::vector<std::string> assumptions;  ///< assumptions where the file says nothing, a sentence each
   std::vector<std::string> differences;  ///< what the card cannot hold, or is solved otherwise here
 };
@@ -29,10 +30,11 @@ struct DeckMaterial {
 enum class Includes { ignored, allowed };
 
 /// The foams of a deck, in its order, with their curves: *MAT_057, 063, 083 and 163 of LS-DYNA, /MAT/LAW33,
-/// LAW62, LAW70 and LAW90 of Radioss. `units` are those of the deck, which does not state them. Reports all
-/// faults, or the first 200; a deck without such a material is a fault.
+/// LAW62, LAW70 and LAW90 of Radioss, *LOW DENSITY FOAM and *HYPERFOAM of Abaqus. `units` are those of the
+/// deck; they must agree with those that it states (/BEGIN, /UNIT, *CONTROL_UNITS), and may be left out if it
+/// states them. Reports all faults, or the first 200; a deck without such a material is a fault.
 Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
-                                                      const UnitSystem& units,
+                                                      const std::optional<UnitSystem>& units,
                                                       Includes includes = Includes::ignored);
 
 /// The consistent system of that name, whose units may be in any order: "mm-t-s" is "t-mm-s". Throws

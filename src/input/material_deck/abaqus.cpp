@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "input/material_deck/deck_foam.hpp"
+#include "input/material_deck/abaqus.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::input {
@@ -25,36 +25,37 @@ constexpr const char* no_loss =
     "There is no unloading curve, so the foam unloads along the curve for the lowest rate, without loss at "
     "that rate.";
 
-struct AbaqusKeyword {
-  std::string name;  ///< in capitals, single blanks: "LOW DENSITY FOAM"
-  std::map<std::string, std::string> parameters;
-  std::size_t line = 0;
-};
-
-AbaqusKeyword abaqus_keyword(std::string_view line, std::size_t number) {
-  AbaqusKeyword keyword{.name = {}, .parameters = {}, .line = number};
-  const std::vector<std::string> parts = split_at(line.substr(1), ',');
-  for (const std::string& word : split_at(upper_case(parts.front()), ' '))
-    if (!word.empty()) keyword.name += (keyword.name.empty() ? "" : " ") + word;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    const auto equals = std::min(parts[i].find('='), parts[i].size());
-    keyword.parameters[upper_case(without_blanks(std::string_view(parts[i]).substr(0, equals)))] =
-        without_blanks(std::string_view(parts[i]).substr(std::min(equals + 1, parts[i].size())));
-  }
-  return keyword;
-}
+/// Keywords of materials that are not read.
+constexpr std::array other_materials{"ELASTIC",
+                                     "PLASTIC",
+                                     "HYPERELASTIC",
+                                     "ANISOTROPIC HYPERELASTIC",
+                                     "HYPOELASTIC",
+                                     "CRUSHABLE FOAM",
+                                     "DRUCKER PRAGER",
+                                     "MOHR COULOMB",
+                                     "CAP PLASTICITY",
+                                     "POROUS ELASTIC",
+                                     "CONCRETE",
+                                     "FABRIC",
+                                     "CAST IRON PLASTICITY",
+                                     "USER MATERIAL",
+                                     "GASKET BEHAVIOR",
+                                     "HONEYCOMB",
+                                     "DEFORMATION PLASTICITY"};
 
 /// Reads the foams keyword by keyword.
 class AbaqusReader {
  public:
-  AbaqusReader(const DeckUnits& units, MeasurementFaults& faults) : units_(units), faults_(faults) {}
+  AbaqusReader(const DeckUnits& units, const DeckParameters& parameters, MeasurementFaults& faults)
+      : units_(units), parameters_(parameters), faults_(faults) {}
 
   void keyword(AbaqusKeyword keyword) {
     const std::string& name = keyword.name;
     is_read_ = false;
     if (name == "MATERIAL") {
       finish();
-      title_ = to_utf8(keyword.parameters["NAME"]);
+      title_ = to_utf8(unquoted(keyword.parameters["NAME"]));
       density_ = 0;
     } else if (name == "LOW DENSITY FOAM" || name == "HYPERFOAM") {
       begin(keyword);
@@ -106,8 +107,11 @@ class AbaqusReader {
     is_hyperfoam_ = keyword.name == "HYPERFOAM";
     is_read_ = is_hyperfoam_ && !keyword.parameters.contains("TEST DATA INPUT");
     terms_ = 1;
-    if (const auto n = keyword.parameters.find("N"); n != keyword.parameters.end())
-      terms_ = static_cast<std::size_t>(std::clamp(read_number(n->second).value, 0.0, 9.0));
+    if (const auto n = keyword.parameters.find("N"); n != keyword.parameters.end()) {
+      const auto use = parameter_use(n->second, parameters_);
+      const double terms = use ? use->value : read_number(n->second).value;
+      terms_ = terms > 0 ? static_cast<std::size_t>(std::min(terms, 9.0)) : 0;
+    }
     const auto lateral = keyword.parameters.find("LATERAL STRAIN DATA");
     has_lateral_ = lateral != keyword.parameters.end() && upper_case(lateral->second) != "NO";
     coefficients_.clear();
@@ -188,6 +192,7 @@ class AbaqusReader {
   }
 
   const DeckUnits& units_;
+  const DeckParameters& parameters_;
   MeasurementFaults& faults_;
   std::vector<DeckFoam> foams_;
   std::optional<DeckFoam> foam_;
@@ -200,33 +205,40 @@ class AbaqusReader {
   std::map<double, DeckCurve> curves_;  ///< by rate
 };
 
-}  // namespace
-
-bool is_abaqus(std::string_view text) {
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    if (!line.starts_with('*') || line.starts_with("**")) continue;
-    const std::string name = abaqus_keyword(line, 0).name;
-    if (name == "KEYWORD" || name.starts_with("MAT_") || name.starts_with("DEFINE_")) return false;
-    if (name == "MATERIAL" || name == "HYPERFOAM" || name == "LOW DENSITY FOAM" || name == "HEADING")
-      return true;
-  }
-  return false;
+/// Whether the deck holds foams, and what else.
+bool has_foams(std::string_view text, OutOfReach& other) {
+  bool found = false;
+  each_abaqus_line(
+      text,
+      [&](const AbaqusKeyword& keyword) {
+        found = found || keyword.name == "LOW DENSITY FOAM" || keyword.name == "HYPERFOAM";
+        if (std::ranges::find(other_materials, keyword.name) != other_materials.end())
+          other.add_material("*" + keyword.name);
+        if (keyword.name == "INCLUDE") other.include = "*INCLUDE";
+      },
+      [](const DeckLine&) {});
+  return found;
 }
 
-std::vector<DeckFoam> read_abaqus(std::string_view text, const DeckUnits& units, MeasurementFaults& faults) {
-  AbaqusReader reader(units, faults);
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    if (line.starts_with("**") || without_blanks(line).empty()) continue;
-    if (line.starts_with('*'))
-      reader.keyword(abaqus_keyword(line, lines.number()));
-    else
-      reader.row({lines.number(), line});
+}  // namespace
+
+std::vector<DeckFoam> read_abaqus(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults) {
+  OutOfReach other;
+  if (!has_foams(deck.text, other)) {
+    faults.add(0, "", "", contains_no("Abaqus *LOW DENSITY FOAM or *HYPERFOAM", other));
+    return {};
   }
+  const auto chosen = units.for_numbers({});
+  if (!chosen) return {};
+  const DeckParameters parameters = abaqus_parameters(deck.text, faults);
+  AbaqusReader reader(chosen->units, parameters, faults);
+  each_abaqus_line(
+      deck.text, [&](const AbaqusKeyword& keyword) { reader.keyword(keyword); },
+      [&](const DeckLine& line) {
+        reader.row({line.number, line.text, &parameters});
+      });
   std::vector<DeckFoam> foams = reader.foams();
-  if (foams.empty() && faults.none())
-    faults.add(0, "", "", "contains no Abaqus *LOW DENSITY FOAM or *HYPERFOAM");
+  for (DeckFoam& foam : foams) foam.units = chosen->words;
   return foams;
 }
 

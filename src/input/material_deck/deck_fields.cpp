@@ -18,6 +18,15 @@ std::string rule_for_deck_number(NumberKind kind) {
   return "is not a number";
 }
 
+/// "; *INCLUDE files are read only with --allow-includes": where something may be that was not found.
+std::string elsewhere(const OutOfReach& why) {
+  std::string text;
+  if (!why.include.empty())
+    text += fmt::format("; {} files are read only with --allow-includes", why.include);
+  if (!why.other_include.empty()) text += fmt::format("; {} is not read", why.other_include);
+  return text;
+}
+
 }  // namespace
 
 Widths equal_widths(std::size_t count, bool long_format) { return Widths(count, long_format ? 20 : 10); }
@@ -53,14 +62,12 @@ std::string DeckFields::place_of(std::size_t field) const {
 
 double DeckFields::number(std::size_t field, const std::string& key, const DeckUnit& unit) {
   const std::string_view written = text(field);
-  if (const auto at = written.find('&'); at <= 1 && line_.parameters != nullptr) {
-    const bool is_negative = written.starts_with('-');
-    const auto found = line_.parameters->find(lower_case(without_blanks(written.substr(at + 1))));
-    if (found != line_.parameters->end() && (at == 0 || is_negative || written.starts_with('+')))
-      return read_deck_number(fmt::format("{}", is_negative ? -found->second : found->second), unit).value;
-    faults_.add(line_.number, key, to_utf8(written), "is not defined by any *PARAMETER in this deck");
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  if (line_.parameters != nullptr)
+    if (const auto use = parameter_use(written, *line_.parameters)) {
+      if (!use->rule.empty()) faults_.add(line_.number, key, to_utf8(written), use->rule);
+      if (!use->rule.empty() || std::isnan(use->value)) return std::numeric_limits<double>::quiet_NaN();
+      return read_deck_number(fmt::format("{}", use->value), unit).value;
+    }
   const ReadNumber read = read_deck_number(written, unit);
   if (read.kind == NumberKind::number) return read.value;
   if (read.kind == NumberKind::empty) return 0;
@@ -79,11 +86,11 @@ std::optional<long> DeckFields::whole(std::size_t field, const std::string& key)
   return static_cast<long>(value);
 }
 
-void NumberedBlocks::add(long id, DeckBlock block, MeasurementFaults& faults) {
+void NumberedBlocks::add(long id, DeckBlock block, const DeckText& deck, MeasurementFaults& faults) {
   const auto found = blocks_.find(id);
   if (found != blocks_.end()) {
     faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
-               fmt::format("is defined twice, first on line {}", found->second.head.number));
+               "is defined twice, first on " + deck.words_for(found->second.head.number));
     return;
   }
   blocks_.emplace(id, std::move(block));
@@ -130,17 +137,31 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   return parts;
 }
 
-std::string others_listed(const std::vector<std::string>& other_materials) {
-  return other_materials.empty() ? "" : "; it contains " + listing(other_materials);
+std::string unquoted(std::string_view text) {
+  text = without_blanks(text);
+  if (text.starts_with('"') || text.starts_with('\'')) text = text.substr(1, text.find(text.front(), 1) - 1);
+  return std::string(text);
 }
 
-std::string missing(const std::string& block, const OutOfReach& why, const char* include) {
-  if (why.encrypted > 0)
-    return fmt::format("part of the deck is encrypted, from line {} on, so {} cannot be read", why.encrypted,
+void OutOfReach::add_material(const std::string& keyword) {
+  constexpr std::size_t most = 10;
+  const std::string shown = to_utf8(keyword);
+  if (other_materials.size() < most && std::ranges::find(other_materials, shown) == other_materials.end())
+    other_materials.push_back(shown);
+}
+
+std::string missing(const std::string& block, const OutOfReach& why) {
+  if (!why.encrypted.empty())
+    return fmt::format("part of the deck is encrypted, from {} on, so {} cannot be read", why.encrypted,
                        block);
-  return fmt::format(
-      "there is no {}{}", block,
-      why.includes_files ? fmt::format("; {} files are read only with --allow-includes", include) : "");
+  return fmt::format("there is no {}{}", block, elsewhere(why));
+}
+
+std::string contains_no(const char* materials, const OutOfReach& why) {
+  std::string text = fmt::format("contains no {}", materials);
+  if (!why.other_materials.empty()) text += "; it contains " + listing(why.other_materials);
+  if (!why.encrypted.empty()) text += fmt::format("; part of it is encrypted, from {} on", why.encrypted);
+  return text + elsewhere(why);
 }
 
 std::string too_many_points(std::size_t count) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,12 +15,11 @@
 #include "dashpad/model/pad/viscoelastic_foam.hpp"
 #include "input/material_deck/deck_cards.hpp"
 #include "input/material_deck/deck_includes.hpp"
+#include "input/material_deck/deck_parameters.hpp"
+#include "input/material_deck/stated_units.hpp"
 #include "input/measurement/measurement_text.hpp"
 
 namespace dashpad::input {
-
-/// The values of a deck's parameters, by their names in lower case.
-using DeckParameters = std::map<std::string, double, std::less<>>;
 
 struct DeckLine {
   std::size_t number = 0;
@@ -76,7 +74,7 @@ class NumberedBlocks {
  public:
   explicit NumberedBlocks(std::string kind) : kind_(std::move(kind)) {}
 
-  void add(long id, DeckBlock block, MeasurementFaults& faults);
+  void add(long id, DeckBlock block, const DeckText& deck, MeasurementFaults& faults);
   [[nodiscard]] const DeckBlock* find(long id) const;
   [[nodiscard]] const DeckBlock* at_place(std::size_t place) const;
 
@@ -156,14 +154,14 @@ struct DeckFoam {
   TemperatureTable temperature_table;
   std::string basis = "solver card";
   std::string source;
+  std::string units;  ///< of its numbers in the deck, in words; empty for a table
   std::vector<std::string> assumptions, differences;
 };
 
-/// The foams of a text. Faults are added to `faults`.
-std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units, MeasurementFaults& faults);
-std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& system, const DeckUnits& units,
-                                   MeasurementFaults& faults);
-std::vector<DeckFoam> read_abaqus(std::string_view text, const DeckUnits& units, MeasurementFaults& faults);
+/// The foams of a deck. Faults are added to `faults`.
+std::vector<DeckFoam> read_ls_dyna(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
+std::vector<DeckFoam> read_radioss(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
+std::vector<DeckFoam> read_abaqus(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
 /// Whether the keywords of a text are those of Abaqus.
 bool is_abaqus(std::string_view text);
 
@@ -186,17 +184,25 @@ void tell_of_exponent(double exponent, const char* name, DeckFoam& foam);
 /// The parts of "MAT/LAW90/12/3" between its slashes.
 std::vector<std::string> split_at(std::string_view text, char separator);
 
-/// "; available: *MAT_001, *MAT_002", for materials that are not read.
-std::string others_listed(const std::vector<std::string>& other_materials);
+/// The text without blanks and quotes around it.
+std::string unquoted(std::string_view text);
 
-/// Why a block may be out of reach.
+/// What a deck holds besides the blocks that are read.
 struct OutOfReach {
-  bool includes_files = false;
-  std::size_t encrypted = 0;  ///< line of the first encrypted part; 0 without
+  std::string include;                       ///< "*INCLUDE" if the deck includes files that were not read
+  std::string other_include;                 ///< a keyword such as *INCLUDE_TRANSFORM, which is never read
+  std::string encrypted;                     ///< "line 4": where the first encrypted part begins
+  std::vector<std::string> other_materials;  ///< keywords, each of them once
+
+  /// Notes the keyword of a material that is not read, up to ten of them.
+  void add_material(const std::string& keyword);
 };
 
-/// The rule for a block that is not in the deck; it may be in a file that `include` names.
-std::string missing(const std::string& block, const OutOfReach& why, const char* include);
+/// The rule for a block that is not in the deck.
+std::string missing(const std::string& block, const OutOfReach& why);
+
+/// The rule for a deck without the materials that are read, with what it holds.
+std::string contains_no(const char* materials, const OutOfReach& why);
 
 /// The rule for a curve with too many points.
 std::string too_many_points(std::size_t count);

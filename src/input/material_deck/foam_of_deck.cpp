@@ -194,6 +194,7 @@ PadLaw crushable_law(const DeckFoam& foam, FoamCurves curves, std::vector<std::s
 
 /// The law of a foam with curves; absent after a fault.
 std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, MeasurementFaults& faults) {
+  if (std::isnan(foam.modulus)) return std::nullopt;  // reported when it was read
   if (foam.crushable && !(foam.modulus > 0)) {
     faults.add(foam.line, foam.card + ": E", fmt::format("{:.6g}", foam.modulus),
                "must be more than 0; the foam unloads with this modulus");
@@ -204,6 +205,14 @@ std::optional<PadLaw> law_by_curves(DeckFoam& foam, CurveLines& lines, Measureme
   if (!curves) return std::nullopt;
   if (foam.crushable) return crushable_law(foam, *std::move(curves), foam.assumptions);
   return foam_law(foam, *std::move(curves), lines, faults, foam.differences);
+}
+
+/// A function that serves two rates has each of its differences twice.
+std::vector<std::string> without_repeats(const std::vector<std::string>& sentences) {
+  std::vector<std::string> once;
+  for (const std::string& sentence : sentences)
+    if (std::ranges::find(once, sentence) == once.end()) once.push_back(sentence);
+  return once;
 }
 
 /// Adds the differences that hold for every deck.
@@ -254,8 +263,9 @@ std::optional<DeckMaterial> material_of(const DeckFoam& given, MeasurementFaults
   if (!broken.empty()) return std::nullopt;
 
   tell_common_differences(foam, foam.differences);
-  result.assumptions = std::move(foam.assumptions);
-  result.differences = std::move(foam.differences);
+  result.units = foam.units;
+  result.assumptions = without_repeats(foam.assumptions);
+  result.differences = without_repeats(foam.differences);
   material.reservations = result.assumptions;
   material.reservations.insert(material.reservations.end(), result.differences.begin(),
                                result.differences.end());

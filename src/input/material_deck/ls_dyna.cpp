@@ -146,16 +146,27 @@ std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) 
   return "has an unknown option";
 }
 
+/// What *CONTROL_UNITS states: length, time and mass. With a second line, of scales, it is not understood.
+StatedUnits units_of_deck(const LsDynaBlocks& deck, MeasurementFaults& faults) {
+  if (!deck.units || deck.units->lines.size() != 1) return {};
+  const DeckLine& line = deck.units->lines.front();
+  const DeckFields fields(line, equal_widths(3, deck.units->long_format), true, faults);
+  return units_by_words(line.number, {fields.text(2), fields.text(0), fields.text(1)});
+}
+
 }  // namespace
 
-std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units, MeasurementFaults& faults) {
+std::vector<DeckFoam> read_ls_dyna(const DeckText& text, UnitChoice& units, MeasurementFaults& faults) {
   const LsDynaBlocks deck = ls_dyna_blocks(text, faults);
-  if (deck.foams.empty())
-    faults.add(
-        0, "", "",
-        "contains no *MAT_057 (LOW_DENSITY_FOAM), *MAT_063 (CRUSHABLE_FOAM), *MAT_083 (FU_CHANG_FOAM) or "
-        "*MAT_163 (MODIFIED_CRUSHABLE_FOAM)" +
-            others_listed(deck.other_materials));
+  if (deck.foams.empty()) {
+    faults.add(0, "", "",
+               contains_no("*MAT_057 (LOW_DENSITY_FOAM), *MAT_063 (CRUSHABLE_FOAM), *MAT_083 "
+                           "(FU_CHANG_FOAM) or *MAT_163 (MODIFIED_CRUSHABLE_FOAM)",
+                           deck.out_of_reach));
+    return {};
+  }
+  const auto chosen = units.for_numbers(units_of_deck(deck, faults));
+  if (!chosen) return {};
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : deck.foams) {
     const std::string keyword = keyword_of(block);
@@ -164,12 +175,13 @@ std::vector<DeckFoam> read_ls_dyna(std::string_view text, const DeckUnits& units
     foam.card = fmt::format("*MAT_{}", kind.number);
     foam.line = block.head.number;
     foam.title = title_of(block);
+    foam.units = chosen->words;
     foam.crushable = kind.crushable;
     foam.linear_in_rate = keyword.find("LOG_LOG") == std::string::npos;
     const std::string rule = rule_for_option(keyword, kind);
     if (!rule.empty())
       faults.add(block.head.number, foam.card, rule.starts_with("has") ? to_utf8(keyword) : "", rule);
-    else if (read_cards(block, kind, {deck, units, faults}, foam)) {
+    else if (read_cards(block, kind, {deck, chosen->units, faults}, foam)) {
       if (kind.number == "063") tell_of_last_slope(foam);
       foams.push_back(std::move(foam));
     }

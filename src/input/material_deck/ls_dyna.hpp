@@ -1,28 +1,53 @@
 #pragma once
 /// *KEYWORD input of LS-DYNA.
 
+#include <deque>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "input/material_deck/deck_foam.hpp"
 
 namespace dashpad::input {
 
-/// The blocks of *KEYWORD input that are foams, curves or tables.
+/// The parameters that each file of a deck knows: those of *PARAMETER_LOCAL in it and in the files that
+/// include it, and the others of the whole deck.
+class LsDynaScopes {
+ public:
+  explicit LsDynaScopes(const DeckText& deck);
+
+  [[nodiscard]] const DeckParameters& of(std::size_t file) const { return scopes_[file + 1]; }
+  DeckParameters& local_to(std::size_t file) { return scopes_[file + 1]; }
+  DeckParameters& of_all() { return scopes_.front(); }
+
+ private:
+  std::deque<DeckParameters> scopes_;  ///< of the whole deck, then of each file; they refer to one another
+};
+
+/// Reads *PARAMETER and *PARAMETER_EXPRESSION, with the options LOCAL and MUTABLE: sums, products, powers,
+/// brackets and the usual functions of parameters defined before.
+void read_ls_dyna_parameters(const DeckText& deck, LsDynaScopes& scopes, MeasurementFaults& faults);
+
+/// The blocks of *KEYWORD input that are foams, curves, tables or units.
 struct LsDynaBlocks {
   std::vector<DeckBlock> foams;
   NumberedBlocks curves{"curve"};
   NumberedBlocks tables{"table"};
-  std::vector<std::string> other_materials;  ///< keywords of materials that are not read
+  std::optional<DeckBlock> units;            ///< *CONTROL_UNITS
   std::map<long, std::string> other_curves;  ///< keywords of curves that are not read, by number
   OutOfReach out_of_reach;
-  std::unique_ptr<const DeckParameters> parameters;
+  std::unique_ptr<LsDynaScopes> parameters;
 };
 
-/// The parameters of a deck: *PARAMETER and *PARAMETER_EXPRESSION with sums, products, powers, brackets and
-/// the usual functions of parameters defined before. Anything else is a fault where it is used.
-DeckParameters ls_dyna_parameters(std::string_view text, MeasurementFaults& faults);
+LsDynaBlocks ls_dyna_blocks(const DeckText& deck, MeasurementFaults& faults);
 
-LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults);
+/// The block that a line such as "*MAT_057_TITLE +" begins, and whether its fields are long.
+DeckBlock begun_block(const DeckLine& line, bool all_long);
+/// Whether *KEYWORD makes all fields long.
+bool says_long(std::string_view head);
 
 /// The foam of a keyword such as MAT_083; null if it is not read.
 const LsDynaFoam* ls_dyna_foam(std::string_view keyword);

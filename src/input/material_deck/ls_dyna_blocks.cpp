@@ -12,32 +12,7 @@
 namespace dashpad::input {
 namespace {
 
-constexpr std::size_t max_materials_listed = 10;
 constexpr std::string_view begin_of_encrypted = "-----BEGIN PGP", end_of_encrypted = "-----END PGP";
-
-/// "*MAT_057_TITLE +": the keyword, and whether its fields are long.
-DeckBlock begun_block(const DeckLine& line, bool all_long) {
-  DeckBlock block;
-  block.head = line;
-  block.long_format = all_long;
-  std::string text = upper_case(line.text.substr(1));
-  const auto end = text.find_first_of(" \t,");
-  std::string options = end == std::string::npos ? "" : text.substr(end);
-  block.keyword = text.substr(0, end);
-  if (block.keyword.ends_with('+') || block.keyword.ends_with('-')) {
-    options += block.keyword.back();
-    block.keyword.pop_back();
-  }
-  if (options.find('+') != std::string::npos) block.long_format = true;
-  if (options.find('-') != std::string::npos) block.long_format = false;
-  return block;
-}
-
-bool says_long(const std::string& head) {
-  const std::string text = upper_case(head);
-  const auto at = text.find("LONG=");
-  return at != std::string::npos && text.substr(at + 5, 1) != "S";
-}
 
 /// The number in the first field; absent if there is none, since unused curves may be anything.
 std::optional<long> number_of_block(const DeckBlock& block) {
@@ -48,9 +23,8 @@ std::optional<long> number_of_block(const DeckBlock& block) {
   const std::size_t width = comma != std::string_view::npos ? comma : block.long_format ? 20 : 10;
   const std::string_view field = without_blanks(line.substr(0, width));
   ReadNumber read = read_deck_number(field, {});
-  if (const auto* const known = lines.front().parameters; field.starts_with('&') && known != nullptr)
-    if (const auto found = known->find(lower_case(field.substr(1))); found != known->end())
-      read = {NumberKind::number, found->second};
+  if (const auto use = parameter_use(field, *lines.front().parameters); use && use->rule.empty())
+    read = {NumberKind::number, use->value};
   if (read.kind != NumberKind::number || !(std::abs(read.value) < 1e10)) return std::nullopt;
   return static_cast<long>(read.value);
 }
@@ -104,10 +78,74 @@ const LsDynaFoam* ls_dyna_foam(std::string_view keyword) {
   return found == std::end(ls_dyna_foams) ? nullptr : found;
 }
 
-LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
+DeckBlock begun_block(const DeckLine& line, bool all_long) {
+  DeckBlock block;
+  block.head = line;
+  block.long_format = all_long;
+  std::string text = upper_case(line.text.substr(1));
+  const auto end = text.find_first_of(" \t,");
+  std::string options = end == std::string::npos ? "" : text.substr(end);
+  block.keyword = text.substr(0, end);
+  if (block.keyword.ends_with('+') || block.keyword.ends_with('-')) {
+    options += block.keyword.back();
+    block.keyword.pop_back();
+  }
+  if (options.find('+') != std::string::npos) block.long_format = true;
+  if (options.find('-') != std::string::npos) block.long_format = false;
+  return block;
+}
+
+bool says_long(std::string_view head) {
+  const std::string text = upper_case(head);
+  const auto at = text.find("LONG=");
+  return at != std::string::npos && text.substr(at + 5, 1) != "S";
+}
+
+namespace {
+
+enum class BlockKind { foam, curve, other_curve, table, units, unread };
+
+BlockKind kind_of_block(const std::string& keyword) {
+  if (ls_dyna_foam(keyword) != nullptr) return BlockKind::foam;
+  if (keyword == "DEFINE_CURVE") return BlockKind::curve;
+  if (keyword.starts_with("DEFINE_CURVE") || keyword.starts_with("DEFINE_FUNCTION"))
+    return BlockKind::other_curve;
+  if (keyword == "DEFINE_TABLE" || keyword == "DEFINE_TABLE_2D") return BlockKind::table;
+  return keyword == "CONTROL_UNITS" || keyword == "CONTROL_UNIT" ? BlockKind::units : BlockKind::unread;
+}
+
+void note_unread(const std::string& keyword, OutOfReach& out_of_reach) {
+  if (keyword.starts_with("MAT_"))
+    out_of_reach.add_material("*" + keyword);
+  else if (keyword == "INCLUDE")
+    out_of_reach.include = "*INCLUDE";
+  else if (keyword.starts_with("INCLUDE") && !keyword.starts_with("INCLUDE_PATH"))
+    out_of_reach.other_include = "*" + to_utf8(keyword);
+}
+
+void keep_ls_dyna_block(DeckBlock block, BlockKind kind, const DeckText& text, LsDynaBlocks& deck,
+                        MeasurementFaults& faults) {
+  if (kind == BlockKind::foam) {
+    if (deck.foams.size() == max_foams_of_deck)
+      faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
+    deck.foams.push_back(std::move(block));
+  } else if (kind == BlockKind::units) {
+    if (!deck.units) deck.units = std::move(block);
+  } else if (const auto id = number_of_block(block)) {
+    if (kind == BlockKind::other_curve)
+      deck.other_curves.emplace(*id, "*" + to_utf8(keyword_of(block)));
+    else
+      (kind == BlockKind::curve ? deck.curves : deck.tables).add(*id, std::move(block), text, faults);
+  }
+}
+
+}  // namespace
+
+LsDynaBlocks ls_dyna_blocks(const DeckText& text, MeasurementFaults& faults) {
   LsDynaBlocks deck;
-  deck.parameters = std::make_unique<const DeckParameters>(ls_dyna_parameters(text, faults));
-  LineReader lines(text);
+  deck.parameters = std::make_unique<LsDynaScopes>(text);
+  read_ls_dyna_parameters(text, *deck.parameters, faults);
+  LineReader lines(text.text);
   std::string_view line;
   std::size_t place = 0;
   bool all_long = false, more = lines.next(line);
@@ -120,39 +158,25 @@ LsDynaBlocks ls_dyna_blocks(std::string_view text, MeasurementFaults& faults) {
     block.place = place++;
     const std::string keyword = keyword_of(block);
     if (keyword == "END") break;
-    if (keyword == "KEYWORD" && says_long(std::string(line))) all_long = true;
-    const bool foam = ls_dyna_foam(keyword) != nullptr;
-    const bool curve = keyword == "DEFINE_CURVE";
-    const bool other_curve =
-        !curve && (keyword.starts_with("DEFINE_CURVE") || keyword.starts_with("DEFINE_FUNCTION"));
-    const bool table = keyword == "DEFINE_TABLE" || keyword == "DEFINE_TABLE_2D";
+    if (keyword == "KEYWORD" && says_long(line)) all_long = true;
+    const BlockKind kind = kind_of_block(keyword);
     bool is_encrypted = false;
     while ((more = lines.next(line)) && !line.starts_with('*')) {
       if (line.starts_with(begin_of_encrypted)) {
         is_encrypted = true;
-        if (deck.out_of_reach.encrypted == 0) deck.out_of_reach.encrypted = lines.number();
+        if (deck.out_of_reach.encrypted.empty()) deck.out_of_reach.encrypted = text.words_for(lines.number());
       }
-      if ((foam || curve || table || other_curve) && !line.starts_with('$') && !is_encrypted)
-        block.lines.push_back({lines.number(), line, deck.parameters.get()});
+      if (kind != BlockKind::unread && !line.starts_with('$') && !is_encrypted)
+        block.lines.push_back(
+            {lines.number(), line, &deck.parameters->of(text.place_of(lines.number()).file)});
       if (line.starts_with(end_of_encrypted)) is_encrypted = false;
     }
-    while (!block.lines.empty() && without_blanks(block.lines.back().text).empty() && !foam)
+    while (!block.lines.empty() && without_blanks(block.lines.back().text).empty() && kind != BlockKind::foam)
       block.lines.pop_back();
-    if (foam) {
-      if (deck.foams.size() == max_foams_of_deck)
-        faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
-      deck.foams.push_back(std::move(block));
-    } else if (keyword.starts_with("MAT_") && deck.other_materials.size() < max_materials_listed)
-      deck.other_materials.push_back("*" + to_utf8(keyword));
-    else if (keyword.starts_with("INCLUDE"))
-      deck.out_of_reach.includes_files = true;
-    if (!curve && !table && !other_curve) continue;
-    if (const auto id = number_of_block(block)) {
-      if (other_curve)
-        deck.other_curves.emplace(*id, "*" + to_utf8(keyword));
-      else
-        (curve ? deck.curves : deck.tables).add(*id, std::move(block), faults);
-    }
+    if (kind == BlockKind::unread)
+      note_unread(keyword, deck.out_of_reach);
+    else
+      keep_ls_dyna_block(std::move(block), kind, text, deck, faults);
   }
   return deck;
 }
@@ -166,7 +190,7 @@ std::optional<DeckCurve> ls_dyna_curve(const LsDynaSource& from, long id, const 
     faults.add(asked, key, fmt::format("{}", id),
                other != deck.other_curves.end()
                    ? fmt::format("curve {} is a {}; only *DEFINE_CURVE is read", id, other->second)
-                   : missing(fmt::format("*DEFINE_CURVE {}", id), deck.out_of_reach, "*INCLUDE"));
+                   : missing(fmt::format("*DEFINE_CURVE {}", id), deck.out_of_reach));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);
@@ -201,7 +225,7 @@ std::optional<std::vector<DeckRateCurve>> ls_dyna_table(const LsDynaSource& from
     faults.add(asked, key, fmt::format("{}", id),
                deck.curves.find(id) != nullptr
                    ? "is a curve; a table of curves at several rates is needed"
-                   : missing(fmt::format("*DEFINE_TABLE {}", id), deck.out_of_reach, "*INCLUDE"));
+                   : missing(fmt::format("*DEFINE_TABLE {}", id), deck.out_of_reach));
     return std::nullopt;
   }
   const std::vector<DeckLine> lines = lines_behind_title(*block);

@@ -1,9 +1,7 @@
-// Parameters of LS-DYNA decks, and the expressions that compute them.
+// *PARAMETER and *PARAMETER_EXPRESSION of LS-DYNA.
 
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
+#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,208 +11,157 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t longest_expression = 1000;
-constexpr int deepest_brackets = 20;
+/// The options behind *PARAMETER; `is_read` unless one of them makes it another keyword.
+struct ParameterOptions {
+  bool is_read = false, is_expression = false, is_local = false, is_long = false;
+};
 
-/// Evaluates an expression from left to right by precedence. Faults are texts; nothing is thrown.
-class Expression {
+ParameterOptions options_of(const DeckBlock& block) {
+  const std::vector<std::string> words = split_at(block.keyword, '_');
+  ParameterOptions options{.is_read = words.front() == "PARAMETER", .is_long = block.long_format};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    options.is_expression = options.is_expression || words[i] == "EXPRESSION";
+    options.is_local = options.is_local || words[i] == "LOCAL";
+    options.is_read = options.is_read && (words[i] == "EXPRESSION" || words[i] == "LOCAL" ||
+                                          words[i] == "MUTABLE" || words[i] == "NOECHO");
+  }
+  return options;
+}
+
+/// Reads the lines of the blocks one after the other.
+class ParameterReader {
  public:
-  Expression(std::string_view text, const DeckParameters& known) : rest_(text), known_(known) {}
+  ParameterReader(const DeckText& deck, LsDynaScopes& scopes, MeasurementFaults& faults)
+      : deck_(deck), scopes_(scopes), faults_(faults) {}
 
-  /// The value; absent with a rule in `rule`.
-  std::optional<double> value(std::string& rule) {
-    const double result = sum();
-    skip_blanks();
-    if (rule_.empty() && !rest_.empty()) fail(fmt::format("has unexpected text at its end: \"{}\"", rest_));
-    if (rule_.empty() && !std::isfinite(result)) fail("is not a finite number");
-    rule = rule_;
-    return rule_.empty() ? std::optional{result} : std::nullopt;
+  void begin(const ParameterOptions& options) {
+    finish();
+    options_ = options;
+  }
+
+  void line(const DeckLine& line) {
+    if (!options_.is_read) return;
+    rest_ = line.text;
+    column_ = 0;
+    has_commas_ = rest_.find(',') != std::string_view::npos;
+    if (options_.is_expression) return expression(line.number);
+    while (!without_blanks(rest_).empty()) {
+      const std::size_t column = column_;
+      const std::string_view name = field();
+      const std::string_view value = without_blanks(field());
+      if (!define({name, std::string(value), line.number, column})) return;
+    }
+  }
+
+  /// Defines what has been begun.
+  void finish() {
+    if (begun_) define(*std::exchange(begun_, std::nullopt));
   }
 
  private:
-  double fail(std::string rule) {
-    if (rule_.empty()) rule_ = std::move(rule);
-    rest_ = {};
-    return 0;
+  /// A name with its type, such as "R rho".
+  struct Typed {
+    std::string_view name;
+    std::string value;
+    std::size_t line = 0, column = 0;
+  };
+
+  [[nodiscard]] std::size_t width() const { return options_.is_long ? 20 : 10; }
+
+  std::string_view field() {
+    const std::size_t end =
+        has_commas_ ? std::min(rest_.find(','), rest_.size()) : std::min(width(), rest_.size());
+    const std::string_view text = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(rest_.size(), end + (has_commas_ ? 1 : 0)));
+    column_ += width();
+    return text;
   }
 
-  void skip_blanks() {
-    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t')) rest_.remove_prefix(1);
-  }
-
-  bool take(std::string_view sign) {
-    skip_blanks();
-    if (!rest_.starts_with(sign)) return false;
-    rest_.remove_prefix(sign.size());
-    return true;
-  }
-
-  double sum() {
-    double total = product();
-    while (rule_.empty())
-      if (take("+"))
-        total += product();
-      else if (take("-"))
-        total -= product();
-      else
-        break;
-    return total;
-  }
-
-  double product() {
-    double total = power();
-    while (rule_.empty()) {
-      skip_blanks();
-      if (!rest_.starts_with("**") && take("*")) {
-        total *= power();
-      } else if (take("/")) {
-        const double divisor = power();
-        if (divisor == 0 && rule_.empty()) return fail("divides by zero");
-        total /= divisor;
-      } else {
-        break;
-      }
+  /// An expression goes on in lines without a name.
+  void expression(std::size_t number) {
+    const std::string_view name = field();
+    const std::string_view text = without_blanks(rest_);
+    if (begun_ && without_blanks(name).empty()) {
+      begun_->value += " " + std::string(text);
+      return;
     }
-    return total;
+    finish();
+    begun_ = Typed{name, std::string(text), number, 0};
   }
 
-  double power() {
-    if (take("-")) return deeper([&] { return -power(); });
-    if (take("+")) return deeper([&] { return power(); });
-    const double base = operand();
-    if (take("**") || take("^")) return deeper([&] { return std::pow(base, power()); });
-    return base;
-  }
-
-  template <class Inner>
-  double deeper(Inner&& inner) {
-    if (++depth_ > deepest_brackets)
-      return fail(fmt::format("is nested more than {} levels deep", deepest_brackets));
-    const double result = inner();
-    --depth_;
-    return result;
-  }
-
-  double bracket() {
-    return deeper([&] {
-      const double inner = sum();
-      return rule_.empty() && !take(")") ? fail("has an unclosed bracket") : inner;
-    });
-  }
-
-  double operand() {
-    if (take("(")) return bracket();
-    skip_blanks();
-    if (!rest_.empty() && rest_.front() == '&') rest_.remove_prefix(1);
-    std::size_t size = 0;
-    const auto is_part_of_name = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-    };
-    if (!rest_.empty() && std::isalpha(static_cast<unsigned char>(rest_.front()))) {
-      while (size < rest_.size() && is_part_of_name(rest_[size])) ++size;
-      const std::string name = lower_case(rest_.substr(0, size));
-      rest_.remove_prefix(size);
-      return take("(") ? function(name) : named(name);
+  /// False if the rest of the line is not to be read: after a fault, or because it is text (C).
+  bool define(const Typed& given) {
+    const std::string_view typed = without_blanks(given.name);
+    if (typed.empty()) return true;
+    const std::string kind = upper_case(typed.substr(0, 1));
+    const std::string_view name = without_blanks(typed.substr(1));
+    if (kind == "C") return false;
+    if (std::string rule = rule_for(kind, name); !rule.empty()) {
+      if (!has_commas_) rule += fmt::format(" (columns {} to {})", given.column + 1, given.column + width());
+      faults_.add(given.line, "parameter", to_utf8(typed), std::move(rule));
+      return false;
     }
-    for (bool in_exponent = false; size < rest_.size(); ++size) {
-      const char c = rest_[size];
-      const bool is_sign = (c == '+' || c == '-') && in_exponent;
-      in_exponent = c == 'e' || c == 'E' || c == 'd' || c == 'D';
-      if (!in_exponent && !is_sign && c != '.' && !std::isdigit(static_cast<unsigned char>(c))) break;
+    const std::size_t file = deck_.place_of(given.line).file;
+    const ParameterDefinition definition{.name = name,
+                                         .value = given.value,
+                                         .line = given.line,
+                                         .is_expression = options_.is_expression,
+                                         .is_truncated = kind == "I"};
+    if (options_.is_local && is_local_of_includer(file, name)) {
+      faults_.add(given.line, "parameter " + to_utf8(lower_case(name)), "", "is defined twice");
+      return false;
     }
-    const ReadNumber read = read_deck_number(rest_.substr(0, size), {});
-    if (read.kind != NumberKind::number || size == 0)
-      return fail(rest_.empty() ? "ends where a number is needed"
-                                : fmt::format("needs a number before \"{}\"", rest_));
-    rest_.remove_prefix(size);
-    return read.value;
+    return define_parameter(definition, scopes_.of(file),
+                            options_.is_local ? scopes_.local_to(file) : scopes_.of_all(), faults_);
   }
 
-  double named(const std::string& name) {
-    if (const auto found = known_.find(name); found != known_.end()) return found->second;
-    return name == "pi" ? std::numbers::pi
-                        : fail(fmt::format("uses {}, which is not defined above it", name));
+  static std::string rule_for(const std::string& kind, std::string_view name) {
+    if ((kind != "R" && kind != "I") || name.empty())
+      return "must be the type R, I or C and a name; a value before it may be in the wrong columns";
+    return name.find_first_of(" \t") == std::string_view::npos ? "" : "must be one name without blanks";
   }
 
-  double function(const std::string& name) {
-    const double of = bracket();
-    using Function = double (*)(double);
-    constexpr std::array<std::pair<std::string_view, Function>, 8> functions{
-        {{"sqrt", [](double x) { return std::sqrt(x); }},
-         {"exp", [](double x) { return std::exp(x); }},
-         {"log", [](double x) { return std::log(x); }},
-         {"log10", [](double x) { return std::log10(x); }},
-         {"abs", [](double x) { return std::abs(x); }},
-         {"sin", [](double x) { return std::sin(x); }},
-         {"cos", [](double x) { return std::cos(x); }},
-         {"tan", [](double x) { return std::tan(x); }}}};
-    for (const auto& [known, evaluate] : functions)
-      if (name == known) return evaluate(of);
-    return fail(fmt::format("uses the function {}, which is not supported", name));
+  /// Whether the parameter is local to a file that includes this one.
+  bool is_local_of_includer(std::size_t file, std::string_view name) {
+    for (; file != 0; file = deck_.includers[file])
+      if (scopes_.local_to(deck_.includers[file]).has_here(name)) return true;
+    return false;
   }
 
-  std::string_view rest_;
-  const DeckParameters& known_;
-  std::string rule_;
-  int depth_ = 0;
+  const DeckText& deck_;
+  LsDynaScopes& scopes_;
+  MeasurementFaults& faults_;
+  ParameterOptions options_;
+  std::optional<Typed> begun_;  ///< an expression that may go on
+  std::string_view rest_;       ///< of the line
+  std::size_t column_ = 0;      ///< where it begins
+  bool has_commas_ = false;
 };
-
-/// Defines a parameter: "R rho" with the text of its value. Text parameters (C) are left out.
-void define(std::string_view name, std::string_view text, std::size_t line, DeckParameters& parameters,
-            MeasurementFaults& faults) {
-  name = without_blanks(name);
-  if (name.empty()) return;
-  const char kind = upper_case(name.substr(0, 1)).front();
-  const std::string key = lower_case(without_blanks(name.substr(1)));
-  if (key.empty() || kind == 'C') return;
-  const std::string shown = "parameter " + to_utf8(key);
-  if (text.size() > longest_expression)
-    return faults.add(line, shown, to_utf8(text), "has too long an expression");
-  std::string rule;
-  const std::optional<double> value = Expression(text, parameters).value(rule);
-  if (!value) return faults.add(line, shown, to_utf8(text), rule);
-  if (!parameters.try_emplace(key, kind == 'I' ? std::trunc(*value) : *value).second)
-    faults.add(line, shown, "", "is defined twice");
-}
 
 }  // namespace
 
-DeckParameters ls_dyna_parameters(std::string_view text, MeasurementFaults& faults) {
-  DeckParameters parameters;
-  LineReader lines(text);
-  bool of_values = false, of_expressions = false;
+LsDynaScopes::LsDynaScopes(const DeckText& deck) {
+  scopes_.emplace_back(ls_dyna_language);
+  for (std::size_t file = 0; file < deck.files.size(); ++file)
+    scopes_.emplace_back(ls_dyna_language, file == 0 ? &scopes_.front() : &scopes_[deck.includers[file] + 1]);
+}
+
+void read_ls_dyna_parameters(const DeckText& deck, LsDynaScopes& scopes, MeasurementFaults& faults) {
+  ParameterReader reader(deck, scopes, faults);
+  LineReader lines(deck.text);
+  bool all_long = false;
   for (std::string_view line; lines.next(line);) {
     if (line.starts_with('$')) continue;
-    if (line.starts_with('*')) {
-      const std::string keyword = upper_case(without_blanks(line.substr(1)));
-      of_expressions = keyword.starts_with("PARAMETER_EXPRESSION");
-      of_values = !of_expressions &&
-                  (keyword == "PARAMETER" || keyword == "PARAMETER_LOCAL" || keyword == "PARAMETER +");
-      if (keyword == "END") break;
+    if (!line.starts_with('*')) {
+      reader.line({lines.number(), line});
       continue;
     }
-    const bool has_commas = line.find(',') != std::string_view::npos;
-    constexpr std::size_t width = 10;
-    if (of_expressions) {
-      const std::size_t end = has_commas ? line.find(',') : std::min(width, line.size());
-      define(line.substr(0, end),
-             without_blanks(line.substr(std::min(line.size(), end + (has_commas ? 1 : 0)))), lines.number(),
-             parameters, faults);
-      continue;
-    }
-    while (of_values && !without_blanks(line).empty()) {
-      const auto take = [&] {
-        const std::size_t end =
-            has_commas ? std::min(line.find(','), line.size()) : std::min(width, line.size());
-        const std::string_view field = line.substr(0, end);
-        line.remove_prefix(std::min(line.size(), end + (has_commas ? 1 : 0)));
-        return field;
-      };
-      const std::string_view name = take();
-      define(name, without_blanks(take()), lines.number(), parameters, faults);
-    }
+    const DeckBlock block = begun_block({lines.number(), line}, all_long);
+    if (block.keyword == "END") break;
+    if (block.keyword == "KEYWORD" && says_long(line)) all_long = true;
+    reader.begin(options_of(block));
   }
-  return parameters;
+  reader.finish();
 }
 
 }  // namespace dashpad::input

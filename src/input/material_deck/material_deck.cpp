@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "input/material_deck/abaqus.hpp"
 #include "input/material_deck/deck_foam.hpp"
+#include "input/material_deck/include_statements.hpp"
 
 namespace dashpad::input {
 namespace {
@@ -16,10 +18,21 @@ enum class Solver { abaqus, ls_dyna, radioss, unknown };
 Solver solver_of(std::string_view text) {
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
-    if (line.starts_with('*')) return is_abaqus(text) ? Solver::abaqus : Solver::ls_dyna;
-    if (line.starts_with('/')) return Solver::radioss;
+    if (line.starts_with('*') || begins_abaqus_keyword(line))
+      return is_abaqus(text) ? Solver::abaqus : Solver::ls_dyna;
+    if (line.starts_with('/') || begins_with_word(line, "#INCLUDE")) return Solver::radioss;
   }
   return Solver::unknown;
+}
+
+std::vector<DeckFoam> foams_in(const DeckText& deck, const std::optional<UnitSystem>& units,
+                               MeasurementFaults& faults) {
+  const Solver solver = solver_of(deck.text);
+  if (solver == Solver::unknown)
+    faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA, Abaqus) or / (Radioss)");
+  UnitChoice choice(units, deck, faults);
+  if (solver == Solver::abaqus) return read_abaqus(deck, choice, faults);
+  return solver == Solver::ls_dyna ? read_ls_dyna(deck, choice, faults) : read_radioss(deck, choice, faults);
 }
 
 /// The units that a system is named after, in alphabetical order.
@@ -51,35 +64,29 @@ const UnitSystem& deck_system(std::string_view name) {
 }
 
 Reading<std::vector<DeckMaterial>> read_material_deck(const std::filesystem::path& file,
-                                                      const UnitSystem& units, Includes includes) {
-  DeckText deck;
-  deck.files = {file};
+                                                      const std::optional<UnitSystem>& units,
+                                                      Includes includes) {
+  DeckText deck = without_includes(file, "");
   auto read = reading_of([&]() -> std::vector<DeckMaterial> {
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file, largest_deck);
-    std::string_view text = text_in(content, faults);
+    const std::string_view text = text_in(content, faults);
     if (without_blanks(text).empty()) faults.refuse(0, "", "", "is empty");
-    if (includes == Includes::allowed) {
-      deck = with_includes(file, text, faults);
-      faults.throw_if_any();
-      text = deck.text;
-      faults.are_in(text);
-    }
-    const Solver solver = solver_of(text);
-    if (solver == Solver::unknown)
-      faults.refuse(0, "", "", "is not a deck: no line begins with * (LS-DYNA, Abaqus) or / (Radioss)");
-    const DeckUnits deck_units(units);
-    std::vector<DeckFoam> foams = solver == Solver::abaqus    ? read_abaqus(text, deck_units, faults)
-                                  : solver == Solver::ls_dyna ? read_ls_dyna(text, deck_units, faults)
-                                                              : read_radioss(text, units, deck_units, faults);
+    std::vector<Fault> of_includes;
+    deck =
+        includes == Includes::allowed ? with_includes(file, text, of_includes) : without_includes(file, text);
+    faults.are_in(deck.text);
+    faults.add(std::move(of_includes));
+    faults.throw_if_any();
+    std::vector<DeckFoam> foams = foams_in(deck, units, faults);
     std::vector<DeckMaterial> materials;
     for (DeckFoam& foam : foams) {
-      const DeckPlace place = deck.place_of(static_cast<int>(foam.line));
+      const DeckPlace place = deck.place_of(foam.line);
       foam.source = fmt::format("{} {} from the deck {} (line {}; units {})", foam.card, foam.id,
-                                to_utf8(deck.files[place.file].filename().string()), place.line, units.name);
+                                to_utf8(deck.files[place.file].filename().string()), place.line, foam.units);
       auto material = material_of(foam, faults);
       if (!material) continue;
-      material->line = place.line;
+      material->line = static_cast<int>(place.line);
       materials.push_back(*std::move(material));
     }
     faults.throw_if_any();

@@ -1,10 +1,7 @@
-// Starter decks of Radioss: "/" in the first column begins a block, "#" a comment. Finds the foams, their
-// units and their lines.
+// Foams of Radioss starter decks: the lines of a material, its functions and its units.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/quantities/constants.hpp"
-#include "dashpad/quantities/quantity.hpp"
 #include "input/material_deck/radioss.hpp"
 #include "quantities/text.hpp"
 
@@ -20,49 +16,6 @@ namespace dashpad::input {
 namespace {
 
 constexpr std::size_t columns_of_title = 100;
-
-struct RadiossLaw {
-  std::string_view number, words;
-  bool crushable;
-  bool (*read)(LawLines&, const RadiossSource&, DeckFoam&);
-};
-inline constexpr RadiossLaw radioss_laws[]{{"LAW33", "FOAM_PLAS", true, read_law_33},
-                                           {"LAW62", "VISC_HYP", false, read_law_62},
-                                           {"LAW70", "FOAM_TAB", false, read_law_70},
-                                           {"LAW90", "LAW90", false, read_law_90}};
-
-/// Null if the law is not read.
-const RadiossLaw* radioss_law(std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      radioss_laws, [&](const RadiossLaw& each) { return name == each.number || name == each.words; });
-  return found == std::end(radioss_laws) ? nullptr : found;
-}
-
-/// A part of a keyword as a number, or 0.
-long number_in(const std::vector<std::string>& parts, std::size_t place) {
-  if (place >= parts.size()) return 0;
-  const ReadNumber read = read_deck_number(parts[place], {});
-  const bool is_number = read.kind == NumberKind::number && read.value > 0 && read.value < 1e10;
-  return is_number ? static_cast<long>(read.value) : 0;
-}
-
-/// Checks that the units in a line, given as codes or as numbers, are those of the system.
-void compare_units(const DeckLine& line, const UnitSystem& system, MeasurementFaults& faults) {
-  const std::array<std::array<std::string, 2>, 3> wanted{
-      {{system.mass, "kg"}, {system.length, "m"}, {system.time, "s"}}};
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (line.text.size() <= 20 * i) return;
-    const std::string stated(without_blanks(line.text.substr(20 * i, 20)));
-    if (stated.empty()) return;
-    const ReadNumber number = read_deck_number(stated, {});
-    SiValue in_si{number.value, ""};
-    if (number.kind != NumberKind::number) in_si = read_si("1 " + stated, wanted[i][1]);
-    if (!in_si.rule.empty()) return;  // not a line of units
-    if (std::abs(in_si.value / to_si("1 " + wanted[i][0], wanted[i][1]) - 1) < 1e-6) continue;
-    faults.add(line.number, "units", to_utf8(stated),
-               fmt::format("must be {}, as in the unit system {}", wanted[i][0], system.name));
-  }
-}
 
 std::optional<DeckRateCurve> row_of(LawLines& lines) {
   const auto row = lines.next(deck::function_row);
@@ -72,54 +25,81 @@ std::optional<DeckRateCurve> row_of(LawLines& lines) {
   return DeckRateCurve{(*row)("Eps_dot"), row->line, *std::move(curve)};
 }
 
-constexpr std::size_t max_laws_listed = 10;
-
-void take(DeckBlock block, RadiossBlocks& deck, MeasurementFaults& faults) {
-  const std::vector<std::string> parts = split_at(block.keyword, '/');
-  while (!block.lines.empty() && without_blanks(block.lines.back().text).empty()) block.lines.pop_back();
-  const bool material = parts.size() > 2 && parts[0] == "MAT";
-  if (material && radioss_law(parts[1]) != nullptr) {
-    if (deck.foams.size() == max_foams_of_deck)
-      faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
-    deck.foams.push_back(std::move(block));
-  } else if (material) {
-    if (deck.other_materials.size() < max_laws_listed)
-      deck.other_materials.push_back(to_utf8("/MAT/" + parts[1]));
-  } else if (parts[0] == "FUNCT" && number_in(parts, 1) != 0) {
-    deck.functions.add(number_in(parts, 1), std::move(block), faults);
-  } else if (parts[0] == "UNIT" && number_in(parts, 1) != 0) {
-    deck.units.add(number_in(parts, 1), std::move(block), faults);
-  } else if (parts[0] == "BEGIN" && !deck.begin) {
-    deck.begin = std::move(block);
-  }
+/// Scales and shifts a function as a /MOVE_FUNCT says. False after a fault.
+bool apply_move(DeckCurve& curve, const DeckBlock& block, const RadiossSource& from) {
+  if (block.lines.size() < 2) return true;
+  DeckFields numbers(block.lines[1], {20, 20, 20, 20}, false, from.faults);
+  const std::string key = "move of " + curve.name;
+  double scale_x = numbers.number(0, key + ": Ascalex"), scale_y = numbers.number(1, key + ": Fscaley");
+  const double shift_x = numbers.number(2, key + ": Ashiftx");
+  const double shift_y = numbers.number(3, key + ": Fshifty", from.units.stress);
+  if (std::isnan(scale_x + scale_y + shift_x + shift_y)) return false;
+  if (scale_x == 0) scale_x = 1;
+  if (scale_y == 0) scale_y = 1;
+  for (double& x : curve.strain) x = x * scale_x + shift_x;
+  for (double& y : curve.stress) y = y * scale_y + shift_y;
+  if (scale_x < 0) curve.reverse();
+  return true;
 }
 
-RadiossBlocks radioss_blocks(std::string_view text, MeasurementFaults& faults) {
-  RadiossBlocks deck;
-  LineReader lines(text);
-  std::string_view line;
-  DeckBlock block;
-  bool wanted = false;  // whether the block is kept
-  const auto finish = [&] {
-    if (wanted) take(std::exchange(block, {}), deck, faults);
-    wanted = false;
+/// What the deck says about the units of a material: its own /UNIT or else /BEGIN, whose first line of units,
+/// that of the input, may be blank as the second.
+StatedUnits units_of_material(const DeckBlock& material, const RadiossBlocks& deck) {
+  const auto in_line = [](const DeckBlock& block, std::size_t place) {
+    if (place >= block.lines.size()) return StatedUnits{};
+    const DeckLine& line = block.lines[place];
+    const auto field = [&](std::size_t i) {
+      return without_blanks(line.text.substr(std::min(20 * i, line.text.size()), 20));
+    };
+    return stated_units(line.number, {field(0), field(1), field(2)});
   };
-  while (lines.next(line)) {
-    if (line.starts_with("#include")) deck.includes_files = true;
-    if (line.starts_with('#') || line.starts_with('$')) continue;
-    if (!line.starts_with('/')) {
-      if (wanted) block.lines.push_back({lines.number(), line});
-      continue;
-    }
-    finish();
-    block.keyword = upper_case(without_blanks(line.substr(1, line.find_first_of(" \t") - 1)));
-    block.head = {lines.number(), line};
-    if (block.keyword == "END") break;
-    wanted = block.keyword.starts_with("MAT/") || block.keyword.starts_with("FUNCT/") ||
-             block.keyword.starts_with("UNIT/") || block.keyword == "BEGIN";
+  if (const long own = number_in(parts_of(material), 3); own != 0) {
+    const DeckBlock* const block = deck.units.find(own);
+    return block == nullptr ? StatedUnits{} : in_line(*block, 1);
   }
-  finish();
-  return deck;
+  if (!deck.begin) return {};
+  const bool is_blank = deck.begin->lines.size() > 2 && without_blanks(deck.begin->lines[2].text).empty();
+  return in_line(*deck.begin, is_blank ? 3 : 2);
+}
+
+/// Whether the units of a material are there, if it has its own and they are to be taken from the deck.
+bool has_its_units(const DeckBlock& material, const std::string& card, const RadiossBlocks& deck,
+                   const UnitChoice& units, MeasurementFaults& faults) {
+  const long own = number_in(parts_of(material), 3);
+  if (own == 0 || units.are_given() || deck.units.find(own) != nullptr) return true;
+  faults.add(material.head.number, card + ": unit", fmt::format("{}", own),
+             missing(fmt::format("/UNIT/{}", own), deck.out_of_reach));
+  return false;
+}
+
+bool read_law(std::string_view number, LawLines& lines, const RadiossSource& from, DeckFoam& foam) {
+  if (number == "LAW33") return read_law_33(lines, from, foam);
+  if (number == "LAW62") return read_law_62(lines, from, foam);
+  return number == "LAW70" ? read_law_70(lines, from, foam) : read_law_90(lines, from, foam);
+}
+
+/// Absent after a fault.
+std::optional<DeckFoam> foam_of(const DeckBlock& block, const RadiossBlocks& deck, UnitChoice& units,
+                                MeasurementFaults& faults) {
+  const std::vector<std::string> parts = parts_of(block);
+  const RadiossLaw& law = *radioss_law(parts[1]);
+  DeckFoam foam;
+  foam.card = fmt::format("/MAT/{}", law.number);
+  foam.id = number_in(parts, 2);
+  foam.line = block.head.number;
+  foam.crushable = law.crushable;
+  if (!block.lines.empty())
+    foam.title = to_utf8(without_blanks(block.lines.front().text.substr(0, columns_of_title)));
+  if (!has_its_units(block, foam.card, deck, units, faults)) return std::nullopt;
+  const auto chosen = units.for_numbers(units_of_material(block, deck));
+  if (!chosen) return std::nullopt;
+  foam.units = chosen->words;
+  const RadiossSource from{deck, chosen->units, faults};
+  LawLines lines(block, foam.card, from, foam);
+  const auto density = lines.next(deck::density_line);
+  if (!density) return std::nullopt;
+  foam.density = (*density)("RHO_I");
+  return read_law(law.number, lines, from, foam) ? std::optional(std::move(foam)) : std::nullopt;
 }
 
 }  // namespace
@@ -189,9 +169,11 @@ bool LawLines::rows(long count, std::vector<DeckRateCurve>& rows) {
 std::optional<DeckCurve> LawLines::function(long id, double scale, const char* field, std::size_t asked) {
   const DeckBlock* const block = from_.deck.functions.find(id);
   if (block == nullptr) {
-    from_.faults.add(
-        asked, key(field), fmt::format("{}", id),
-        missing(fmt::format("/FUNCT/{}", id), {.includes_files = from_.deck.includes_files}, "#include"));
+    const auto other = from_.deck.other_functions.find(id);
+    from_.faults.add(asked, key(field), fmt::format("{}", id),
+                     other != from_.deck.other_functions.end()
+                         ? fmt::format("function {} is a {}; only /FUNCT is read", id, other->second)
+                         : missing(fmt::format("/FUNCT/{}", id), from_.deck.out_of_reach));
     return std::nullopt;
   }
   DeckCurve curve{fmt::format("function {}", id), block->head.number};
@@ -204,41 +186,25 @@ std::optional<DeckCurve> LawLines::function(long id, double scale, const char* f
     DeckFields point(block->lines[i], {20, 20}, false, from_.faults);
     const double strain = point.number(0, curve.name + ": X" + std::to_string(i));
     const double stress = point.number(1, curve.name + ": Y" + std::to_string(i), from_.units.stress);
-    curve.add(strain, scale == 1 ? stress : scale * stress, point.line());
+    curve.add(strain, stress, point.line());
   }
+  if (const auto moves = from_.deck.moves.find(id); moves != from_.deck.moves.end())
+    for (const DeckBlock& each : moves->second)
+      if (!apply_move(curve, each, from_)) return std::nullopt;
+  for (double& stress : curve.stress) stress *= scale;
   return curve;
 }
 
-std::vector<DeckFoam> read_radioss(std::string_view text, const UnitSystem& system, const DeckUnits& units,
-                                   MeasurementFaults& faults) {
-  const RadiossBlocks blocks = radioss_blocks(text, faults);
-  if (blocks.begin && blocks.begin->lines.size() > 2) compare_units(blocks.begin->lines[2], system, faults);
-  if (blocks.foams.empty())
+std::vector<DeckFoam> read_radioss(const DeckText& text, UnitChoice& units, MeasurementFaults& faults) {
+  const RadiossBlocks deck = radioss_blocks(text, faults);
+  if (deck.foams.empty())
     faults.add(
         0, "", "",
-        "contains no /MAT/LAW33 (FOAM_PLAS), /MAT/LAW62 (VISC_HYP), /MAT/LAW70 (FOAM_TAB) or /MAT/LAW90" +
-            others_listed(blocks.other_materials));
+        contains_no("/MAT/LAW33 (FOAM_PLAS), /MAT/LAW62 (VISC_HYP), /MAT/LAW70 (FOAM_TAB) or /MAT/LAW90",
+                    deck.out_of_reach));
   std::vector<DeckFoam> foams;
-  for (const DeckBlock& block : blocks.foams) {
-    const std::vector<std::string> parts = split_at(block.keyword, '/');
-    const RadiossLaw& law = *radioss_law(parts[1]);
-    DeckFoam foam;
-    foam.card = fmt::format("/MAT/{}", law.number);
-    foam.id = number_in(parts, 2);
-    foam.line = block.head.number;
-    foam.crushable = law.crushable;
-    if (!block.lines.empty())
-      foam.title = to_utf8(without_blanks(block.lines.front().text.substr(0, columns_of_title)));
-    if (const DeckBlock* const own = blocks.units.find(number_in(parts, 3));
-        own != nullptr && own->lines.size() > 1)
-      compare_units(own->lines[1], system, faults);
-    const RadiossSource from{blocks, units, faults};
-    LawLines lines(block, foam.card, from, foam);
-    const auto density = lines.next(deck::density_line);
-    if (!density) continue;
-    foam.density = (*density)("RHO_I");
-    if (law.read(lines, from, foam)) foams.push_back(std::move(foam));
-  }
+  for (const DeckBlock& block : deck.foams)
+    if (auto foam = foam_of(block, deck, units, faults)) foams.push_back(*std::move(foam));
   return foams;
 }
 

@@ -1,6 +1,13 @@
 #pragma once
 /// Starter decks of Radioss: blocks, lines of a material, functions and laws.
 
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "input/material_deck/deck_foam.hpp"
 
 namespace dashpad::input {
@@ -9,11 +16,31 @@ namespace dashpad::input {
 struct RadiossBlocks {
   std::vector<DeckBlock> foams;
   NumberedBlocks functions{"function"};
+  std::map<long, std::vector<DeckBlock>>
+      moves;                                    ///< /MOVE_FUNCT by the number of the function, in their order
+  std::map<long, std::string> other_functions;  ///< keywords of functions that are not read
   NumberedBlocks units{"unit"};
   std::optional<DeckBlock> begin;
-  std::vector<std::string> other_materials;
-  bool includes_files = false;
+  OutOfReach out_of_reach;
+  std::unique_ptr<DeckParameters> parameters;  ///< those of /PARAMETER/GLOBAL
 };
+RadiossBlocks radioss_blocks(const DeckText& text, MeasurementFaults& faults);
+
+/// The parts of a keyword: "MAT", "LAW90", "12"; and one of them as a number, 0 if it is none.
+std::vector<std::string> parts_of(const DeckBlock& block);
+long number_in(const std::vector<std::string>& parts, std::size_t place);
+
+struct RadiossLaw {
+  std::string_view number, words;
+  bool crushable;
+};
+inline constexpr RadiossLaw radioss_laws[]{{"LAW33", "FOAM_PLAS", true},
+                                           {"LAW62", "VISC_HYP", false},
+                                           {"LAW70", "FOAM_TAB", false},
+                                           {"LAW90", "LAW90", false}};
+/// Null if the law is not read.
+const RadiossLaw* radioss_law(std::string_view name);
+
 struct RadiossSource {
   const RadiossBlocks& deck;
   const DeckUnits& units;

@@ -133,6 +133,7 @@ bool is_stress_table(const std::filesystem::path& file) {
   if (!content) return is_csv;
   LineReader lines(std::string_view(*content).substr(0, beginning));
   const auto begins_keyword = [](std::string_view line) {
+    if (const std::string_view text = without_blanks(line); text.starts_with('*')) line = text;
     return line.size() > 1 && (line[0] == '*' || line[0] == '/') &&
            std::isalpha(static_cast<unsigned char>(line[1]));
   };
