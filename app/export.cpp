@@ -35,7 +35,8 @@ the force of the pad against its penetration, up to the greatest penetration and
 are numbered in the order in which they are named.
 
 Systems: kg-mm-ms (default; kN, GPa, J), kg-m-s (N, Pa, J), t-mm-s (N, MPa, mJ), g-mm-ms (N, MPa, mJ), g-cm-us (Mbar),
-lbf-s2/in-in-s (lbf, psi). Compression is positive; the acceleration is negative while the pad slows the impactor. See docs/exports.md.
+lbf-s2/in-in-s (lbf, psi). Compression is positive; the acceleration is negative while the pad slows the impactor. See
+docs/exports.md.
 
 Files: - as FILE means standard output; messages about the curves then go to standard error. An existing file is
 not overwritten unless --force is given. A file is written completely or not at all; its comments contain any flags
