@@ -45,6 +45,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> names_of
      {"microseconds", "us"},
      {"micros", "us"}}};
 
+/// Names of units of voltage, in lower case.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> names_of_voltages{
+    {{"volt", "V"}, {"volts", "V"}, {"millivolt", "mV"}, {"millivolts", "mV"}}};
+
 bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();
 }
@@ -59,6 +63,8 @@ std::string standard_unit(std::string_view unit) {
   if (lower == "m_s2" || lower == "mps2" || lower == "m/sec2" || lower == "m/sec^2") return "m/s2";
   for (const auto& [name, unit_of_time] : names_of_times)
     if (lower == name) return std::string(unit_of_time);
+  for (const auto& [name, unit_of_voltage] : names_of_voltages)
+    if (lower == name) return std::string(unit_of_voltage);
   if (text == "S" || text == "MS" || text == "US") return lower;  // headers in capitals
   return text;
 }
@@ -146,6 +152,12 @@ bool is_pulse_unit(ColumnKind kind, const std::string& unit) {
 
 bool is_voltage(const std::string& unit) { return is_unit_of(standard_unit(unit), "V"); }
 
+bool is_known_unit(const std::string& text) {
+  const std::string unit = standard_unit(text);
+  return !unit.empty() &&
+         (is_unit_of(unit, "s") || is_other_unit(unit) || is_name_of_g(unit) || is_name_of_milli_g(unit));
+}
+
 bool is_customary_unit(std::string_view text) {
   const std::string unit = standard_unit(text);
   return is_among(unit, time_units) || is_among(unit, acceleration_units) || is_name_of_g(unit) ||
@@ -174,6 +186,9 @@ HeaderText split_header(std::string_view header) {
 std::optional<double> units_in_strain_one(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
   if (unit == "%" || lower_case(unit) == "percent") return 100;
+  constexpr std::array<std::string_view, 6> names_of_millionths{"microstrain", "ustrain", "µstrain",
+                                                                "um/m",        "µm/m",    "µε"};
+  if (is_among(lower_case(tidy_unit(unit)), names_of_millionths)) return 1e6;
   return std::nullopt;
 }
 
@@ -211,7 +226,7 @@ std::string settle_unit(injury::MeasuredColumn& column, ColumnKind kind, const s
   if (sensitivity && !in_volts)
     return fmt::format("is in {}, but --sensitivity applies only to voltages (V, mV)", unit);
   try {
-    column.factor = in_volts ? to_si("1 " + unit, "V") / sensitivity->volts_per_acceleration
+    column.factor = in_volts ? to_si("1 " + standard_unit(unit), "V") / sensitivity->volts_per_acceleration
                              : pulse_unit_factor(kind, unit);
   } catch (const UnitError& error) {
     return given.empty() ? fmt::format("{}; give another unit with {}", error.what(), option)

@@ -1,4 +1,4 @@
-// The rows above the numbers of a table, and its separator.
+// The rows above the numbers of a table, and the table in a text.
 
 #include "input/measurement/csv_table.hpp"
 
@@ -29,33 +29,50 @@ std::vector<std::string> between_wide_gaps(const CsvRow& row) {
   return names;
 }
 
+/// A universal file begins with a mark and the number of a data set, each in six columns; one column of
+/// numbers goes on with numbers.
+bool is_universal_file(std::string_view text) {
+  constexpr std::string_view mark = "    -1";
+  LineReader lines(text);
+  std::string_view first, second, third;
+  if (!lines.next(first) || !lines.next(second) || !lines.next(third)) return false;
+  return first.starts_with(mark) && without_blanks(first) == "-1" && second.starts_with("  ") &&
+         reads_as_number(second.substr(0, mark.size())) && !reads_as_number(third);
+}
+
+bool is_markup(std::string_view text) {
+  const std::string begin = lower_case(without_blanks(text.substr(0, 100)));
+  return begin.starts_with("<?xml") || begin.starts_with("<!doctype") || begin.starts_with("<html");
+}
+
+constexpr const char* rule_for_markup = "is XML or HTML, not a table; export the numbers as CSV or text";
+
 }  // namespace
 
-CsvHeader read_csv_header(std::string_view text, char separator, int fewest, std::size_t skipped) {
+bool begins_numbers(const CsvRow& row, std::ptrdiff_t fewest) {
+  const auto is_number_or_missing = [](std::string_view field) {
+    return reads_as_number(field) || (!without_blanks(field).empty() && is_missing(without_blanks(field)));
+  };
+  return reads_as_number(row.fields.front()) &&
+         std::ranges::count_if(row.fields, is_number_or_missing) >= fewest;
+}
+
+CsvHeader read_csv_header(std::string_view text, char separator, std::ptrdiff_t fewest, std::size_t skipped) {
   CsvHeader header;
   CsvRows rows(text, separator);
   CsvRow row;
   std::optional<CsvHeader> fallback;
-  std::string_view comment;
   while (header.rows.size() < max_header_rows && rows.next(row)) {
     if (row.line <= skipped) continue;
-    const auto numbers = std::ranges::count_if(row.fields, reads_as_number);
     const auto begin_numbers = [&](CsvHeader& csv_header) {
       csv_header.first_line = row.line;
       csv_header.width = row.filled();
       csv_header.first_row.assign(row.fields.begin(), row.fields.end());
     };
-    if (numbers >= fewest && !fallback) {
+    if (!fallback && std::ranges::count_if(row.fields, reads_as_number) >= fewest)
       begin_numbers(fallback.emplace(header));
-      comment = rows.comment();
-    }
-    const auto without_value = [](std::string_view field) {
-      return !without_blanks(field).empty() && !reads_as_number(field) && is_missing(without_blanks(field));
-    };
-    if (reads_as_number(row.fields.front()) &&
-        numbers + std::ranges::count_if(row.fields, without_value) >= fewest) {
+    if (begins_numbers(row, fewest)) {
       begin_numbers(header);
-      comment = rows.comment();
       break;
     }
     CsvHeader::Row names{row.line, {}};
@@ -68,21 +85,6 @@ CsvHeader read_csv_header(std::string_view text, char separator, int fewest, std
     if (!names.fields.empty()) header.rows.push_back(std::move(names));
   }
   if (header.first_line == 0 && fallback) header = *fallback;
-  for (CsvHeader::Row& names : header.rows) {
-    if (separator != ' ' || names.fields.size() <= header.width) continue;
-    const bool has_wide_gaps = names.between_wide_gaps.size() == header.width;
-    names.fields = has_wide_gaps ? names.between_wide_gaps
-                                 : std::vector{fmt::format("{}", fmt::join(names.fields, " "))};
-  }
-  if (header.first_line != 0 && header.rows.empty() && !comment.empty()) {
-    CsvRows words(comment, separator);
-    if (words.next(row) && row.filled() == header.width && row.fault.empty()) {
-      CsvHeader::Row names{rows.comment_line(), {}};
-      for (const std::string_view field : row.fields) names.fields.push_back(to_utf8(without_blanks(field)));
-      header.rows.push_back(std::move(names));
-      header.from_comment = true;
-    }
-  }
   return header;
 }
 
@@ -94,6 +96,11 @@ bool CsvHeader::holds_time_of_day(const injury::MeasuredColumn& column) const {
 CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewest fewest) {
   CsvTable table{.text = text_in(content, faults), .header = {}};
   if (without_blanks(table.text).empty()) faults.refuse(0, "", "", "is empty");
+  if (is_universal_file(table.text))
+    faults.refuse(1, "", "",
+                  "is a universal file (UFF), which is not read; export its channel as a table (CSV) with a "
+                  "row for each sample");
+  if (is_markup(table.text)) faults.refuse(1, "", "", rule_for_markup);
   table.labview = labview_header(table.text, faults);
   if (table.labview) {
     table.separator = table.labview->separator;
@@ -104,12 +111,16 @@ CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewes
   }
   table.has_one_column = fewest != Fewest::two && is_one_column(table.text);
   table.separator = table.has_one_column ? ';' : find_separator(table.text);
-  table.header = read_csv_header(table.text, table.separator, table.has_one_column ? 1 : 2);
+  table.header = find_header(table.text, table.separator, table.has_one_column ? 1 : 2);
   if (table.header.first_line == 0 && fewest == Fewest::one) {
     table.separator = find_separator(table.text, 1);
-    table.header = read_csv_header(table.text, table.separator, 1);
+    table.header = find_header(table.text, table.separator, 1);
   }
-  if (table.header.first_line == 0) faults.refuse(0, "", "", "has no row with two or more numbers");
+  if (table.header.first_line == 0)
+    faults.refuse(0, "", "",
+                  without_blanks(table.text).starts_with('<') ? rule_for_markup
+                                                              : "has no row with two or more numbers");
+  refuse_several_tables(table, faults);
   return table;
 }
 

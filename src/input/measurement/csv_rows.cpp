@@ -9,19 +9,18 @@ namespace dashpad::input {
 
 namespace {
 
-/// Bytes: enough for a header of thousands of columns and rows of numbers.
-constexpr std::size_t sample_size = 1 << 20;
 constexpr std::size_t sample_rows = 400;
 constexpr std::size_t longest_quoted_field = 10'000;  // a longer one is not closed
-
-std::string_view beginning_of(std::string_view text) {
-  const std::string_view sample = text.substr(0, sample_size);
-  return sample.size() < text.size() ? sample.substr(0, sample.find_last_of("\r\n")) : text;
-}
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 }  // namespace
+
+std::string_view beginning_of(std::string_view text) {
+  constexpr std::size_t sample_size = 1 << 20;
+  const std::string_view sample = text.substr(0, sample_size);
+  return sample.size() < text.size() ? sample.substr(0, sample.find_last_of("\r\n")) : text;
+}
 
 std::size_t CsvRow::filled() const {
   std::size_t count = fields.size();
@@ -139,6 +138,21 @@ bool is_one_column(std::string_view text) {
   const bool are_two =
       (names >= 2 && 2 * with_comma >= numbers) || (with_comma == numbers && 10 * increasing >= 8 * numbers);
   return numbers > others && !are_two;
+}
+
+bool increases(std::string_view text, char separator, std::size_t first_line, std::size_t column) {
+  CsvRows rows(beginning_of(text), separator);
+  double latest = -std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  for (CsvRow row; count < sample_rows && rows.next(row);) {
+    if (row.line < first_line || column >= row.fields.size()) continue;
+    const ReadNumber number = read_csv_number(row.fields[column]);
+    if (number.kind != NumberKind::number) break;
+    if (!(number.value > latest)) return false;
+    latest = number.value;
+    ++count;
+  }
+  return count > 1;
 }
 
 char find_separator(std::string_view text, std::size_t fewest) {

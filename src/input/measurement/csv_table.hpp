@@ -55,6 +55,9 @@ class CsvRows {
   std::deque<std::string> unquoted_;
 };
 
+/// The first MiB of a text, whole lines: enough for a header of thousands of columns and rows of numbers.
+std::string_view beginning_of(std::string_view text);
+
 /// The separator ',' ';' tab or ' ' (any number of blanks) that makes numbers of most rows at the beginning,
 /// at least `fewest` of each.
 char find_separator(std::string_view text, std::size_t fewest = 2);
@@ -82,9 +85,10 @@ struct CsvHeader {
     std::vector<std::string> fields;  ///< UTF-8, without blanks around them
     /// The same row of a table separated by blanks, split only where two or more of them follow each other.
     std::vector<std::string> between_wide_gaps = {};
+    std::string keyword = {};  ///< what was taken off its beginning, as it names no column
+    bool is_comment = false;
   };
   std::vector<Row> rows;               ///< those before the first row of numbers
-  bool from_comment = false;           ///< the only row is a comment
   bool is_latin1 = false;              ///< some text is Latin-1
   std::size_t first_line = 0;          ///< of the numbers; 0 without any
   std::size_t width = 0;               ///< number of columns of the first row of numbers
@@ -95,7 +99,14 @@ struct CsvHeader {
 
 /// The rows before the first one that begins with a number and holds at least `fewest` numbers; failing that,
 /// before the first one with so many. Lines up to `skipped` are left out.
-CsvHeader read_csv_header(std::string_view text, char separator, int fewest = 2, std::size_t skipped = 0);
+CsvHeader read_csv_header(std::string_view text, char separator, std::ptrdiff_t fewest = 2,
+                          std::size_t skipped = 0);
+/// Whether a row begins with a number and holds at least `fewest` numbers or signs of a missing one.
+bool begins_numbers(const CsvRow& row, std::ptrdiff_t fewest);
+
+/// The same, with each name of a column in a field of its own, as far as the names can be told: names with
+/// units split at blanks, behind a keyword, one in a line, in comments, below rows of sizes.
+CsvHeader find_header(std::string_view text, char separator, std::ptrdiff_t fewest);
 
 /// What the header of a LabVIEW measurement file says.
 struct LabViewHeader {
@@ -105,6 +116,7 @@ struct LabViewHeader {
     std::string unit = {};
     double first = 0;                     ///< X0, s
     std::optional<double> interval = {};  ///< Delta_X, s, if X is the time
+    std::optional<double> samples = {};   ///< how many there are to be
   };
   char separator = '\t';
   std::size_t end = 0;  ///< line of the last end of a header
@@ -130,6 +142,31 @@ enum class Fewest { two, one_column, one };
 /// only or, with Fewest::one, no row has two. `content` outlives both.
 CsvTable csv_table_in(std::string_view content, MeasurementFaults& faults, Fewest fewest = Fewest::two);
 
+/// Rows of text behind the numbers, such as "EOF". Numbers below them belong to another table.
+class TextBehind {
+ public:
+  explicit TextBehind(const CsvTable& table);
+
+  /// Whether a row is such text. Refuses numbers below it.
+  bool holds(const CsvRow& row, MeasurementFaults& faults);
+  /// What was left out; empty if nothing was.
+  [[nodiscard]] std::string remark() const;
+
+ private:
+  [[nodiscard]] bool is_text(const CsvRow& row) const;
+
+  const CsvTable& table_;
+  bool begin_with_numbers_;  ///< the rows of the table
+  std::size_t count_ = 0, first_line_ = 0;
+  std::string first_;
+};
+
+/// Refuses a text with several tables, as far as its beginning shows it.
+void refuse_several_tables(const CsvTable& table, MeasurementFaults& faults);
+
+/// The longest name of a column in messages and results.
+inline constexpr std::size_t longest_column_name = 100;
+
 struct CsvColumns {
   std::vector<injury::MeasuredColumn> all;           ///< units as in the header
   const CsvHeader::Row* names = nullptr;             ///< the row that names them
@@ -145,6 +182,9 @@ CsvColumns name_columns(const CsvHeader& header, const std::optional<LabViewHead
 /// time_s,strain".
 CsvColumns named_columns(const CsvHeader& header, const std::string& what, MeasurementFaults& faults);
 
+/// The number of names in a row that look like those of a time or an acceleration.
+int known_names(const CsvHeader::Row& row);
+
 /// The trimmed field of a column in a row; empty beyond the end of the row.
 template <class Row>
 std::string_view field_in(const Row& row, const injury::MeasuredColumn& column) {
@@ -157,20 +197,28 @@ void add_fault(const CsvRow& row, const injury::MeasuredColumn& column, std::str
 /// The number of a field in SI; absent after a fault.
 std::optional<double> number_in(const CsvRow& row, const injury::MeasuredColumn& column,
                                 MeasurementFaults& faults);
-/// Calls `take` with each row of numbers. Rows with a fault in their quotes are reported.
+/// Calls `take` with each row of numbers. Rows with a fault in their quotes are reported. Text behind the
+/// numbers is left out with a remark; without `remarks` it is a row like others.
 template <class Take>
-void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take) {
+void each_row(const CsvTable& table, MeasurementFaults& faults, Take&& take,
+              std::vector<std::string>* remarks = nullptr) {
+  TextBehind text(table);
   CsvRows rows(table.text, table.separator);
   for (CsvRow row; rows.next(row);) {
-    if (row.line < table.header.first_line) continue;
+    if (row.line < table.header.first_line || (remarks != nullptr && text.holds(row, faults))) continue;
     if (row.fault.empty())
       take(row);
     else
       faults.add(row.line, "", "", std::string(row.fault));
   }
+  if (remarks != nullptr && !text.remark().empty()) remarks->push_back(text.remark());
 }
 
+/// Whether the numbers of a column, from 0, increase in the first rows from a line on.
+bool increases(std::string_view text, char separator, std::size_t first_line, std::size_t column);
+
 /// Reports rows between names and numbers that hold a number in one of these columns, from `first` on.
+/// Without names, a count of points alone in its row and what stands above a title are no such rows.
 void require_no_numbers(const CsvHeader& header, const CsvHeader::Row* names,
                         const std::vector<injury::MeasuredColumn>& chosen, MeasurementFaults& faults,
                         std::size_t first = 0);
@@ -187,6 +235,8 @@ enum class ColumnKind { time, acceleration };
 double pulse_unit_factor(ColumnKind kind, const std::string& unit);
 bool is_pulse_unit(ColumnKind kind, const std::string& unit);
 bool is_voltage(const std::string& unit);
+/// Whether a text is a unit, of whatever quantity.
+bool is_known_unit(const std::string& text);
 /// Whether a header may have this unit without brackets: "ms", "g", "m_per_s2".
 bool is_customary_unit(std::string_view text);
 

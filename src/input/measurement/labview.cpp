@@ -1,6 +1,8 @@
 // Headers of LabVIEW measurement files (.lvm), after NI's "Specification for the LabVIEW Measurement File":
 // keys and their values, one for each channel, up to ***End_of_Header***.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "input/measurement/csv_table.hpp"
@@ -34,7 +36,7 @@ std::optional<LabViewHeader> labview_header(std::string_view text, MeasurementFa
     faults.refuse(1, "", "",
                   fmt::format("contains {} measurements; put each in a separate file", headers - 1));
   LabViewHeader header{.separator = labview_separator(text)};
-  std::vector<std::string> units, dimensions, first, interval;
+  std::vector<std::string> units, dimensions, first, interval, samples;
   CsvRows rows(text.substr(0, end), header.separator);
   for (CsvRow row; rows.next(row);) {
     if (row.fields.empty()) continue;
@@ -56,6 +58,8 @@ std::optional<LabViewHeader> labview_header(std::string_view text, MeasurementFa
       units = values();
     } else if (key == "X_Dimension") {
       dimensions = values();
+    } else if (key == "Samples") {
+      samples = values();
     } else if (key == "X0") {
       first = values();
     } else if (key == "Delta_X") {
@@ -67,13 +71,13 @@ std::optional<LabViewHeader> labview_header(std::string_view text, MeasurementFa
     return read.kind == NumberKind::number ? std::optional{read.value} : std::nullopt;
   };
   const bool has_x = header.x_columns != LabViewHeader::XColumns::none;
-  for (std::size_t i = 0; i < std::max(units.size(), interval.size()); ++i) {
+  for (std::size_t i = 0; i < std::max({units.size(), interval.size(), samples.size()}); ++i) {
     const bool is_over_time = i >= dimensions.size() || lower_case(dimensions[i]) == "time";
     // A column of X comes first, or before each channel; without, the first column is empty.
     if (header.columns.empty() || header.x_columns == LabViewHeader::XColumns::each)
       header.columns.push_back({.unit = has_x && is_over_time ? "s" : ""});
     header.columns.push_back({i < units.size() ? units[i] : "", number(first, i).value_or(0),
-                              is_over_time ? number(interval, i) : std::nullopt});
+                              is_over_time ? number(interval, i) : std::nullopt, number(samples, i)});
   }
   return header;
 }

@@ -18,6 +18,13 @@ std::string without_value(std::string_view which, std::size_t rows) {
                    : fmt::format("the {} {} rows have no value and were left out", which, rows);
 }
 
+/// What the header of a LabVIEW file says of a column.
+LabViewHeader::Column stated_by(const CsvTable& table, const injury::MeasuredColumn& column) {
+  const auto place = static_cast<std::size_t>(column.number - 1);
+  return table.labview && place < table.labview->columns.size() ? table.labview->columns[place]
+                                                                : LabViewHeader::Column{};
+}
+
 std::vector<std::string> remarks_on(const PulseFindings& findings, const CsvRows& rows, bool has_mark) {
   std::vector<std::string> remarks;
   if (has_mark) remarks.emplace_back("the byte order mark at the beginning was ignored");
@@ -42,6 +49,22 @@ std::vector<std::string> remarks_on(const PulseFindings& findings, const CsvRows
   return remarks;
 }
 
+/// Remarks on channels of a LabVIEW file whose number of samples is not the stated one. The channel has rows
+/// without a value before and behind its samples, which may count.
+void compare_number(const PulseRows& numbers, const CsvColumns& columns, const CsvTable& table,
+                    std::vector<std::string>& remarks) {
+  const PulseFindings& findings = numbers.findings;
+  const std::size_t samples = numbers.pulse.time.size() + findings.repeated_samples + findings.missing_before;
+  for (const injury::MeasuredColumn& column : columns.acceleration) {
+    const auto stated = stated_by(table, column).samples;
+    if (!stated || *stated == static_cast<double>(samples) ||
+        *stated == static_cast<double>(samples + findings.missing_behind))
+      continue;
+    remarks.push_back(fmt::format("{}: the header states {} samples, but the file has {}", column.name,
+                                  brief(*stated), samples));
+  }
+}
+
 /// Chooses the columns, and the first time and interval that the header of a file without times states.
 double choose(CsvColumns& columns, const CsvTable& table, PulseOptions& options, MeasurementFaults& faults,
               std::vector<std::string>& remarks) {
@@ -50,13 +73,9 @@ double choose(CsvColumns& columns, const CsvTable& table, PulseOptions& options,
   if (of_header) options.interval = 1;  // until the columns are known
   choose_columns(columns, table, options, faults, remarks);
   if (!of_header || columns.acceleration.empty()) return 0;
-  const auto stated = [&](const injury::MeasuredColumn& column) {
-    const auto place = static_cast<std::size_t>(column.number - 1);
-    return place < table.labview->columns.size() ? table.labview->columns[place] : LabViewHeader::Column{};
-  };
-  const LabViewHeader::Column first = stated(columns.acceleration.front());
+  const LabViewHeader::Column first = stated_by(table, columns.acceleration.front());
   for (const injury::MeasuredColumn& column : columns.acceleration)
-    if (const auto own = stated(column); own.interval != first.interval || own.first != first.first)
+    if (const auto own = stated_by(table, column); own.interval != first.interval || own.first != first.first)
       faults.add(table.labview->end, column.name, "",
                  "has different times from " + columns.acceleration.front().name);
   if (!first.interval || !(*first.interval > 0))
@@ -95,23 +114,28 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
     numbers.expect_rows(table);
     CsvRows rows(table.text, table.separator);
     CsvRow row;
+    TextBehind text(table);
     std::size_t blank_lines = 0;
-    while (rows.next(row))
-      if (row.line >= table.header.first_line) {
-        if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
-          faults.add(row.line - 1, "", "", "is blank; without times, a sample may be missing here");
-        blank_lines = rows.blank_lines();
-        rows.begin_numbers();
-        numbers.add(row);
-      }
+    while (rows.next(row)) {
+      if (row.line < table.header.first_line || text.holds(row, faults)) continue;
+      if (options.interval && row.line > table.header.first_line && rows.blank_lines() > blank_lines)
+        faults.add(row.line - 1, "", "", "is blank; without times, a sample may be missing here");
+      blank_lines = rows.blank_lines();
+      rows.begin_numbers();
+      numbers.add(row);
+    }
     if (first != 0)
       for (double& time : numbers.pulse.time) time += first;
     numbers.judge_shared_times();
     numbers.judge_commas();
     result.counts_from = numbers.count_from_first();
-    if (faults.none() && numbers.pulse.time.size() < 2)
+    if (faults.none() && numbers.pulse.time.empty())
+      faults.add(0, columns.acceleration.front().name, "", "has no values");
+    else if (faults.none() && numbers.pulse.time.size() < 2)
       faults.add(0, "", "", "has only one sample; a pulse needs at least two");
     faults.throw_if_any();
+    std::vector<std::string> missing;
+    compare_number(numbers, columns, table, missing);
     std::vector<std::string> cut;
     numbers.keep_between(options.cut, cut);
     faults.throw_if_any();
@@ -124,8 +148,9 @@ Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const Pulse
 
     for (std::string& remark : remarks_on(numbers.findings, rows, table.text.size() < content.size()))
       result.remarks.push_back(std::move(remark));
+    if (!text.remark().empty()) result.remarks.push_back(text.remark());
     if (!result.counts_from.empty()) result.remarks.push_back(remark_on_clock(result.counts_from));
-    for (std::vector<std::string>* more : {&cut, &bridged})
+    for (std::vector<std::string>* more : {&missing, &cut, &bridged})
       std::ranges::move(*more, std::back_inserter(result.remarks));
     result.pulse = std::move(numbers.pulse);
     result.components = std::move(numbers.components);

@@ -286,7 +286,9 @@ class PulseRows {
         ++packet_;
         return;
       }
-      if (!(step > 0))
+      // Said once of rows in succession: they may be another table.
+      if (std::exchange(is_earlier_, !(step > 0)) && is_earlier_) return;
+      if (is_earlier_)
         return add_fault(row, columns_.front(), "is earlier than the previous time; times must increase",
                          faults_);
       smallest_packet_ = std::min(smallest_packet_, packet_);
@@ -321,8 +323,9 @@ class PulseRows {
   std::string first_time_;  ///< as in the file
   std::optional<ExactTime> first_;
   RunningClock clock_;
-  std::string missing_;     ///< what stands in place of the first missing value
-  std::size_t packet_ = 1;  ///< number of the latest samples that share a time
+  std::string missing_;      ///< what stands in place of the first missing value
+  bool is_earlier_ = false;  ///< the latest row, than the latest sample
+  std::size_t packet_ = 1;   ///< number of the latest samples that share a time
   std::size_t smallest_packet_ = max_samples, largest_packet_ = 0;    ///< of those before
   std::vector<std::pair<std::size_t, std::vector<Fault>>> deferred_;  ///< of samples that may be cut off
   std::vector<double> since_first_;  ///< s, of all samples, if the times may count from the first; else empty

@@ -39,39 +39,43 @@ StrainTable read_rows(const CsvTable& csv, const TestColumns& columns, Measureme
   std::size_t below = 0;
   std::optional<double> last_time;
   std::size_t rows = 0, repeated = 0;
-  each_row(csv, faults, [&](const CsvRow& row) {
-    const auto time = number_in(row, *columns.time, faults);
-    auto strain = strain_in(row, columns, faults);
-    if (!time || !strain) return;
-    *strain *= side;
-    if ((*strain < 0 && *strain > -noise) || (rows == 0 && *strain > 0 && *strain < noise)) {
-      *strain = 0;
-      ++below;
-    }
-    if (rows++ == max_rows) faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows));
-    if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
-      ++repeated;
-      return;
-    }
-    // The first time will be subtracted from all others, so times are compared after that rounding.
-    const double begin = table.time.empty() ? *time : table.time.front();
-    if (!std::isfinite(*time - begin))
-      add_fault(row, *columns.time, rule_for(NumberKind::out_of_range), faults);
-    else if (last_time && !(*time - begin > *last_time - begin))
-      add_fault(row, *columns.time,
-                *time > *last_time
-                    ? "cannot be told apart from the previous time, since both are too far from the first"
-                    : "must be later than the previous time",
-                faults);
-    last_time = time;
-    if (!(*strain >= 0 && *strain < 1))
-      add_fault(row, columns.strain, "must be at least 0 and below 1 (100 %), with compression positive",
-                faults);
-    else if (rows == 1 && *strain != 0)
-      add_fault(row, columns.strain, "must be 0, since the history begins at first contact", faults);
-    table.time.push_back(*time);
-    table.strain.push_back(*strain);
-  });
+  each_row(
+      csv, faults,
+      [&](const CsvRow& row) {
+        const auto time = number_in(row, *columns.time, faults);
+        auto strain = strain_in(row, columns, faults);
+        if (!time || !strain) return;
+        *strain *= side;
+        if ((*strain < 0 && *strain > -noise) || (rows == 0 && *strain > 0 && *strain < noise)) {
+          *strain = 0;
+          ++below;
+        }
+        if (rows++ == max_rows)
+          faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows));
+        if (!table.time.empty() && *time == table.time.back() && *strain == table.strain.back()) {
+          ++repeated;
+          return;
+        }
+        // The first time will be subtracted from all others, so times are compared after that rounding.
+        const double begin = table.time.empty() ? *time : table.time.front();
+        if (!std::isfinite(*time - begin))
+          add_fault(row, *columns.time, rule_for(NumberKind::out_of_range), faults);
+        else if (last_time && !(*time - begin > *last_time - begin))
+          add_fault(row, *columns.time,
+                    *time > *last_time
+                        ? "cannot be told apart from the previous time, since both are too far from the first"
+                        : "must be later than the previous time",
+                    faults);
+        last_time = time;
+        if (!(*strain >= 0 && *strain < 1))
+          add_fault(row, columns.strain, "must be at least 0 and below 1 (100 %), with compression positive",
+                    faults);
+        else if (rows == 1 && *strain != 0)
+          add_fault(row, columns.strain, "must be 0, since the history begins at first contact", faults);
+        table.time.push_back(*time);
+        table.strain.push_back(*strain);
+      },
+      &table.remarks);
   faults.throw_if_any();
   if (side < 0)
     table.remarks.push_back(columns.strain.name +
