@@ -265,7 +265,7 @@ void add_material_import(CLI::App& material, Action& action) {
   add_option(sub, "--strain COLUMN", request.columns.strain, "Strain or displacement column of a table");
   add_option(sub, "--stress COLUMN", request.columns.stress, "Stress or force column of a table");
   add_option(sub, "--strain-unit UNIT", request.columns.strain_unit,
-             "Strain or displacement unit, such as fraction, percent or mm");
+             "Strain or displacement unit, such as fraction, percent, microstrain or mm");
   add_option(sub, "--stress-unit UNIT", request.columns.stress_unit,
              "Stress or force unit, such as kPa or N");
   add_option(sub, "--thickness LENGTH", request.thickness, "Specimen thickness, needed for displacements");

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -85,6 +86,83 @@ TEST_F(StressTableTest, EveryNotationIsTheSameTest) {
               ElementsAre(20e3, 40e3));
 }
 
+TEST_F(StressTableTest, HeadersOfMachinesAreRead) {
+  const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  for (const std::string text :
+       {"Width, Thick,\n50.0, 25.0, 1,\n2500.0,\nLoad (N), Disp (mm), Time,\n50, 2.5, 0,\n75, 7.5, 1,\n100, "
+        "12.5, "
+        "2,\n",
+        "Foam "
+        "blocks\nFoam;03.03.2025;7;\n25;1;10\n64;3;196.0;1.4\nZeit;Kraft;Weg\ns;N;mm\n0;50;2.5\n1;75;7.5\n2;"
+        "100;12.5\n",
+        "#STRESS_UNITS= kPa\n# Strain   Stress(kPa)\n#Loop= 1\n0.1 20\n0.3 30\n0.5 40\n",
+        "strain [microstrain],stress_kPa\n100000,20\n300000,30\n500000,40\n",
+        "strain (\xce\xbc\xce\xb5),stress_kPa\n100000,20\n300000,30\n500000,40\n",
+        "Kraft Sollwert;Kraft;Weg\nN;N;mm\n-1;50;2,5\n-1;75;7,5\n-1;100;12,5\n",
+        "Load setpoint,Load,Displacement "
+        "command,Displacement,Cycles\nN,N,mm,mm,cycles\n1,50,9,2.5,1\n1,75,9,7.5,1\n1,"
+        "100,9,12.5,1\n",
+        "Strain (Extension),Stress\n(mm/mm),(kPa)\n0.1,20\n0.3,30\n0.5,40\n",
+        "strain,stress_kPa\n0.1,20\n0.3,30\n0.5,40\nEOF\n"}) {
+    SCOPED_TRACE(text);
+    ASSERT_EQ(said([&] { read(text, specimen); }), "");
+    const input::StressStrainTable table = read(text, specimen);
+    EXPECT_THAT(table.strain, Pointwise(DoubleNear(1e-12), {0.1, 0.3, 0.5}));
+    EXPECT_THAT(table.stress, Pointwise(DoubleNear(1e-7), {20e3, 30e3, 40e3}));
+  }
+  EXPECT_THAT(read("strain,stress_kPa\n0.1,20\n0.5,40\nEOF\n").remarks,
+              ElementsAre("the text on line 4 behind the numbers was left out"));
+}
+
+TEST_F(StressTableTest, AForceInGramsIsAWeight) {
+  const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  const std::vector<double> weights{9.80665 / 25e-4, 2 * 9.80665 / 25e-4};
+  for (const std::string text :
+       {"Force,Distance,Time\ng,mm,sec\n1000,2.5,0\n2000,5,1\n", "Load [kg],Distance [mm]\n1,2.5\n2,5\n"})
+    EXPECT_THAT(read(text, specimen).stress, Pointwise(DoubleNear(1e-7), weights)) << text;
+  input::StressStrainColumns given = specimen;
+  given.stress_unit = "g";
+  EXPECT_THAT(read("Force,Distance [mm]\n1000,2.5\n2000,5\n", given).stress,
+              Pointwise(DoubleNear(1e-7), weights));
+}
+
+TEST_F(StressTableTest, ADisplacementCountsFromWhereItBeginsWithoutForce) {
+  const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  for (const std::string text : {"Displacement (mm),Force (N)\n10,0\n12.5,-50\n17.5,-75\n22.5,-100\n",
+                                 "Weg [mm];Kraft [N]\n80;0\n77,5;50\n72,5;75\n67,5;100\n"}) {
+    const input::StressStrainTable table = read(text, specimen);
+    EXPECT_THAT(table.strain, Pointwise(DoubleNear(1e-12), {0.0, 0.1, 0.3, 0.5})) << text;
+    EXPECT_THAT(table.remarks, Contains(HasSubstr(" without force and was counted from there"))) << text;
+  }
+  const input::StressStrainTable loaded =
+      read("disp_mm,force_N\n5.25,2\n7.5,50\n12.5,75\n17.5,100\n", specimen);
+  EXPECT_THAT(loaded.strain, Pointwise(DoubleNear(1e-12), {0.21, 0.3, 0.5, 0.7}));
+  EXPECT_THAT(loaded.remarks,
+              ElementsAre("disp_mm: begins at 5.25 mm with 2 % of the largest force and was counted "
+                          "from 0; if the specimen is uncompressed there, subtract 5.25 mm from the "
+                          "displacements"));
+  EXPECT_THAT(read("disp_mm,force_N\n0.5,20\n7.5,50\n12.5,75\n17.5,100\n", specimen).remarks, IsEmpty());
+}
+
+TEST_F(StressTableTest, AForceThatWasNotZeroedIsToldOf) {
+  std::string text = "strain,stress_kPa\n";
+  for (int i = 0; i <= 70; ++i)
+    text += fmt::format("{:.2f},{:.3f}\n", 0.01 * i, i < 10 ? 12 + 0.3 * (i % 3) : 12 + 8.0 * (i - 10));
+  const input::StressStrainTable table = read(text);
+  EXPECT_EQ(table.stress.front(), 12e3);
+  EXPECT_THAT(table.remarks,
+              ElementsAre(AllOf(HasSubstr("stress_kPa: in the first 11 rows it stays at 12.2"),
+                                HasSubstr("2.5 % of the largest value; if it was not zeroed, subtract"))));
+  EXPECT_THAT(read("strain,stress_kPa\n0,15\n0.1,100\n0.5,345\n").remarks,
+              ElementsAre(HasSubstr(
+                  "stress_kPa: begins at 15 kPa, 4.3 % of the largest value; if it was not zeroed")));
+  // A plateau from the first row on, and noise around 0.
+  EXPECT_THAT(read("strain,stress_kPa\n0.05,20\n0.1,20\n0.2,21\n0.3,21\n0.4,22\n0.7,400\n").remarks,
+              IsEmpty());
+  EXPECT_THAT(read("strain,stress_kPa\n0,0.1\n0.01,-0.1\n0.02,0.1\n0.03,0\n0.04,-0.1\n0.7,100\n").remarks,
+              IsEmpty());
+}
+
 TEST_F(StressTableTest, WhatIsNotClearIsOneFault) {
   const auto of = [&](const std::string& text, const input::StressStrainColumns& columns = {}) {
     return said([&] { read(text, columns); });
@@ -101,6 +179,18 @@ TEST_F(StressTableTest, WhatIsNotClearIsOneFault) {
   EXPECT_THAT(of("strain,stress [s]\n0.1,2\n0.3,4\n", {.stress = "stress"}),
               HasSubstr("give another unit with --stress-unit"));
   EXPECT_THAT(of("strain,stress\n0.1,2\n0.3,4\n"), HasSubstr("its unit is not stated"));
+  const std::string twice = "strain,stress_kPa\n0.1,2\n0.3,4\n0.5,6\n";
+  EXPECT_THAT(of(twice + twice),
+              HasSubstr(":5: strain: is text among the numbers; if another table begins here"));
+  EXPECT_THAT(of("<test><strain>0.1</strain></test>\n"), HasSubstr("is XML or HTML, not a table"));
+  const std::string several = said([&] {
+    material({"strain,force A_N,force B_N\n0.1,2,3\n0.3,4,5\n0.5,6,7\n"}, {0.01}, {.area = 25e-4});
+  });
+  EXPECT_THAT(
+      several,
+      HasSubstr("several columns could be the stress: force A_N, force B_N; choose one with --stress, "
+                "or give each its rate in its header after an @"));
+  EXPECT_EQ(std::ranges::count(several, '\n'), 0);
 }
 
 /// A test from 0 to a strain and back, with noise of a share of the largest stress.

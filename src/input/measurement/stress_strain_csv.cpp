@@ -21,39 +21,43 @@ StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns
   StressStrainTable table;
   std::optional<double> last_time;
   bool has_too_large = false;  // told once: the unit is the cause
-  each_row(csv, faults, [&](const CsvRow& row) {
-    if (table.strain.size() == max_rows_of_test)
-      faults.refuse(row.line, "", "", fmt::format("has more than {} rows; thin them out", max_rows_of_test));
-    const auto within = [&](std::optional<double> number, const injury::MeasuredColumn& column,
-                            const char* si_unit) {
-      const double most = measured_magnitudes(si_unit).most;
-      if (!number || std::abs(*number) <= most) return number;
-      add_fault(row, column, fmt::format("must be within ±{:g} {}; no foam test gives more", most, si_unit),
-                faults);
-      return std::optional<double>();
-    };
-    const auto value = [&](const injury::MeasuredColumn& column, const char* si_unit) {
-      return within(number_in(row, column, faults), column, si_unit);
-    };
-    const auto strain = within(strain_in(row, columns, faults), columns.strain, "1"),
-               stress = value(columns.stresses.front().of, "Pa");
-    if (columns.time) {
-      const auto time = value(*columns.time, "s");
-      if (!time) return;
-      if (last_time && !(*time > *last_time))
-        return add_fault(row, *columns.time, "must be later than the previous time", faults);
-      last_time = time;
-    }
-    if (!strain || !stress) return;
-    if (std::abs(*strain) >= 1) {
-      if (!std::exchange(has_too_large, true))
-        add_fault(row, columns.strain, too_large_strain(columns), faults);
-      return;
-    }
-    if (columns.time) table.time.push_back(*last_time);
-    table.strain.push_back(*strain);
-    table.stress.push_back(*stress);
-  });
+  each_row(
+      csv, faults,
+      [&](const CsvRow& row) {
+        if (table.strain.size() == max_rows_of_test)
+          faults.refuse(row.line, "", "",
+                        fmt::format("has more than {} rows; thin them out", max_rows_of_test));
+        const auto within = [&](std::optional<double> number, const injury::MeasuredColumn& column,
+                                const char* si_unit) {
+          const double most = measured_magnitudes(si_unit).most;
+          if (!number || std::abs(*number) <= most) return number;
+          add_fault(row, column,
+                    fmt::format("must be within ±{:g} {}; no foam test gives more", most, si_unit), faults);
+          return std::optional<double>();
+        };
+        const auto value = [&](const injury::MeasuredColumn& column, const char* si_unit) {
+          return within(number_in(row, column, faults), column, si_unit);
+        };
+        const auto strain = within(strain_in(row, columns, faults), columns.strain, "1"),
+                   stress = value(columns.stresses.front().of, "Pa");
+        if (columns.time) {
+          const auto time = value(*columns.time, "s");
+          if (!time) return;
+          if (last_time && !(*time > *last_time))
+            return add_fault(row, *columns.time, "must be later than the previous time", faults);
+          last_time = time;
+        }
+        if (!strain || !stress) return;
+        if (std::abs(*strain) >= 1) {
+          if (!std::exchange(has_too_large, true))
+            add_fault(row, columns.strain, too_large_strain(columns), faults);
+          return;
+        }
+        if (columns.time) table.time.push_back(*last_time);
+        table.strain.push_back(*strain);
+        table.stress.push_back(*stress);
+      },
+      &table.remarks);
   faults.throw_if_any();
   return table;
 }
@@ -88,8 +92,11 @@ Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& f
     MeasurementFaults faults(file.string());
     const std::string content = read_measurement(file);
     const CsvTable csv = csv_table_in(content, faults);
-    const TestColumns columns = find_test_columns(csv.header, wanted, Beside::one_stress, faults);
+    TestColumns columns = find_test_columns(csv.header, wanted, Beside::one_stress, faults);
+    std::vector<std::string> remarks;
+    settle_beginning(csv, columns, remarks);
     StressStrainTable table = read_test_rows(csv, columns, faults);
+    table.remarks.insert(table.remarks.begin(), remarks.begin(), remarks.end());
     judge_test(table, columns, faults);
     return table;
   });

@@ -19,6 +19,8 @@ struct StressColumn {
 struct TestColumns {
   std::size_t line = 0;           ///< of the header
   injury::MeasuredColumn strain;  ///< its factor gives a strain, of a displacement over the thickness
+  bool is_displacement = false;   ///< the strain
+  double zero = 0;                ///< of a displacement, in the unit of the file
   std::vector<StressColumn> stresses = {};
   std::optional<injury::MeasuredColumn> time = {};
 };
@@ -30,6 +32,10 @@ enum class Beside { one_stress, stresses, time };
 /// Faults that name the option that helps if a header is ambiguous or lacks a unit. Throws InputError.
 TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns& wanted, Beside beside,
                               MeasurementFaults& faults);
+
+/// Lets a displacement that begins elsewhere than at 0, without load, count from there. Remarks on it, and on
+/// a force that is not 0 at the beginning.
+void settle_beginning(const CsvTable& csv, TestColumns& columns, std::vector<std::string>& remarks);
 
 /// The strain in a row; absent after a fault. 70 % and 17.5 mm of 25 mm are 0.7 to the last digit.
 std::optional<double> strain_in(const CsvRow& row, const TestColumns& columns, MeasurementFaults& faults);
