@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "input/material_deck/deck_foam.hpp"
+#include "input/material_deck/test_parts.hpp"
 #include "model/pad/foam/foam_rules.hpp"
 #include "quantities/text.hpp"
 
@@ -15,57 +15,11 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr double turn_share = 0.01;       // of the largest strain: a shorter way back is noise
 constexpr std::size_t max_bins = 200;     // of noisy strains
 constexpr std::size_t points_of_bin = 5;  // at least, on average
 constexpr double plateau_share = 0.02;  // of the largest strain: a shorter one is noise, and becomes a point
 constexpr double softening_share = 0.02;  // of the largest stress: a smaller change is noise
-constexpr double relaxing_share = 0.02;   // of the stress, lost at a constant strain
-
-/// The parts of a test, as indices of its points.
-struct Parts {
-  std::vector<std::size_t> loading, back;  ///< back: from the largest strain down
-  std::size_t top = 0;                     ///< of the largest strain
-  std::size_t noisy = 0;             ///< points of the loading below the largest strain before, by noise
-  std::optional<std::size_t> cycle;  ///< where the strain first turns back and comes back
-};
-
-Parts parts_of(const DeckCurve& test) {
-  Parts parts;
-  const std::vector<double>& strain = test.strain;
-  parts.top = static_cast<std::size_t>(std::ranges::max_element(strain) - strain.begin());
-  const double turn = turn_share * strain[parts.top];
-  double most = -1;
-  std::size_t of_most = 0;
-  bool is_below = false;  // on a way back, or coming back to the largest strain
-  for (std::size_t i = 0; i <= parts.top; ++i) {
-    if (strain[i] > most) {
-      most = strain[i];
-      of_most = i;
-      is_below = false;
-      parts.loading.push_back(i);
-    } else if (strain[i] <= most - turn) {
-      is_below = true;
-      if (!parts.cycle) parts.cycle = of_most;
-    } else if (!is_below && strain[i] < most) {
-      ++parts.noisy;
-      parts.loading.push_back(i);
-    }
-  }
-  double least = strain[parts.top];
-  for (std::size_t i = parts.top + 1; i < strain.size(); ++i) {
-    if (strain[i] > least + turn) {
-      if (!parts.cycle) parts.cycle = parts.top;
-      break;
-    }
-    if (strain[i] < least) {
-      least = strain[i];
-      parts.back.push_back(i);
-    }
-  }
-  if (least > strain[parts.top] - turn) parts.back.clear();
-  return parts;
-}
+constexpr std::size_t few_falls = 3;      // more of them, if small, are noise
 
 /// The points in ascending order of strain, in bins of equal width where the strains go to and fro.
 DeckCurve sorted_points(const DeckCurve& test, std::vector<std::size_t> places, bool is_noisy) {
@@ -145,24 +99,50 @@ std::size_t without_slack(DeckCurve& curve) {
 
 double kpa(double stress) { return stress / 1000; }
 
-void tell_of_parts(const DeckCurve& test, const Parts& parts, std::vector<std::string>& differences) {
+/// How often the stress falls, each time for one or more points.
+std::size_t falls_of(const std::vector<double>& stress) {
+  std::size_t falls = 0;
+  for (std::size_t i = 1; i < stress.size(); ++i)
+    if (stress[i] < stress[i - 1] && (i < 2 || stress[i - 1] >= stress[i - 2])) ++falls;
+  return falls;
+}
+
+std::string words_on_outlier(const DeckCurve& test, std::size_t outlier) {
+  const std::vector<double>& strain = test.strain;
+  return fmt::format(
+      "the strain on line {}, {:.3g}, is far from those beside it, {:.3g} and {:.3g}; if it is wrong, remove "
+      "the "
+      "line, since {}.",
+      test.lines[outlier], strain[outlier], strain[outlier - 1], strain[outlier + 1],
+      strain[outlier] > strain[outlier - 1] ? "all smaller strains behind it were left out"
+                                            : "it passes for a cycle");
+}
+
+std::string words_on_hold(const DeckCurve& test, const Hold& hold) {
+  return fmt::format(
+      "from line {} {}, the strain is held and the stress relaxes by {:.2g} %; these points were left out, "
+      "but "
+      "dashpad fit uses them.",
+      test.lines[hold.first],
+      hold.last + 1 < test.lines.size() ? fmt::format("to {}", test.lines[hold.last]) : "on",
+      100 * hold.lost);
+}
+
+void tell_of_parts(const DeckCurve& test, const TestParts& parts, std::vector<std::string>& differences) {
   const auto say = [&](const std::string& what) {
     differences.push_back(fmt::format("{}: {}", test.name, what));
   };
-  if (parts.cycle)
+  if (parts.outlier) say(words_on_outlier(test, *parts.outlier));
+  const bool is_cycle_of_outlier =
+      parts.outlier && parts.cycle && (*parts.cycle == *parts.outlier || *parts.cycle + 1 == *parts.outlier);
+  if (parts.cycle && !is_cycle_of_outlier)
     say(fmt::format(
         "the strain reverses on line {} and rises again; points below the largest strain reached so far "
         "were left out, but dashpad fit uses them.",
         test.lines[*parts.cycle]));
-  else if (!parts.back.empty())
+  else if (!parts.cycle && !parts.back.empty())
     say(fmt::format("the strain reverses on line {}, where unloading begins.", test.lines[parts.top]));
-  if (!parts.back.empty() || parts.top + 1 >= test.stress.size()) return;
-  const double lost = 1 - test.stress.back() / test.stress[parts.top];
-  if (lost > relaxing_share)
-    say(fmt::format(
-        "from line {} on, the strain is held and the stress relaxes by {:.2g} %; these points were left "
-        "out, but dashpad fit uses them.",
-        test.lines[parts.top], 100 * lost));
+  for (const Hold& hold : parts.holds) say(words_on_hold(test, hold));
 }
 
 }  // namespace
@@ -172,7 +152,7 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
   const auto say = [&](const std::string& what) {
     differences.push_back(fmt::format("{}: {}", test.name, what));
   };
-  const Parts parts = parts_of(test);
+  const TestParts parts = parts_of(test);
   tell_of_parts(test, parts, differences);
   curves.loading = sorted_points(test, parts.loading, parts.noisy > 0);
   if (parts.noisy > 0 || curves.loading.strain.size() < parts.loading.size())
@@ -181,8 +161,10 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
   if (is_slowest) {
     Moved moved;
     const double top = std::ranges::max(curves.loading.stress);
+    const std::size_t falls = falls_of(curves.loading.stress);
     curves.loading = risen(curves.loading, moved);
-    if (moved.largest > softening_share * top)
+    if (moved.largest > softening_share * top ||
+        (moved.largest > 0 && falls <= few_falls && parts.noisy == 0))
       say(fmt::format(
           "the stress falls near a strain of {:.3g}, which the curve for the lowest rate must not do; it was "
           "levelled there, changing by up to {:.3g} kPa, or {:.2g} % of the largest stress.",
@@ -194,7 +176,7 @@ MeasuredCurves curves_of_test(const DeckCurve& test, bool is_slowest, std::vecto
           kpa(moved.largest), 100 * moved.largest / top));
   }
   if (const std::size_t slack = without_slack(curves.loading); slack > 0)
-    say(fmt::format("{} before the first positive stress {} left out.", plural(slack, "point"),
+    say(fmt::format("{} before the first positive strain and stress {} left out.", plural(slack, "point"),
                     slack == 1 ? "was" : "were"));
   if (parts.back.empty() || curves.loading.strain.empty()) return curves;
   Moved ignored;

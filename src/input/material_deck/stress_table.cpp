@@ -12,6 +12,7 @@
 
 #include "input/material_deck/deck_foam.hpp"
 #include "input/measurement/test_columns.hpp"
+#include "model/pad/foam/foam_rules.hpp"
 
 namespace dashpad::input {
 
@@ -30,13 +31,10 @@ void settle_rates_of(TestColumns& columns, std::optional<double> rate, Measureme
     return;
   }
   if (rate)
-    faults.add(columns.line, "", "",
-               "there are several stress columns; give each rate in its header, not with --rate");
-  for (const StressColumn& column : columns.stresses)
-    if (column.rate == 0)
-      faults.add(columns.line, column.of.name, "",
-                 "with several stress columns, each header must give its rate after an @, such as "
-                 "\"stress_kPa @ 10 1/s\"; or choose one column with --stress");
+    faults.add(
+        columns.line, "", "",
+        "there are several stress columns with their rates in the header; leave out --rate, or choose one "
+        "with --stress");
 }
 
 /// Adds a row to each curve that has a stress in it.
@@ -65,18 +63,22 @@ std::vector<DeckRateCurve> tests_in(const std::filesystem::path& file, std::opti
   TestColumns columns = find_test_columns(csv.header, wanted, Beside::stresses, faults);
   settle_rates_of(columns, rate, faults);
   faults.throw_if_any();
+  std::vector<std::string> of_each;
+  settle_beginning(csv, columns, of_each);
   std::vector<DeckCurve> curves;
   for (const StressColumn& column : columns.stresses) curves.push_back({column.of.name, columns.line});
   std::size_t count = 0;
   bool has_too_large = false;  // told once: the unit is the cause
-  each_row(csv, faults, [&](const CsvRow& row) {
-    if (count++ == max_rows_of_stresses)
-      faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows_of_stresses));
-    take_row(row, columns, curves, has_too_large, faults);
-  });
+  each_row(
+      csv, faults,
+      [&](const CsvRow& row) {
+        if (count++ == max_rows_of_stresses)
+          faults.refuse(row.line, "", "", fmt::format("has more than {} rows", max_rows_of_stresses));
+        take_row(row, columns, curves, has_too_large, faults);
+      },
+      &of_each);
   faults.throw_if_any();
   std::vector<DeckRateCurve> tests;
-  std::vector<std::string> of_each;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     DeckCurve& curve = curves[i];
     make_compression_positive(curve.strain, columns.strain.name, of_each);
@@ -123,6 +125,45 @@ std::vector<DeckRateCurve> tests_in(const std::vector<std::filesystem::path>& fi
   return tests;
 }
 
+/// The file that a test has its name from; the only one if there are several tests in it.
+std::string file_of(const std::string& test, const std::vector<std::filesystem::path>& files) {
+  const auto found = std::ranges::find_if(
+      files, [&](const std::filesystem::path& file) { return to_utf8(file.filename().string()) == test; });
+  return (found == files.end() ? files.front() : *found).string();
+}
+
+/// Throws the faults, those of a test with its file.
+void throw_if_any(MeasurementFaults& faults, const std::vector<std::string>& tests,
+                  const std::vector<std::filesystem::path>& files) {
+  std::vector<Fault> all = faults.split_off(0);
+  for (Fault& fault : all)
+    for (const std::string& test : tests) {
+      if ((": " + fault.key + ": ").find(": " + test + ": ") == std::string::npos) continue;
+      fault.file = file_of(test, files);
+      if (fault.key == test && files.size() > 1) fault.key.clear();  // the name of the file
+    }
+  if (!all.empty()) throw InputError(std::move(all));
+}
+
+/// Reports a test, raised to the slower one, that falls by more than the curve of a higher rate may.
+void judge_fall(const DeckCurve& curve, MeasurementFaults& faults) {
+  double most = 0, fall = 0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < curve.stress.size(); ++i) {
+    most = std::max(most, curve.stress[i]);
+    if (most > 0 && 1 - curve.stress[i] / most > fall) {
+      fall = 1 - curve.stress[i] / most;
+      worst = i;
+    }
+  }
+  if (fall > max_softening)
+    faults.add(
+        curve.lines[worst], curve.name, "",
+        fmt::format("from its peak before, the stress falls by {:.0f} % at a strain of {:.3g}; the curve "
+                    "of a higher rate may fall by at most {:.0f} %",
+                    100 * fall, curve.strain[worst], 100 * max_softening));
+}
+
 }  // namespace
 
 bool is_stress_table(const std::filesystem::path& file) {
@@ -151,11 +192,14 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
   return reading_of([&]() -> DeckMaterial {
     DeckFoam foam;
     std::vector<DeckRateCurve> tests = tests_in(files, conditions, wanted, foam.differences);
-    MeasurementFaults faults(files.front().string());
+    std::vector<std::string> names;
+    for (const DeckRateCurve& test : tests) names.push_back(test.curve.name);
+    MeasurementFaults of_temperatures(files.front().string());
     if (!conditions.temperatures.empty())
       foam.temperature_table =
-          take_temperatures(tests, conditions.temperatures.front(), foam.differences, faults);
-    faults.throw_if_any();
+          take_temperatures(tests, conditions.temperatures.front(), foam.differences, of_temperatures);
+    throw_if_any(of_temperatures, names, files);
+    MeasurementFaults faults(file_of(tests.front().curve.name, files));
     foam.card = "table";
     foam.title = to_utf8(files.front().stem().string());
     foam.line = tests.front().line;
@@ -165,7 +209,10 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
       foam.source += (foam.source.empty() ? "Tests in " : ", ") + to_utf8(file.filename().string());
     for (std::size_t i = 0; i < tests.size(); ++i) {
       MeasuredCurves curves = curves_of_test(tests[i].curve, i == 0, foam.differences);
-      if (i > 0) raise_to(foam.loading.back().curve, curves.loading, foam.differences);
+      if (i > 0) {
+        raise_to(foam.loading.back().curve, curves.loading, foam.differences);
+        judge_fall(curves.loading, faults);
+      }
       if (i == 0)
         foam.unloading = std::move(curves.way_back);
       else if (curves.way_back)
@@ -177,8 +224,9 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
       foam.assumptions.emplace_back(
           "The unloading is not in the table, so the foam unloads along the curve for the lowest "
           "rate, without loss at that rate. Set unloading_factor and unloading_shape.");
+    throw_if_any(faults, names, files);
     auto material = material_of(foam, faults);
-    faults.throw_if_any();
+    throw_if_any(faults, names, files);
     if (!material) faults.refuse(0, "", "", "contains no curve");
     return *std::move(material);
   });
