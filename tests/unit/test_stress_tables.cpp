@@ -118,7 +118,8 @@ TEST_F(StressTableTest, AForceInGramsIsAWeight) {
   const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
   const std::vector<double> weights{9.80665 / 25e-4, 2 * 9.80665 / 25e-4};
   for (const std::string text :
-       {"Force,Distance,Time\ng,mm,sec\n1000,2.5,0\n2000,5,1\n", "Load [kg],Distance [mm]\n1,2.5\n2,5\n"})
+       {"Force,Distance,Time\ng,mm,sec\n1000,2.5,0\n2000,5,1\n", "Load [kg],Distance [mm]\n1,2.5\n2,5\n",
+        "Load (grams),Distance [mm]\n1000,2.5\n2000,5\n"})
     EXPECT_THAT(read(text, specimen).stress, Pointwise(DoubleNear(1e-7), weights)) << text;
   input::StressStrainColumns given = specimen;
   given.stress_unit = "g";

@@ -110,6 +110,7 @@ TEST_F(TableHeaderTest, RowsOfUnitsNameAnyUnit) {
   expect_the_pulse("time,acc\nms,millivolts\n0,10\n2,30\n4,20\n", {.sensitivity = {ten}});
   expect_the_pulse("time,T,acc\nms,degC,g\n0,20,1\n2,20,3\n4,20,2\n");
   expect_the_pulse("force,time,acc\nN,ms,g\n9,0,1\n9,2,3\n9,4,2\n");
+  expect_the_pulse("time,acc (head)\nms,g\n0,1\n2,3\n4,2\n");
   EXPECT_THAT(pulse("time,acc\ns,cm/s2\n0,1\n0.002,3\n").pulse.acceleration,
               Pointwise(DoubleEq(), {0.01, 0.03}));
 }
@@ -118,6 +119,7 @@ TEST_F(TableHeaderTest, ACountAboveATitleIsNoSample) {
   const input::PulseOptions units{.time_unit = "ms", .acceleration_unit = "g"};
   expect_the_pulse("1\n3 'HEAD ACC'\n" + rows_of_blanks, units);
   expect_the_pulse("3\n" + rows_of_blanks, units);
+  expect_the_pulse("2 3\nHEAD\n" + rows_of_blanks, units);
   EXPECT_THAT(refused("t_ms,a_g\nx,5\n0,1\n2,3\n"), HasSubstr("must be a number"));
 }
 
@@ -135,6 +137,9 @@ TEST_F(TableHeaderTest, SizesAboveTheNamesAreNoTable) {
     expect_the_pulse(above + table);
   for (const std::string above : {"7 8\n", "7 8\n9 10\nspecimen A\n"})
     expect_the_pulse(above + "t_ms a_g\n" + rows_of_blanks);
+  EXPECT_THAT(pulse("7 8\nt_ms a_g\n" + rows_of_blanks).remarks,
+              ElementsAre("the numbers from line 1 on, above the text, were left out"));
+  EXPECT_THAT(pulse("7,8,9\n" + table).remarks, IsEmpty());
   // What has the names and the width of the table below may be its first rows.
   EXPECT_THAT(faults("t_ms,a_g\n0,1\nx,y\n2,3\n4,2\n6,1\n"), Not(IsEmpty()));
 }
@@ -160,6 +165,7 @@ TEST_F(TableHeaderTest, TextBehindTheNumbersIsLeftOutWithARemark) {
   EXPECT_THAT(pulse(table + "\nEnd\nMax,3\nMin,1\n").remarks,
               Contains("3 lines of text behind the numbers, from line 6 on, were left out"));
   expect_the_pulse("a_g,n\n1,0\n3,0\n2,0\n\nEOF\n", {.interval = 2e-3});
+  expect_the_pulse("t_ms a_g\n" + rows_of_blanks + "END DATA\n");
   // A typing error in the last row is none.
   EXPECT_THAT(refused(table + "x,5\n"), HasSubstr("must be a number"));
 }
@@ -178,6 +184,7 @@ TEST_F(TableHeaderTest, SeveralTablesAreOneSentence) {
   }
   EXPECT_EQ(faults(table + table).front().line, 5);
   EXPECT_THAT(refused(table + "0,1\n2,3\n4,2\n"), HasSubstr("is earlier than the previous time"));
+  EXPECT_THAT(refused(table + "0,1,1\n2,3,1\n4,2,1\n"), HasSubstr("has 3 fields where 2 are expected"));
 }
 
 TEST_F(TableHeaderTest, OtherFormatsAreNamed) {

@@ -46,8 +46,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> names_of
      {"micros", "us"}}};
 
 /// Names of units of voltage, in lower case.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> names_of_voltages{
-    {{"volt", "V"}, {"volts", "V"}, {"millivolt", "mV"}, {"millivolts", "mV"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> names_of_voltages{
+    {{"volt", "V"},
+     {"volts", "V"},
+     {"mvolt", "mV"},
+     {"mvolts", "mV"},
+     {"millivolt", "mV"},
+     {"millivolts", "mV"}}};
 
 bool is_among(std::string_view word, const auto& words) {
   return std::ranges::find(words, word) != words.end();

@@ -117,7 +117,8 @@ CsvColumns name_columns(const CsvHeader& header, const std::optional<LabViewHead
       column.name = quoted_part(columns.names->fields[i], longest_column_name);
     }
     for (const CsvHeader::Row* row : unit_rows)
-      if (column.unit.empty() && i < row->fields.size()) column.unit = unit_in_row(row->fields[i]);
+      if (i < row->fields.size() && !is_known_unit(column.unit))  // "Acc (head)" has none
+        if (const std::string unit = unit_in_row(row->fields[i]); !unit.empty()) column.unit = unit;
     if (labview && i < labview->columns.size() && !labview->columns[i].unit.empty())
       column.unit = labview->columns[i].unit;
     columns.all.push_back(std::move(column));

@@ -93,7 +93,11 @@ struct CsvHeader {
   std::size_t first_line = 0;          ///< of the numbers; 0 without any
   std::size_t width = 0;               ///< number of columns of the first row of numbers
   std::vector<std::string> first_row;  ///< the fields of that row, with empty ones at its end
+  /// Line of rows of numbers above the rows here that were left out, if they might belong to the table; or 0.
+  std::size_t numbers_above = 0;
 
+  /// What was left out above; empty if nothing was.
+  [[nodiscard]] std::string remark() const;
   [[nodiscard]] bool holds_time_of_day(const injury::MeasuredColumn& column) const;
 };
 

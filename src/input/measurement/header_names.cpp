@@ -4,7 +4,7 @@
 #include "input/measurement/csv_table.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -158,8 +158,8 @@ void settle_rows(CsvHeader& header, std::string_view text, char separator) {
   }
 }
 
-/// The first line below the sizes of a specimen: rows of numbers, too few for a table, above a row of names
-/// and a table. 0 without.
+/// The first line below sizes of a specimen or counts of points: rows of numbers, too few for a table, above
+/// text and a table. 0 without.
 std::size_t line_below_sizes(std::string_view text, char separator, std::ptrdiff_t fewest,
                              const CsvHeader& header) {
   const bool have_names = has_row_of_names(header);
@@ -177,7 +177,7 @@ std::size_t line_below_sizes(std::string_view text, char separator, std::ptrdiff
         has_names = false;
       }
       run = 0;
-      has_names = has_names || (!holds_number(row) && row.filled() >= 2);
+      has_names = has_names || (!holds_number(row) && (row.filled() >= 2 || !have_names));
       continue;
     }
     if (run > 0 && row.filled() != width) line = run = 0;
@@ -236,12 +236,19 @@ void add_names_of_comments(CsvHeader& header, std::string_view text, char separa
 
 }  // namespace
 
+std::string CsvHeader::remark() const {
+  return numbers_above == 0
+             ? ""
+             : fmt::format("the numbers from line {} on, above the text, were left out", numbers_above);
+}
+
 CsvHeader find_header(std::string_view text, char separator, std::ptrdiff_t fewest) {
   CsvHeader header = read_csv_header(text, separator, fewest);
   if (header.first_line == 0) return header;
   settle_rows(header, text, separator);
   if (const std::size_t line = line_below_sizes(text, separator, fewest, header); line > 0) {
-    header = read_csv_header(text, separator, fewest, line - 1);
+    const CsvHeader above = std::exchange(header, read_csv_header(text, separator, fewest, line - 1));
+    if (above.width == header.width) header.numbers_above = above.first_line;
     settle_rows(header, text, separator);
   }
   take_names_one_a_line(header);

@@ -218,6 +218,7 @@ void tell_of_header(const CsvColumns& columns, const CsvHeader& header, std::vec
     remarks.push_back(fmt::format("{}, at the beginning of line {}, names no column and was left out",
                                   quoted_part(columns.names->keyword, longest_column_name),
                                   columns.names->line));
+  if (!header.remark().empty()) remarks.push_back(header.remark());
   if (header.is_latin1) remarks.emplace_back("the header is not UTF-8; it was read as Latin-1");
 }
 

@@ -188,12 +188,14 @@ class PulseRows {
 
   /// Rows have as many fields as the first one or as there are columns; more are empty.
   bool fits(const CsvRow& row) {
-    if (row.fields.size() == width_) return true;
+    if (row.fields.size() == width_) return has_fitted_ = true;
     if (row.fields.size() > width_ && row.filled() <= width_) {
       ++findings.empty_columns;
-      return true;
+      return has_fitted_ = true;
     }
-    if (row.fields.size() == fields_of_first_ || is_ragged_) return true;
+    if (row.fields.size() == fields_of_first_ || is_ragged_) return has_fitted_ = true;
+    // Said once of rows in succession, as of earlier times.
+    if (!std::exchange(has_fitted_, false)) return false;
     faults_.add(row.line, "", "",
                 fmt::format("has {} where {} are expected{}", plural(row.fields.size(), "field"), width_,
                             separator_ == ',' && row.fields.size() > width_
@@ -324,6 +326,7 @@ class PulseRows {
   std::optional<ExactTime> first_;
   RunningClock clock_;
   std::string missing_;      ///< what stands in place of the first missing value
+  bool has_fitted_ = true;   ///< the latest row, into the columns
   bool is_earlier_ = false;  ///< the latest row, than the latest sample
   std::size_t packet_ = 1;   ///< number of the latest samples that share a time
   std::size_t smallest_packet_ = max_samples, largest_packet_ = 0;    ///< of those before

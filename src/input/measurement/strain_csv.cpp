@@ -113,6 +113,7 @@ Reading<StrainTable> read_strain_csv(const std::filesystem::path& file, const St
                        1);
     StrainTable table = read_rows(csv, columns, faults);
     judge_history(table, columns, faults);
+    if (!csv.header.remark().empty()) table.remarks.push_back(csv.header.remark());
     if (const double begin = table.time.front(); begin != 0) {
       for (double& time : table.time) time -= begin;
       table.remarks.push_back(fmt::format(

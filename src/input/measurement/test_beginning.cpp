@@ -104,6 +104,7 @@ void tell_of_force(const RawTest& test, const TestColumns& columns, std::vector<
 }  // namespace
 
 void settle_beginning(const CsvTable& csv, TestColumns& columns, std::vector<std::string>& remarks) {
+  if (!csv.header.remark().empty()) remarks.push_back(csv.header.remark());
   if (columns.stresses.empty()) return;
   const RawTest test = raw_test(csv, columns);
   if (test.place.empty() || !(test.most > 0)) return;

@@ -33,8 +33,8 @@ enum class Beside { one_stress, stresses, time };
 TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns& wanted, Beside beside,
                               MeasurementFaults& faults);
 
-/// Lets a displacement that begins elsewhere than at 0, without load, count from there. Remarks on it, and on
-/// a force that is not 0 at the beginning.
+/// Lets a displacement that begins elsewhere than at 0, without load, count from there. Remarks on it, on a
+/// force that is not 0 at the beginning, and on numbers above the header.
 void settle_beginning(const CsvTable& csv, TestColumns& columns, std::vector<std::string>& remarks);
 
 /// The strain in a row; absent after a fault. 70 % and 17.5 mm of 25 mm are 0.7 to the last digit.

@@ -29,8 +29,8 @@ constexpr std::array force_words{"force",  "load",  "kraft", "last",  "charge",
                                  "fuerza", "carga", "forza", "carico"};
 
 /// Of rates, of true stresses and strains, and of what a machine was told to do.
-constexpr std::array words_of_others{"rate",    "true",     "soll",   "setpoint", "set point",
-                                     "command", "consigne", "demand", "target"};
+constexpr std::array words_of_others{"rate", "true",     "soll",     "setpoint", "set point", "command",
+                                     "cmd",  "consigne", "consigna", "comando",  "demand",    "target"};
 
 bool holds_any(const std::string& name, const auto& words) {
   return std::ranges::any_of(words,
@@ -154,7 +154,12 @@ std::vector<TestColumn> named_test_columns(const CsvHeader& header, std::size_t&
 }
 
 std::string unit_of_weight(const std::string& unit) {
-  return is_unit_of_dimension(unit, "kg") && is_unit_of_dimension(unit + "f", "N") ? unit + "f" : unit;
+  std::string name = lower_case(unit);
+  for (const auto& [word, letter] :
+       {std::pair("kilogram", "kg"), std::pair("gram", "g"), std::pair("pound", "lb")})
+    if (name == word || name == std::string(word) + 's') name = letter;
+  if (name == "lbs") name = "lb";
+  return is_unit_of_dimension(unit, "kg") && is_unit_of_dimension(name + "f", "N") ? name + "f" : unit;
 }
 
 bool is_unit_of_dimension(const std::string& unit, const char* si_unit) {

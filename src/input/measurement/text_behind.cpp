@@ -47,7 +47,8 @@ bool TextBehind::is_text(const CsvRow& row) const {
   if (has_number) return false;
   if (count_ > 0) return true;
   if (first.empty() || is_missing(first)) return false;
-  return !has_count || row.filled() < 2 || is_of_header(row, header);
+  const bool are_words = table_.separator == ' ' && std::ranges::none_of(row.fields, reads_as_number);
+  return !has_count || row.filled() < 2 || are_words || is_of_header(row, header);
 }
 
 bool TextBehind::holds(const CsvRow& row, MeasurementFaults& faults) {
