@@ -406,7 +406,7 @@ TEST_F(FitFileTest, NamesEachFault) {
   };
   const std::vector<Row> rows{
       {"strain_unit = \"fraction\"\n", "strain_unit = \"kPa\"\n",
-       "give strain_unit fraction or strain_unit percent"},
+       "give strain_unit fraction, percent or microstrain"},
       {"file = \"test.csv\"", "file = \"nowhere.csv\"", "nowhere.csv"},
       {"rate = \"0.01 1/s\"\nnoise", "noise", "tests[1].rate"},
       {"noise = \"2 kPa\"", "noise = \"2 mm\"", "tests[1].noise"},
