@@ -109,7 +109,13 @@ std::string heading(const Replay& replay, const study::Store& store, const UnitS
 }
 
 std::string verdict(const std::vector<std::string>& differences, const study::Store& store) {
-  if (differences.empty()) return "\nThe stored responses were reproduced to the last bit.\n";
+  std::string drawn;  // errors that move figures, not the impact
+  for (const study::StoredColumn& factor : store.factors())
+    if (factor.name == "foam.misfit" || factor.name == "foam.neighbours")
+      drawn += (drawn.empty() ? "" : " and ") + factor.name;
+  if (differences.empty())
+    return "\nThe stored responses were reproduced to the last bit.\n" +
+           (drawn.empty() ? "" : fmt::format("They include {}, the figures above do not.\n", drawn));
   std::string text =
       fmt::format("\nDIFFERENT: the responses stored by Dashpad {} were not reproduced:\n", store.program());
   for (const std::string& line : differences) text += "  " + line + "\n";

@@ -39,7 +39,8 @@ constexpr const char* study_footer = R"(Examples:
   mpirun -n 32 dashpad study my-study.toml --out my-study.db
 
 A study file names a base case, factors that vary (lists, ranges, distributions) and the responses to keep. With
-rows = "design.csv" it solves the cases of a table; with samples_from = "draws.csv" it draws from one. The same study
+rows = "design.csv" it solves the cases of a table; with samples_from = "draws.csv" it draws from one; with
+foam_uncertainty = true each draw also has a foam of its own, within what the cards leave uncertain. The same study
 gives the same rows on any number of cores or machines. The store is an SQLite file.
 
 To resume after an interruption (Ctrl-C, SIGTERM, a crash, a full disk), run the same command again; no row is lost

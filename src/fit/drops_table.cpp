@@ -46,7 +46,16 @@ bool add_misspelt_figures(const input::CaseRows& rows, const std::string& file, 
   return faults.size() > before;
 }
 
-/// A column whose numbers would not be used: `set` gives them for all drops, or the fit seeks them.
+/// The number of the case that a key decides: the speed for a drop height, the mass for a static stress.
+std::string decided_by(const std::string& key) {
+  if (key == static_stress) return "impactor.mass";
+  for (const OtherWay& way : other_ways())
+    if (key == way.key) return way.instead_of;
+  return key;
+}
+
+/// A column whose numbers would not be used: `set` gives them for all drops, the fit seeks them, or another
+/// column gives them in another way.
 void refuse_overruled(input::TableReader& table, const input::CaseRows& rows, const std::string& file,
                       const Fit& fit) {
   std::vector<std::string> settings;
@@ -55,11 +64,14 @@ void refuse_overruled(input::TableReader& table, const input::CaseRows& rows, co
     const auto refuse = [&](const char* rule) {
       table.faults().add({input::Fault{file, rows.header_line, column.key, "", rule}});
     };
-    const auto is_own = [&](const std::string& setting) { return setting.starts_with(column.key + "="); };
-    if (std::ranges::any_of(settings, is_own))
+    const auto is_own = [&](const std::string& key) { return decided_by(key) == decided_by(column.key); };
+    if (std::ranges::any_of(settings, [&](const auto& set) { return is_own(set.substr(0, set.find('='))); }))
       refuse("is also given by set, for all drops: leave one of them out");
-    if (std::ranges::count(fit.unknowns, column.key, &Unknown::key))
-      refuse("is an unknown of the fit: leave one of them out");
+    if (std::ranges::any_of(fit.unknowns, is_own, &Unknown::key))
+      refuse("is also decided by an unknown of the fit: leave one of them out");
+    for (const input::RowColumn& other : rows.columns)
+      if (&other < &column && is_own(other.key))
+        refuse("is also given by another column: leave one of them out");
   }
 }
 
@@ -75,7 +87,8 @@ std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input
   if (stem.pulse || !stem.figures.empty())
     table.fault("rows", "contains the measurements; the entry itself must have none");
   const std::vector<input::RowKey> keys = keys_of_drops(stem.impact);
-  const auto unknown = [&](const std::string& key) {
+  const auto unknown = [&](const std::string& key) -> std::string {
+    if (key == "pad.material") return "cannot differ among drops: a fit has one foam";
     return study::rule_for_unknown(key, stem.impact, study::factor_keys(stem.impact));
   };
   const auto rows = file ? table.faults().take(input::read_case_rows(*file, keys, unknown)) : std::nullopt;

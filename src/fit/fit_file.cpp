@@ -194,6 +194,17 @@ void read_unknowns(TableReader& top, bool has_base, Fit& fit, Lines& lines) {
   }
 }
 
+/// The temperature of a test needs a table in the card; outside its range the factor is that of its end.
+void check_temperature(TableReader& table, const Material& material, MaterialMeasurement& test) {
+  if (!test.temperature) return;
+  const PadCondition condition{.scale = 1, .density = {}, .temperature = test.temperature};
+  const std::vector<Violation> broken = violations(condition, material);
+  for (const Violation& violation : broken) table.fault(violation.key, violation.rule);
+  if (broken.empty())
+    for (const Extrapolation& beyond : extrapolations(condition, material))
+      test.remarks.push_back(beyond.text);
+}
+
 }  // namespace
 
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials) {
@@ -213,10 +224,7 @@ input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::f
   read_unknowns(top, has_base, fit, lines);
   read_each(top, "tests", lines, [&](TableReader& table) {
     fit.tests.push_back(read_test(table, folders, result.files));
-    if (!has_base || !fit.tests.back().temperature) return;
-    for (const Violation& broken : violations(
-             {.scale = 1, .density = {}, .temperature = fit.tests.back().temperature}, fit.base.pad.material))
-      table.fault(broken.key, broken.rule);
+    if (has_base) check_temperature(table, fit.base.pad.material, fit.tests.back());
   });
   read_each(top, "impacts", lines,
             [&](TableReader& table) { read_impacts(table, folders, result.files, fit); });

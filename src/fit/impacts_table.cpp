@@ -372,7 +372,9 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
                 "is missing; give the strain rate of the test, such as \"0.01 1/s\", or name a time column: "
                 "columns = {time = \"time\"}");
   read_range(table, test);
-  if (table.has("temperature")) test.temperature = table.quantity("temperature", "K");
+  if (table.has("temperature"))
+    if (const double temperature = table.quantity("temperature", "K"); std::isfinite(temperature))
+      test.temperature = temperature;
   test.has_offset = table.flag("offset");
   test.is_held_out = table.flag("hold_out");
   if (test.has_offset && test.is_held_out)

@@ -52,7 +52,7 @@ const RowKey* key_in(std::string_view text, std::span<const RowKey> keys) {
 
 /// Whether a header begins like a key, with the name of a table of cases, in capitals or not.
 bool begins_like_key(std::string_view text) {
-  constexpr std::string_view tables[]{"impactor.", "pad.", "support.", "blows.", "solver."};
+  constexpr std::string_view tables[]{"impactor.", "pad.", "support.", "blows.", "solver.", "foam."};
   const std::string lower = lower_case(text);
   return std::ranges::any_of(tables, [&](std::string_view table) { return lower.starts_with(table); });
 }

@@ -69,6 +69,11 @@ std::string rule_for_unknown(const std::string& key, const ImpactCase& base,
                : "the support of the case is a curve: vary support.scale, which multiplies its forces";
   std::vector<std::string> known;
   for (const FactorKey& each : known_keys) known.push_back(each.key);
+  if (uncertainty::is_foam_factor(key)) {
+    std::erase_if(known, [](const std::string& each) { return !uncertainty::is_foam_factor(each); });
+    return known.empty() ? "the cards leave nothing uncertain that could be drawn"
+                         : "is not among what the cards leave uncertain: " + input::listing(known);
+  }
   for (const char* table : {"pad.curve.", "pad.rate."})
     if (is_in(key, table) && base.pad.layers.empty())
       return rule_for_curves(table, base.pad.material.law, known);

@@ -62,9 +62,11 @@ const Solution& Worker::solve(Outcome& outcome) {
     responses_(*last, outcome);
   }
   if (draw_)
-    for (std::size_t i = 0; i < outcome.values.size(); ++i)
-      outcome.values[i] =
-          draw_->figure(*find_response_kind(study_.responses[i]), outcome.values[i], last->summary);
+    for (std::size_t i = 0; i < outcome.values.size(); ++i) {
+      const ResultQuantity& kind = *find_response_kind(study_.responses[i]);
+      const double drawn = draw_->figure(kind, outcome.values[i], last->summary);
+      outcome.values[i] = is_possible(kind, drawn) ? drawn : no_value;
+    }
   return *last;
 }
 

@@ -68,18 +68,19 @@ void check_materials(const Study& study, const Factor& factor, std::vector<Viola
       }
 }
 
-/// A range of a foam is not left.
+/// A range of a foam is not left, and a deviation is one that occurs.
 void check_foam_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
   if (!uncertainty::is_foam_factor(factor.key)) return;
   if (const auto* given = factor.given_values(); given && given->empty()) return;
   const std::vector<FoamFactor> known = foam_factors(study);
   const auto found = std::ranges::find(known, factor.key, &FoamFactor::key);
-  if (found == known.end() || found->is_statistical) return;
+  if (found == known.end()) return;
   const CheckedRange range = checked_range(factor);
   if (range.low < found->lowest || range.high > found->highest)
-    broken.push_back({"factors." + factor.key, range.low < found->lowest ? range.low : range.high,
-                      fmt::format("must lie between {} and {}, the ends of what is uncertain", found->lowest,
-                                  found->highest)});
+    broken.push_back(
+        {"factors." + factor.key, range.low < found->lowest ? range.low : range.high,
+         fmt::format("must lie between {} and {}{}", found->lowest, found->highest,
+                     found->is_statistical ? " standard deviations" : ", the ends of what is uncertain")});
 }
 
 void check_factor(const Study& study, const Factor& factor, std::vector<Violation>& broken) {
@@ -181,7 +182,11 @@ void check_responses(const Study& study, std::vector<Violation>& broken) {
     const int blows = study.base.blows ? study.base.blows->count : 1;
     const auto response = find_response(name);
     if (!response)
-      broken.push_back({key, no_value, name + " is not a response" + input::meant_or_listed(name, known)});
+      broken.push_back(
+          {key, no_value,
+           find_response(name.substr(0, name.find('.'))) && name.find('.') != std::string::npos
+               ? name + " is not a response; of repeated blows write NAME.blow_2 or NAME.mean_2_5"
+               : name + " is not a response" + input::meant_or_listed(name, known)});
     else if (response->last_blow > blows)
       broken.push_back({key, no_value,
                         fmt::format("{}: the case has {}", name,

@@ -337,8 +337,12 @@ void read_correlations(input::TableReader& table, const FactorLines& lines, Stud
 }
 
 /// Adds what the cards leave uncertain to the factors, if the file asks for it.
-void read_foam_uncertainty(input::TableReader& top, const FactorLines& lines, Study& study) {
-  if (!top.flag(foam_uncertainty) || !lines.at_fault.empty()) return;
+void read_foam_uncertainty(input::TableReader& top, FactorLines& lines, Study& study) {
+  const std::size_t before = top.faults().size();
+  const bool is_wanted = top.flag(foam_uncertainty);
+  if (top.faults().size() > before)
+    lines.at_fault.insert(lines.at_fault.end(), keys_about_all_factors.begin(), keys_about_all_factors.end());
+  if (!is_wanted || !lines.at_fault.empty()) return;
   if (foam_factors(study).empty())
     top.fault(foam_uncertainty, "the card of the pad leaves nothing uncertain that could be drawn");
   draw_foam_uncertainty(study);
@@ -369,7 +373,7 @@ input::Reading<Study> read_study(const std::filesystem::path& file, const std::f
     study.options = base->options;
   }
   study.options.tolerance = top.has("tolerance") ? top.number("tolerance") : default_tolerance;
-  const FactorLines lines = read_factors(top, base.has_value(), folders, study);
+  FactorLines lines = read_factors(top, base.has_value(), folders, study);
   if (base) read_foam_uncertainty(top, lines, study);
   read_sampling_plan(top, study);
   read_correlations(top, lines, study);

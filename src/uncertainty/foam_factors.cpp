@@ -1,6 +1,7 @@
 #include "uncertainty/foam_factors.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "dashpad/injury/metrics.hpp"
 
@@ -16,14 +17,27 @@ double change_of(const ResultQuantity& quantity, double value, const Summary& su
     case Doubt::of_hic_d: return deviations * (shares.hic * (value - injury::hic_d(0)));
     case Doubt::of_rebound: return deviations * (shares.rebound * value);
     case Doubt::of_penetration: {
-      // The depth of the impact itself, or the strain, which is one over the thickness.
-      const double of_figure = summary.peak_penetration > 0 ? value / summary.peak_penetration : 0;
+      // The depth of the impact itself, or the strain, which is one over the thickness. Nothing goes deeper
+      // than the pad.
+      const bool is_depth = std::string_view(quantity.si_unit) == "m";
+      const double deepest = is_depth ? summary.peak_penetration : summary.peak_strain;
+      if (!(deepest > 0)) return 0;
+      const double whole = deepest / summary.peak_strain;
       const double at_95 = deviations < 0 ? shares.shallower : shares.deeper;
-      return deviations * (shares.penetration * value + at_95 / two_sided_95 * of_figure);
+      const double of_figure = deepest / summary.peak_penetration;
+      return std::min(deviations * (shares.penetration * value + at_95 / two_sided_95 * of_figure),
+                      std::max(whole - value, 0.0));
     }
   }
   return 0;
 }
+
+namespace {
+
+/// Normal draws stay well within this number of deviations.
+FoamFactor statistical(const std::string& key) { return {key, true, -20, 20}; }
+
+}  // namespace
 
 std::vector<FoamFactor> foam_factors(const ImpactCase& impact) {
   Summary beyond;  // all tests
@@ -37,11 +51,10 @@ std::vector<FoamFactor> foam_factors(const ImpactCase& impact) {
   const Open open = open_sources_of(impact, beyond);
   std::vector<FoamFactor> factors;
   for (const Line& line : open.lines)
-    factors.push_back({.key = line.key,
-                       .is_statistical = is_statistical(line.source),
-                       .lowest = std::min(line.ends.front(), 0.0),
-                       .highest = line.ends.back()});
-  for (const Shares& shares : open.shares) factors.push_back({.key = shares.key, .is_statistical = true});
+    factors.push_back(is_statistical(line.source)
+                          ? statistical(line.key)
+                          : FoamFactor{line.key, false, std::min(line.ends.front(), 0.0), line.ends.back()});
+  for (const Shares& shares : open.shares) factors.push_back(statistical(shares.key));
   return factors;
 }
 
@@ -64,8 +77,8 @@ FoamDraw::FoamDraw(const Numbers& numbers, const Summary& nominal, ImpactCase& i
 double FoamDraw::figure(const ResultQuantity& quantity, double value, const Summary& summary) const {
   double moved = value;
   for (const auto& [shares, deviations] : errors_)
-    moved += change_of(quantity, value, summary, shares, deviations);
-  return quantity.role.is_signed ? moved : std::max(moved, 0.0);
+    moved += change_of(quantity, moved, summary, shares, deviations);
+  return quantity.role.is_signed || !(moved < 0) ? moved : 0;
 }
 
 }  // namespace dashpad::uncertainty

@@ -20,7 +20,7 @@ namespace dashpad::uncertainty {
 struct FoamFactor {
   std::string key;
   bool is_statistical = false;
-  double lowest = -1, highest = 1;  ///< ends of a range
+  double lowest = -1, highest = 1;  ///< ends of a range; of a statistical source, as far as it may be given
 };
 
 /// All that an impact with this foam may leave uncertain, whatever strains and rates it reaches.

@@ -208,6 +208,36 @@ deviation = "1 %"
                     HasSubstr("drops.csv:4: peak_force = 0"), HasSubstr("drops.csv:5: impactor.mass = -1")));
 }
 
+/// A number that would not be used is refused, also under the other name of the same thing.
+TEST_F(CaseRows, OfAFitAreNotOverruled) {
+  const auto refused = [&](const std::string& unknown, const std::string& set, const std::string& columns,
+                           const std::string& values) {
+    write_file(file("fit.toml"), "case = \"case.toml\"\n[unknowns]\n" + unknown +
+                                     "\n[[impacts]]\ncase = \"case.toml\"\nrows = \"drops.csv\"\n" + set +
+                                     "\ndeviation = \"1 %\"\n");
+    write_file(file("drops.csv"), columns + ",peak_force [N]\n" + values + ",900\n");
+    const Outcome outcome = dashpad({"fit", file("fit.toml")});
+    EXPECT_EQ(outcome.exit_code, 2) << columns;
+    return outcome.err;
+  };
+  const std::string modulus = "\"pad.parameters.modulus\" = {bounds = [\"100 kPa\", \"50 MPa\"]}";
+  const std::string scale = "\"pad.scale\" = {bounds = [0.1, 10]}";
+  const std::string speed = "\"impactor.speed\" = {bounds = [\"1 m/s\", \"10 m/s\"]}";
+  for (const char* mass : {"impactor.mass", "impactor.weight"})
+    EXPECT_THAT(refused(modulus,
+                        "set = {\"" + std::string(mass) + "\" = \"6 " +
+                            (mass == std::string("impactor.mass") ? "kg" : "N") + "\"}",
+                        "impactor.mass [kg]", "4"),
+                HasSubstr("drops.csv:1: impactor.mass: is also given by set"));
+  EXPECT_THAT(refused(scale, "", "pad.scale", "1"), HasSubstr("is also decided by an unknown"));
+  EXPECT_THAT(refused(speed, "", "impactor.drop_height [m]", "1"),
+              HasSubstr("is also decided by an unknown"));
+  EXPECT_THAT(refused(modulus, "", "impactor.mass [kg],impactor.weight [N]", "4,40"),
+              HasSubstr("is also given by another column"));
+  EXPECT_THAT(refused(modulus, "", "foam.continuation,impactor.mass [kg]", "1,4"),
+              HasSubstr("drops.csv:1: foam.continuation"));
+}
+
 TEST_F(CaseRows, OfAFitMayBeSetOneByOne) {
   write_file(file("fit.toml"), R"(case = "case.toml"
 [unknowns]

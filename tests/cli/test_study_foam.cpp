@@ -35,7 +35,8 @@ TEST_F(StudyFoamTest, DrawsWhatTheCardLeavesUncertain) {
   const Outcome replayed = dashpad({"study", "replay", file("study.db"), "7"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
   EXPECT_THAT(replayed.out, AllOf(StartsWith("Row 7: foam.continuation = "),
-                                  HasSubstr("The stored responses were reproduced to the last bit.")));
+                                  HasSubstr("The stored responses were reproduced to the last bit.\n"
+                                            "They include foam.neighbours, the figures above do not.")));
 
   // A source that is given is not drawn a second time, and false draws none.
   EXPECT_EQ(study(helmet + "foam_uncertainty = true\nindices = true\n[factors.\"foam.way_back\"]\n"
@@ -44,6 +45,8 @@ TEST_F(StudyFoamTest, DrawsWhatTheCardLeavesUncertain) {
             0);
   EXPECT_THAT(summary(), AllOf(HasSubstr("2 levels: -1, 1"), HasSubstr("Sobol' indices")));
   EXPECT_EQ(study(helmet + "foam_uncertainty = false\n").exit_code, 2);
+  const Outcome number = study(helmet + "foam_uncertainty = 1\n");
+  EXPECT_THAT(number.err, AllOf(HasSubstr("must be true or false"), HasSubstr("1 error")));
 }
 
 TEST_F(StudyFoamTest, RefusesWhatIsNotUncertain) {

@@ -168,9 +168,25 @@ TEST(FoamFactors, ThatLeaveTheirRangeAreRefused) {
   study.factors = {at("foam.continuation", {0, 1.5})};
   ASSERT_EQ(violations(study).size(), 1u);
   EXPECT_THAT(violations(study).front().rule, HasSubstr("between -1 and 1"));
+  study.factors = {at("foam.neighbours", {-1000, 1e308})};
+  ASSERT_EQ(violations(study).size(), 1u);
+  EXPECT_THAT(violations(study).front().rule, HasSubstr("between -20 and 20 standard deviations"));
   study.factors = {at("foam.posterior_2", {0})};
   ASSERT_FALSE(violations(study).empty());
-  EXPECT_THAT(violations(study).front().rule, HasSubstr("foam.posterior_1"));
+  EXPECT_THAT(violations(study).front().rule,
+              testing::AllOf(HasSubstr("is not among what the cards leave uncertain"),
+                             HasSubstr("foam.posterior_1")));
+}
+
+/// An error that would press the nose through the pad ends at its floor.
+TEST(FoamFactors, GoNoDeeperThanThePad) {
+  Study study = head_on_pillar();
+  study.responses = {"peak_penetration", "peak_strain", "hic15"};
+  study.factors = {at("foam.neighbours", {-20, 20})};
+  const auto rows = rows_of(study);
+  EXPECT_NEAR(rows.at(1).outcome.values.at(0), study.base.pad.thickness, 1e-12);
+  EXPECT_NEAR(rows.at(1).outcome.values.at(1), 1, 1e-12);
+  for (const double value : rows.at(0).outcome.values) EXPECT_GE(value, 0);
 }
 
 /// What a card states is kept with the study that draws it.
