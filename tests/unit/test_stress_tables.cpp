@@ -145,6 +145,38 @@ TEST_F(StressTableTest, ADisplacementCountsFromWhereItBeginsWithoutForce) {
   EXPECT_THAT(read("disp_mm,force_N\n0.5,20\n7.5,50\n12.5,75\n17.5,100\n", specimen).remarks, IsEmpty());
 }
 
+/// A displacement over 20 mm that meets the foam 3 mm behind its beginning.
+std::string approach(double begin, double noise) {
+  std::string text = "disp_mm,force_N\n";
+  for (int i = 0; i <= 80; ++i) {
+    const double travel = 0.25 * (i - 12);
+    const double force = travel > 0 ? 120 * std::tanh(travel / 0.6) + 0.1 * std::pow(travel, 3) : 0;
+    text += fmt::format("{:.2f},{:.3f}\n", begin + 0.25 * i, force + noise * std::sin(37.0 * i * i));
+  }
+  return text;
+}
+
+TEST_F(StressTableTest, AnApproachWithoutForceIsLeftOut) {
+  const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  for (const double noise : {0.0, 0.5}) {
+    SCOPED_TRACE(noise);
+    const input::StressStrainTable own = read(approach(-3, noise), specimen);
+    EXPECT_EQ(own.strain.front(), 0);
+    EXPECT_NEAR(own.strain.back(), 17.0 / 25, 1e-12);
+    EXPECT_THAT(
+        own.remarks,
+        ElementsAre("disp_mm: begins at -3 mm without force; the force begins at 0 mm, so the 0 of the "
+                    "file was kept; 12 rows before were left out"));
+  }
+  const input::StressStrainTable shifted = read(approach(40, 0), specimen);
+  EXPECT_EQ(shifted.strain.front(), 0);
+  EXPECT_NEAR(shifted.strain.back(), 17.0 / 25, 1e-12);
+  EXPECT_THAT(shifted.remarks,
+              ElementsAre("disp_mm: begins at 40 mm without force; the force begins at 43 mm, which was "
+                          "subtracted; 12 rows before were left out"));
+  EXPECT_NEAR(base_of(material({approach(-40, 0)}, {0.01}, specimen)).strain.back(), 17.0 / 25, 1e-12);
+}
+
 TEST_F(StressTableTest, AForceThatWasNotZeroedIsToldOf) {
   std::string text = "strain,stress_kPa\n";
   for (int i = 0; i <= 70; ++i)
@@ -157,7 +189,10 @@ TEST_F(StressTableTest, AForceThatWasNotZeroedIsToldOf) {
   EXPECT_THAT(read("strain,stress_kPa\n0,15\n0.1,100\n0.5,345\n").remarks,
               ElementsAre(HasSubstr(
                   "stress_kPa: begins at 15 kPa, 4.3 % of the largest value; if it was not zeroed")));
-  // A plateau from the first row on, and noise around 0.
+  EXPECT_THAT(read("strain,stress_kPa\n0,80\n0.1,100\n0.5,345\n").remarks,
+              ElementsAre(HasSubstr("stress_kPa: begins at 80 kPa, 23 % of the largest value")));
+  // Creep, a plateau from the first row on, and noise around 0.
+  EXPECT_THAT(read("strain,stress_kPa\n0,100\n0.1,100\n0.5,101\n").remarks, IsEmpty());
   EXPECT_THAT(read("strain,stress_kPa\n0.05,20\n0.1,20\n0.2,21\n0.3,21\n0.4,22\n0.7,400\n").remarks,
               IsEmpty());
   EXPECT_THAT(read("strain,stress_kPa\n0,0.1\n0.01,-0.1\n0.02,0.1\n0.03,0\n0.04,-0.1\n0.7,100\n").remarks,

@@ -40,6 +40,7 @@ void settle_rates_of(TestColumns& columns, std::optional<double> rate, Measureme
 /// Adds a row to each curve that has a stress in it.
 void take_row(const CsvRow& row, const TestColumns& columns, std::vector<DeckCurve>& curves,
               bool& has_too_large, MeasurementFaults& faults) {
+  if (row.line < columns.first_line) return;
   const std::optional<double> strain = strain_in(row, columns, faults);
   if (!strain) return;
   if (std::abs(*strain) >= 1) {

@@ -24,6 +24,7 @@ StressStrainTable read_test_rows(const CsvTable& csv, const TestColumns& columns
   each_row(
       csv, faults,
       [&](const CsvRow& row) {
+        if (row.line < columns.first_line) return;
         if (table.strain.size() == max_rows_of_test)
           faults.refuse(row.line, "", "",
                         fmt::format("has more than {} rows; thin them out", max_rows_of_test));

@@ -20,12 +20,14 @@ constexpr std::size_t min_level_rows = 5;  // rows
 constexpr double level_travel = 0.01;      // of the whole travel, at least
 constexpr double noise_of_level = 0.002;   // of the largest force
 constexpr double min_level = 0.005;        // of the largest force
-constexpr double max_level = 0.05;         // of the largest force; more may be a plateau of the foam
-constexpr double levelness = 0.2;          // of the level
+constexpr double max_level = 0.05;  // of the largest force; more, not at a strain of 0, may be a plateau
+constexpr double of_creep = 0.9;    // of the largest force, from the beginning on
+constexpr double levelness = 0.2;   // of the level
 
 /// Strains or displacements and stresses or forces of the rows that have both, as in the file.
 struct RawTest {
   std::vector<double> place, force;
+  std::vector<std::size_t> line;
   double travel = 0, most = 0;  ///< the largest change of the place since the first row; the largest force
 };
 
@@ -39,6 +41,7 @@ RawTest raw_test(const CsvTable& csv, const TestColumns& columns) {
     if (place.kind != NumberKind::number || force.kind != NumberKind::number) continue;
     test.place.push_back(place.value);
     test.force.push_back(force.value);
+    test.line.push_back(row.line);
     test.travel = std::max(test.travel, std::abs(place.value - test.place.front()));
     test.most = std::max(test.most, std::abs(force.value));
   }
@@ -49,21 +52,62 @@ std::string as_in_file(double value, const injury::MeasuredColumn& column) {
   return with_unit(brief(value), column.unit);
 }
 
-/// A displacement that begins far from 0: from there it counts if there is no force.
+/// Rows around the beginning of the force.
+struct Onset {
+  std::size_t last = 0;  ///< before the force begins
+  std::size_t risen = 0;
+};
+
+/// Where the force leaves its noise: it has risen above 1 % of the largest, and begins where it rises without
+/// falling to there. The first row is without force.
+Onset onset_of(const RawTest& test) {
+  const auto force = [&](std::size_t row) { return std::abs(test.force[row]); };
+  Onset onset;
+  while (force(onset.risen) <= noise_of_test * test.most) ++onset.risen;
+  onset.last = onset.risen - 1;
+  while (onset.last > 0 && force(onset.last - 1) < force(onset.last)) --onset.last;
+  return onset;
+}
+
+/// A displacement that begins without force counts from where the force begins; the approach is left out.
+void settle_approach(const RawTest& test, TestColumns& columns, std::vector<std::string>& remarks) {
+  auto [last, risen] = onset_of(test);
+  const injury::MeasuredColumn& column = columns.strain;
+  const std::vector<double>& place = test.place;
+  const std::string first = as_in_file(place.front(), column);
+  std::string from = "which was subtracted";
+  const bool is_own_zero =
+      std::abs(place[last]) <= noise_of_test * test.travel || place[last] * place[risen] < 0;
+  if (is_own_zero) {
+    while (last + 1 < risen && place[last] * place[risen] < 0) ++last;
+    from = "so the 0 of the file was kept";
+  } else {
+    columns.zero = place[last];
+  }
+  columns.first_line = test.line[last];
+  if (last == 0)
+    remarks.push_back(
+        fmt::format("{}: begins at {} without force and was counted from there", column.name, first));
+  else
+    remarks.push_back(
+        fmt::format("{}: begins at {} without force; the force begins at {}, {}; {} before "
+                    "{} left out",
+                    column.name, first, as_in_file(place[last], column), from, plural(last, "row"),
+                    last == 1 ? "was" : "were"));
+}
+
+/// A displacement that begins far from 0.
 void settle_zero(const RawTest& test, TestColumns& columns, std::vector<std::string>& remarks) {
   const double first = test.place.front(), force = std::abs(test.force.front());
   if (!columns.is_displacement || std::abs(first) <= noise_of_test * test.travel) return;
   const injury::MeasuredColumn& column = columns.strain;
-  if (force <= noise_of_test * test.most) {
-    columns.zero = first;
-    remarks.push_back(fmt::format("{}: begins at {} without force and was counted from there", column.name,
-                                  as_in_file(first, column)));
-  } else if (std::abs(first) > far_from_zero * test.travel && force <= preload * test.most) {
+  if (force <= noise_of_test * test.most)
+    settle_approach(test, columns, remarks);
+  else if (std::abs(first) > far_from_zero * test.travel && force <= preload * test.most)
     remarks.push_back(fmt::format(
         "{}: begins at {} with {:.2g} % of the largest force and was counted from 0; if the specimen is "
         "uncompressed there, subtract {} from the displacements",
         column.name, as_in_file(first, column), 100 * force / test.most, as_in_file(first, column)));
-  }
 }
 
 struct Level {
@@ -86,12 +130,14 @@ Level level_at_beginning(const RawTest& test) {
 
 /// Remarks on a force that is not 0 where the test begins: it was not zeroed, or there is a preload.
 void tell_of_force(const RawTest& test, const TestColumns& columns, std::vector<std::string>& remarks) {
-  if (std::abs(test.place.front() - columns.zero) > noise_of_test * test.travel) return;
+  const double begin = std::abs(test.place.front() - columns.zero);
+  if (begin > noise_of_test * test.travel && columns.first_line <= test.line.front()) return;
   const auto [rows, level] = level_at_beginning(test);
   const double share = std::abs(level) / test.most;
   const bool is_level = rows > 0 && share >= min_level;
-  if (!is_level && (share <= noise_of_test || test.place.front() != columns.zero)) return;
-  if (share > max_level) return;
+  const bool is_told =
+      begin == 0 ? (is_level || share > noise_of_test) && share < of_creep : is_level && share <= max_level;
+  if (!is_told) return;
   const injury::MeasuredColumn& column = columns.stresses.front().of;
   remarks.push_back(
       fmt::format("{}: {} {}, {:.2g} % of the largest value; if it was not zeroed, subtract {} from all "

@@ -21,6 +21,7 @@ struct TestColumns {
   injury::MeasuredColumn strain;  ///< its factor gives a strain, of a displacement over the thickness
   bool is_displacement = false;   ///< the strain
   double zero = 0;                ///< of a displacement, in the unit of the file
+  std::size_t first_line = 0;     ///< of the rows that count; those before are an approach without force
   std::vector<StressColumn> stresses = {};
   std::optional<injury::MeasuredColumn> time = {};
 };
@@ -33,8 +34,9 @@ enum class Beside { one_stress, stresses, time };
 TestColumns find_test_columns(const CsvHeader& header, const StressStrainColumns& wanted, Beside beside,
                               MeasurementFaults& faults);
 
-/// Lets a displacement that begins elsewhere than at 0, without load, count from there. Remarks on it, on a
-/// force that is not 0 at the beginning, and on numbers above the header.
+/// Lets a displacement that begins elsewhere than at 0, without load, count from where the force begins, and
+/// leaves out the rows before. Remarks on it, on a force that is not 0 at the beginning, and on numbers above
+/// the header.
 void settle_beginning(const CsvTable& csv, TestColumns& columns, std::vector<std::string>& remarks);
 
 /// The strain in a row; absent after a fault. 70 % and 17.5 mm of 25 mm are 0.7 to the last digit.
