@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "dashpad/input/material_deck.hpp"
+#include "dashpad/model/pad/material.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
@@ -78,6 +79,17 @@ struct TableSettings {
   input::StressStrainColumns columns;
 };
 
+/// The temperature in K; one that cannot be that of a foam is an error.
+double temperature_of(const std::string& text, Wrong& errors) {
+  constexpr double any = 300;
+  const double value = quantity_of("--temperature", text, "K", errors).value_or(any);
+  if (!(value > 0))
+    errors.push_back(fmt::format("--temperature {}: must be above absolute zero, -273.15 degC", text));
+  else if (value > highest_temperature)
+    errors.push_back(fmt::format("--temperature {}: must be at most {:g} K", text, highest_temperature));
+  return value;
+}
+
 TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
   TableSettings settings{.conditions = {}, .columns = request.columns};
   auto& [rates, temperatures] = settings.conditions;
@@ -86,11 +98,11 @@ TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
   if (rates.size() > request.files.size())
     errors.push_back(
         fmt::format("--rate: more rates ({}) than files ({})", rates.size(), request.files.size()));
-  for (const std::string& text : request.temperatures)
-    temperatures.push_back(positive_quantity_of("--temperature", text, "K", errors).value_or(1));
+  for (const std::string& text : request.temperatures) temperatures.push_back(temperature_of(text, errors));
   if (!temperatures.empty() && temperatures.size() != request.files.size())
-    errors.push_back(fmt::format("--temperature: give one for each file; there are {} for {}",
-                                 temperatures.size(), plural(request.files.size(), "file")));
+    errors.push_back(fmt::format("--temperature: give one for each file; {} {} given for {}",
+                                 temperatures.size(), temperatures.size() == 1 ? "was" : "were",
+                                 plural(request.files.size(), "file")));
   settings.columns.thickness = positive_quantity_of("--thickness", request.thickness, "m", errors);
   settings.columns.area = positive_quantity_of("--area", request.area, "m2", errors);
   return settings;

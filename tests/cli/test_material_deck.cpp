@@ -197,6 +197,17 @@ TEST_F(MaterialCommandTest, BadTablesAreRefusedWithTheirLine) {
                  "--units: applies only to decks; a table states its units");
 }
 
+TEST_F(MaterialCommandTest, TemperaturesThatNoTestHadAreRefused) {
+  const std::string table = file("good.csv"), other = file("other.csv");
+  for (const std::string& each : {table, other})
+    write_file(each, "strain,stress_kPa\n0.1,20\n0.4,30\n0.7,110\n");
+  expect_refused({table, "--temperature", "-300 degC"},
+                 "--temperature -300 degC: must be above absolute zero, -273.15 degC");
+  expect_refused({table, "--temperature", "3000 K"}, "--temperature 3000 K: must be at most 2000 K");
+  expect_refused({table, other, "--temperature", "23 degC"},
+                 "--temperature: give one for each file; 1 was given for 2 files");
+}
+
 TEST_F(MaterialCommandTest, ExportsACardThatIsImportedAsTheSame) {
   for (const char* const format : {"ls-dyna-057", "ls-dyna-083", "radioss-70", "radioss-90"}) {
     const Outcome outcome = export_as(format, {"-o", file("out.k"), "--force", "--first-id", "11"});

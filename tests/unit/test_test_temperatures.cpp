@@ -74,6 +74,39 @@ TEST_F(TestTemperaturesTest, OneTemperatureMakesNoTable) {
   const auto made = input::read_stress_tables({test(1), test(1.3)}, {{0.01, 10}, {warm, warm}}, {});
   ASSERT_TRUE(made);
   EXPECT_THAT(made->material.temperature_table.temperature, IsEmpty());
+  EXPECT_THAT(made->differences,
+              testing::Contains("Tested at 23 degC; the effect of other temperatures was not measured."));
+}
+
+TEST_F(TestTemperaturesTest, TemperaturesThatAreNearlyTheSameAreOne) {
+  const auto made =
+      input::read_stress_tables({test(1), test(1.3), test(1.5), test(1.5)},
+                                {{0.01, 10, 0.01, 0.01}, {warm, warm + 0.4, cold, cold + 0.3}}, {});
+  ASSERT_TRUE(made);
+  EXPECT_THAT(made->material.temperature_table.temperature, ElementsAre(cold, warm));
+  EXPECT_THAT(made->material.temperature_table.factor, Pointwise(DoubleNear(1e-6), {1.5, 1.0}));
+  EXPECT_FALSE(std::holds_alternative<NoRateEffect>(std::get<Foam>(made->material.law).curves.rate_effect));
+}
+
+TEST_F(TestTemperaturesTest, AFactorThatIsHardlyThatOfAFoamIsDoubted) {
+  const auto made =
+      input::read_stress_tables({test(1), test(25), test(0.7)}, {{0.01, 0.01, 0.01}, {warm, cold, hot}}, {});
+  ASSERT_TRUE(made);
+  EXPECT_THAT(made->differences,
+              testing::Contains(
+                  testing::AllOf(HasSubstr("25 times"), HasSubstr("(rms); check the units of the tests."))));
+  EXPECT_THAT(made->differences,
+              testing::Contains(testing::AllOf(HasSubstr("0.7 times"), testing::Not(HasSubstr("units")))));
+}
+
+TEST_F(TestTemperaturesTest, TwoTestsAtOneRateAndTemperatureAreRefused) {
+  const auto made = input::read_stress_tables({test(1), test(1.3)}, {{0.01, 0.01}, {warm, warm}}, {});
+  ASSERT_FALSE(made);
+  ASSERT_EQ(made.faults().size(), 1u);
+  EXPECT_THAT(made.faults().front().file, testing::EndsWith("test2.csv"));
+  EXPECT_EQ(
+      made.faults().front().rule,
+      "has the rate of test1.csv, 0.01 1/s, and its temperature; leave one of them out, or average them");
 }
 
 TEST_F(TestTemperaturesTest, ATestAtAnotherRateHasNothingToBeComparedWith) {

@@ -131,7 +131,7 @@ struct DeckAir {
 
 /// Takes the tests at other temperatures than `reference`, K, out of `tests`: each of these temperatures gets
 /// a factor on the stresses at `reference` in tests at the same rate. Adds how well these follow to
-/// `differences`. The table is empty if there are none.
+/// `differences`. The table is empty if there are none; then `differences` name the temperature.
 TemperatureTable take_temperatures(std::vector<DeckRateCurve>& tests, double reference,
                                    std::vector<std::string>& differences, MeasurementFaults& faults);
 

@@ -146,6 +146,18 @@ void throw_if_any(MeasurementFaults& faults, const std::vector<std::string>& tes
   if (!all.empty()) throw InputError(std::move(all));
 }
 
+/// Reports tests that would be curves at one rate. They are sorted by their rates.
+void judge_rates(const std::vector<DeckRateCurve>& tests, const std::vector<std::filesystem::path>& files) {
+  if (files.size() == 1) return;
+  std::vector<Fault> all;
+  for (std::size_t i = 1; i < tests.size(); ++i)
+    if (const auto& [rate, line, curve, temperature] = tests[i]; rate == tests[i - 1].rate)
+      all.push_back({file_of(curve.name, files), 0, "", "",
+                     fmt::format("has the rate of {}, {:g} 1/s{}; leave one of them out, or average them",
+                                 tests[i - 1].curve.name, rate, temperature ? ", and its temperature" : "")});
+  if (!all.empty()) throw InputError(std::move(all));
+}
+
 /// Reports a test, raised to the slower one, that falls by more than the curve of a higher rate may.
 void judge_fall(const DeckCurve& curve, MeasurementFaults& faults) {
   double most = 0, fall = 0;
@@ -200,6 +212,7 @@ Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path
       foam.temperature_table =
           take_temperatures(tests, conditions.temperatures.front(), foam.differences, of_temperatures);
     throw_if_any(of_temperatures, names, files);
+    judge_rates(tests, files);
     MeasurementFaults faults(file_of(tests.front().curve.name, files));
     foam.card = "table";
     foam.title = to_utf8(files.front().stem().string());

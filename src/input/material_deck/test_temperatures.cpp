@@ -13,7 +13,9 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr double same_rate = 1.1;  // greatest ratio
+constexpr double same_rate = 1.1;                        // greatest ratio
+constexpr double same_temperature = 0.5;                 // K, less than that
+constexpr double least_likely = 0.05, most_likely = 20;  // factors
 
 /// Sums of products of stresses at a temperature and at the reference, at equal strains.
 struct Sums {
@@ -37,6 +39,28 @@ struct Sums {
 
 std::string celsius(double temperature) { return fmt::format("{:.4g} degC", temperature - 273.15); }
 
+bool are_same(double temperature, double other) { return std::abs(temperature - other) < same_temperature; }
+
+/// Gives tests at about one temperature the one that came first.
+void merge_temperatures(std::vector<DeckRateCurve>& tests, double reference) {
+  std::vector<double> distinct{reference};
+  for (DeckRateCurve& test : tests) {
+    const double own = test.temperature.value_or(reference);
+    const auto same = std::ranges::find_if(distinct, [&](double each) { return are_same(each, own); });
+    test.temperature = same == distinct.end() ? own : *same;
+    if (same == distinct.end()) distinct.push_back(own);
+  }
+}
+
+std::string words_on(const Sums& sums, double temperature, double reference) {
+  const double factor = sums.factor();
+  return fmt::format(
+      "At {}, the stress is {:.3g} times that at {} at every strain; the test deviates from that by {:.2g} % "
+      "(rms){}.",
+      celsius(temperature), factor, celsius(reference), 100 * sums.misfit(),
+      factor < least_likely || factor > most_likely ? "; check the units of the tests" : "");
+}
+
 DeckCurve loading_of(const DeckRateCurve& test) {
   std::vector<std::string> told_elsewhere;
   return curves_of_test(test.curve, false, told_elsewhere).loading;
@@ -46,6 +70,7 @@ DeckCurve loading_of(const DeckRateCurve& test) {
 
 TemperatureTable take_temperatures(std::vector<DeckRateCurve>& tests, double reference,
                                    std::vector<std::string>& differences, MeasurementFaults& faults) {
+  merge_temperatures(tests, reference);
   std::vector<DeckRateCurve> at_reference;
   std::ranges::copy_if(tests, std::back_inserter(at_reference),
                        [&](const DeckRateCurve& test) { return test.temperature == reference; });
@@ -65,17 +90,16 @@ TemperatureTable take_temperatures(std::vector<DeckRateCurve>& tests, double ref
   }
   std::erase_if(tests, [&](const DeckRateCurve& test) { return test.temperature != reference; });
   TemperatureTable table;
-  if (sums.empty()) return table;
+  if (sums.empty()) {
+    differences.push_back(
+        fmt::format("Tested at {}; the effect of other temperatures was not measured.", celsius(reference)));
+    return table;
+  }
   sums[reference] = {1, 1, 1};
   for (const auto& [temperature, of] : sums) {
     table.temperature.push_back(temperature);
     table.factor.push_back(of.factor());
-    if (temperature != reference)
-      differences.push_back(
-          fmt::format("At {}, the stress is {:.3g} times that at {} at every strain; the test deviates from "
-                      "that by {:.2g} "
-                      "% (rms).",
-                      celsius(temperature), of.factor(), celsius(reference), 100 * of.misfit()));
+    if (temperature != reference) differences.push_back(words_on(of, temperature, reference));
   }
   return table;
 }

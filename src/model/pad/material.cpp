@@ -36,9 +36,10 @@ void check_conditions(const Material& material, std::vector<Violation>& broken) 
                       fmt::format("must have one factor for each temperature, not {} for {}", factor.size(),
                                   temperature.size())});
   for (std::size_t i = 0; i < temperature.size(); ++i)
-    if (!(temperature[i] > (i > 0 ? temperature[i - 1] : 0) && temperature[i] <= 2000))
+    if (!(temperature[i] > (i > 0 ? temperature[i - 1] : 0) && temperature[i] <= highest_temperature))
       broken.push_back({fmt::format("temperature.temperatures[{}]", i + 1), temperature[i],
-                        "must be above the previous temperature, above 0 K and at most 2000 K"});
+                        fmt::format("must be above the previous temperature, above 0 K and at most {:g} K",
+                                    highest_temperature)});
   for (std::size_t i = 0; i < factor.size(); ++i)
     if (!(factor[i] >= 1e-3 && factor[i] <= 1e3))
       broken.push_back(

@@ -68,6 +68,8 @@ struct FittedRange {
   double highest_rate = 0;    ///< 1/s
 };
 
+inline constexpr double highest_temperature = 2000;  ///< K
+
 /// Factor of the stress of a foam at other temperatures.
 struct TemperatureTable {
   std::vector<double> temperature;  ///< K, increasing
