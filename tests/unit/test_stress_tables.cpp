@@ -174,6 +174,11 @@ TEST_F(StressTableTest, AnApproachWithoutForceIsLeftOut) {
   EXPECT_THAT(shifted.remarks,
               ElementsAre("disp_mm: begins at 40 mm without force; the force begins at 43 mm, which was "
                           "subtracted; 12 rows before were left out"));
+  const input::StressStrainTable gap = read(approach(0, 0), specimen);
+  EXPECT_NEAR(gap.strain.back(), 20.0 / 25, 1e-12);
+  EXPECT_THAT(gap.remarks,
+              ElementsAre("disp_mm: begins at 0 without force, and the force begins at 3 mm; if the "
+                          "specimen is met there, subtract 3 mm from the displacements"));
   EXPECT_NEAR(base_of(material({approach(-40, 0)}, {0.01}, specimen)).strain.back(), 17.0 / 25, 1e-12);
 }
 

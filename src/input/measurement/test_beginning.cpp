@@ -96,13 +96,25 @@ void settle_approach(const RawTest& test, TestColumns& columns, std::vector<std:
                     last == 1 ? "was" : "were"));
 }
 
-/// A displacement that begins far from 0.
+/// Remarks on a displacement that begins at 0 long before the force. A soft foam looks the same.
+void tell_of_gap(const RawTest& test, const injury::MeasuredColumn& column,
+                 std::vector<std::string>& remarks) {
+  const double begin = test.place[onset_of(test).last];
+  if (std::abs(begin - test.place.front()) <= far_from_zero * test.travel) return;
+  remarks.push_back(fmt::format(
+      "{}: begins at 0 without force, and the force begins at {}; if the specimen is met there, subtract {} "
+      "from the displacements",
+      column.name, as_in_file(begin, column), as_in_file(begin, column)));
+}
+
+/// A displacement that begins elsewhere than at 0, or before the force.
 void settle_zero(const RawTest& test, TestColumns& columns, std::vector<std::string>& remarks) {
   const double first = test.place.front(), force = std::abs(test.force.front());
-  if (!columns.is_displacement || std::abs(first) <= noise_of_test * test.travel) return;
+  if (!columns.is_displacement) return;
   const injury::MeasuredColumn& column = columns.strain;
+  const bool begins_at_zero = std::abs(first) <= noise_of_test * test.travel;
   if (force <= noise_of_test * test.most)
-    settle_approach(test, columns, remarks);
+    begins_at_zero ? tell_of_gap(test, column, remarks) : settle_approach(test, columns, remarks);
   else if (std::abs(first) > far_from_zero * test.travel && force <= preload * test.most)
     remarks.push_back(fmt::format(
         "{}: begins at {} with {:.2g} % of the largest force and was counted from 0; if the specimen is "
