@@ -61,6 +61,19 @@ TEST_F(DeckTest, UnitsOfADeckThatContradictThoseGivenAreOneFault) {
               ElementsAre(HasSubstr("are those of no system that can be read: kg-mm-ms, kg-m-s")));
 }
 
+TEST_F(DeckTest, StatementsOfUnitsThatContradictEachOtherAreOneFault) {
+  const std::string ls_dyna = foam_57 + curve_31, radioss = foam_33("7") + foam_33("9") + function_8;
+  const std::string in_mm_ms = control_units("mm,ms,kg"), in_mm_s = control_units("mm,sec,mtrc_ton");
+  for (const char* const given : {"", "kg-mm-ms", "t-mm-s"})
+    EXPECT_THAT(faults(in_mm_ms + in_mm_s + ls_dyna, given),
+                ElementsAre("4: units = mtrc_ton, mm, sec: contradict kg, mm, ms on line 2"));
+  EXPECT_EQ(only(in_mm_s + control_units("mm,s,t") + ls_dyna, "").units, "t-mm-s, as the deck states on line 2");
+  const std::string in_t_mm_s = fields_of_20({"Mg", "mm", "s"});
+  EXPECT_THAT(faults(begin_with(in_kg_mm_ms) + begin_with(in_t_mm_s) + radioss, ""),
+              ElementsAre("8: units = Mg, mm, s: contradict kg, mm, ms on line 4"));
+  EXPECT_THAT(faults(begin_with(in_t_mm_s) + begin_with(in_t_mm_s) + radioss, ""), ElementsAre());
+}
+
 TEST_F(DeckTest, UnitsThatNobodyStatesAreAskedFor) {
   for (const std::string& deck : {foam_57 + curve_31, foam_33() + function_8,
                                   begin_with(fields_of_20({"1", "1.0", "1"})) + foam_33() + function_8,

@@ -146,12 +146,17 @@ std::string rule_for_option(const std::string& keyword, const LsDynaFoam& kind) 
   return "has an unknown option";
 }
 
-/// What *CONTROL_UNITS states: length, time and mass. With a second line, of scales, it is not understood.
-StatedUnits units_of_deck(const LsDynaBlocks& deck, MeasurementFaults& faults) {
-  if (!deck.units || deck.units->lines.size() != 1) return {};
-  const DeckLine& line = deck.units->lines.front();
-  const DeckFields fields(line, equal_widths(3, deck.units->long_format), true, faults);
-  return units_by_words(line.number, {fields.text(2), fields.text(0), fields.text(1)});
+/// What each *CONTROL_UNITS states: length, time and mass. With a second line, of scales, it is not
+/// understood.
+std::vector<StatedUnits> units_of_deck(const LsDynaBlocks& deck, MeasurementFaults& faults) {
+  std::vector<StatedUnits> statements;
+  for (const DeckBlock& block : deck.units) {
+    if (block.lines.size() != 1) continue;
+    const DeckLine& line = block.lines.front();
+    const DeckFields fields(line, equal_widths(3, block.long_format), true, faults);
+    statements.push_back(units_by_words(line.number, {fields.text(2), fields.text(0), fields.text(1)}));
+  }
+  return statements;
 }
 
 }  // namespace
@@ -165,7 +170,8 @@ std::vector<DeckFoam> read_ls_dyna(const DeckText& text, UnitChoice& units, Meas
                            deck.out_of_reach));
     return {};
   }
-  const auto chosen = units.for_numbers(units_of_deck(deck, faults));
+  const auto stated = units.agreed(units_of_deck(deck, faults));
+  const auto chosen = stated ? units.for_numbers(*stated) : std::nullopt;
   if (!chosen) return {};
   std::vector<DeckFoam> foams;
   for (const DeckBlock& block : deck.foams) {

@@ -36,7 +36,7 @@ struct LsDynaBlocks {
   std::vector<DeckBlock> foams;
   NumberedBlocks curves{"curve"};
   NumberedBlocks tables{"table"};
-  std::optional<DeckBlock> units;            ///< *CONTROL_UNITS
+  std::vector<DeckBlock> units;              ///< each *CONTROL_UNITS
   std::map<long, std::string> other_curves;  ///< keywords of curves that are not read, by number
   OutOfReach out_of_reach;
   std::unique_ptr<LsDynaScopes> parameters;

@@ -130,7 +130,7 @@ void keep_ls_dyna_block(DeckBlock block, BlockKind kind, const DeckText& text, L
       faults.refuse(block.head.number, "", "", fmt::format("has more than {} foams", max_foams_of_deck));
     deck.foams.push_back(std::move(block));
   } else if (kind == BlockKind::units) {
-    if (!deck.units) deck.units = std::move(block);
+    deck.units.push_back(std::move(block));
   } else if (const auto id = number_of_block(block)) {
     if (kind == BlockKind::other_curve)
       deck.other_curves.emplace(*id, "*" + to_utf8(keyword_of(block)));

@@ -42,24 +42,31 @@ bool apply_move(DeckCurve& curve, const DeckBlock& block, const RadiossSource& f
   return true;
 }
 
-/// What the deck says about the units of a material: its own /UNIT or else /BEGIN, whose first line of units,
-/// that of the input, may be blank as the second.
-StatedUnits units_of_material(const DeckBlock& material, const RadiossBlocks& deck) {
-  const auto in_line = [](const DeckBlock& block, std::size_t place) {
-    if (place >= block.lines.size()) return StatedUnits{};
-    const DeckLine& line = block.lines[place];
-    const auto field = [&](std::size_t i) {
-      return without_blanks(line.text.substr(std::min(20 * i, line.text.size()), 20));
-    };
-    return stated_units(line.number, {field(0), field(1), field(2)});
+StatedUnits units_in_line(const DeckBlock& block, std::size_t place) {
+  if (place >= block.lines.size()) return {};
+  const DeckLine& line = block.lines[place];
+  const auto field = [&](std::size_t i) {
+    return without_blanks(line.text.substr(std::min(20 * i, line.text.size()), 20));
   };
+  return stated_units(line.number, {field(0), field(1), field(2)});
+}
+
+/// What a /BEGIN states in its first line of units, that of the input, which may be blank as the second.
+StatedUnits units_of_begin(const DeckBlock& begin) {
+  const bool is_blank = begin.lines.size() > 2 && without_blanks(begin.lines[2].text).empty();
+  return units_in_line(begin, is_blank ? 3 : 2);
+}
+
+/// What the deck says about the units of a material: its own /UNIT or else /BEGIN. Absent after a fault.
+std::optional<StatedUnits> units_of_material(const DeckBlock& material, const RadiossBlocks& deck,
+                                             UnitChoice& units) {
   if (const long own = number_in(parts_of(material), 3); own != 0) {
     const DeckBlock* const block = deck.units.find(own);
-    return block == nullptr ? StatedUnits{} : in_line(*block, 1);
+    return block == nullptr ? StatedUnits{} : units_in_line(*block, 1);
   }
-  if (!deck.begin) return {};
-  const bool is_blank = deck.begin->lines.size() > 2 && without_blanks(deck.begin->lines[2].text).empty();
-  return in_line(*deck.begin, is_blank ? 3 : 2);
+  std::vector<StatedUnits> statements;
+  for (const DeckBlock& begin : deck.begins) statements.push_back(units_of_begin(begin));
+  return units.agreed(statements);
 }
 
 /// Whether the units of a material are there, if it has its own and they are to be taken from the deck.
@@ -91,7 +98,8 @@ std::optional<DeckFoam> foam_of(const DeckBlock& block, const RadiossBlocks& dec
   if (!block.lines.empty())
     foam.title = to_utf8(without_blanks(block.lines.front().text.substr(0, columns_of_title)));
   if (!has_its_units(block, foam.card, deck, units, faults)) return std::nullopt;
-  const auto chosen = units.for_numbers(units_of_material(block, deck));
+  const auto stated = units_of_material(block, deck, units);
+  const auto chosen = stated ? units.for_numbers(*stated) : std::nullopt;
   if (!chosen) return std::nullopt;
   foam.units = chosen->words;
   const RadiossSource from{deck, chosen->units, faults};

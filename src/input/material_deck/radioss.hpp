@@ -20,7 +20,7 @@ struct RadiossBlocks {
       moves;                                    ///< /MOVE_FUNCT by the number of the function, in their order
   std::map<long, std::string> other_functions;  ///< keywords of functions that are not read
   NumberedBlocks units{"unit"};
-  std::optional<DeckBlock> begin;
+  std::vector<DeckBlock> begins;  ///< each /BEGIN
   OutOfReach out_of_reach;
   std::unique_ptr<DeckParameters> parameters;  ///< those of /PARAMETER/GLOBAL
 };

@@ -56,7 +56,7 @@ void keep_radioss_block(DeckBlock block, const DeckText& text, RadiossBlocks& de
   } else if (kind == "MAT" && parts.size() > 2) {
     deck.out_of_reach.add_material("/MAT/" + parts[1]);
   } else if (kind == "BEGIN") {
-    if (!deck.begin) deck.begin = std::move(block);
+    deck.begins.push_back(std::move(block));
   } else if (kind == "PARAMETER" && parts.size() > 2) {
     define_radioss_parameter(block, *deck.parameters, faults);
   } else if (number == 0) {

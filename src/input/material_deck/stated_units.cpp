@@ -37,6 +37,10 @@ StatedUnits units_of_sizes(std::size_t line, std::string words, const Sizes& siz
   return result;
 }
 
+bool are_same(const StatedUnits& one, const StatedUnits& other) {
+  return one.system == other.system && (one.system != nullptr || one.words == other.words);
+}
+
 std::string names_of_systems() {
   std::string names;
   for (const UnitSystem& system : consistent_systems()) names += (names.empty() ? "" : ", ") + system.name;
@@ -77,6 +81,19 @@ std::string UnitChoice::rule_for(const StatedUnits& stated) const {
                        stated.system->name, given_->name);
   if (given_) return fmt::format("are not those of --units {}", given_->name);
   return fmt::format("are those of no system that can be read: {}", names_of_systems());
+}
+
+std::optional<StatedUnits> UnitChoice::agreed(const std::vector<StatedUnits>& statements) {
+  StatedUnits first;
+  for (const StatedUnits& each : statements) {
+    if (first.line == 0) first = each;
+    if (each.line == 0 || are_same(first, each)) continue;
+    if (told_.insert(each.line).second)
+      faults_.add(each.line, "units", each.words,
+                  fmt::format("contradict {} on {}", first.words, deck_.words_for(first.line)));
+    return std::nullopt;
+  }
+  return first;
 }
 
 std::optional<ChosenUnits> UnitChoice::for_numbers(const StatedUnits& stated) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dashpad/quantities/unit_system.hpp"
 #include "input/material_deck/deck_cards.hpp"
@@ -41,6 +42,8 @@ class UnitChoice {
   UnitChoice(const std::optional<UnitSystem>& given, const DeckText& deck, MeasurementFaults& faults)
       : given_(given), deck_(deck), faults_(faults) {}
 
+  /// The statement in which those of a deck agree. Absent after a fault, if two contradict each other.
+  std::optional<StatedUnits> agreed(const std::vector<StatedUnits>& statements);
   /// The units of numbers to which a statement applies. Absent after a fault; each statement causes only one.
   std::optional<ChosenUnits> for_numbers(const StatedUnits& stated);
   [[nodiscard]] bool are_given() const { return given_.has_value(); }
