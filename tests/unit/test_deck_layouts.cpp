@@ -7,6 +7,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 const std::string tests_of_abaqus =
@@ -52,7 +53,8 @@ TEST_F(DeckTest, MovesOfFunctionsAreApplied) {
         std::get<CrushableFoam>(only(foam_33() + moves + function_8).material.law).curves.base);
   };
   const TableCurve plain{{0.1, 0.5, 0.7}, {0.2e6, 0.3e6, 0.5e6}};
-  EXPECT_EQ(moved(move_of_function("9", {"1", "2", "0", "0"})), plain) << "another function";
+  const std::string function_9 = "/FUNCT/9\nother\n" + fields_of_20({"0", "0"});
+  EXPECT_EQ(moved(function_9 + move_of_function("9", {"1", "2", "0", "0"})), plain) << "another function";
   EXPECT_EQ(moved(move_of_function("8", {"0", "", "0", ""})), plain) << "a scale of 0 is 1";
   EXPECT_EQ(moved(move_of_function("8", {"1", "2", "0", "0"})),
             (TableCurve{{0.1, 0.5, 0.7}, {0.4e6, 0.6e6, 1e6}}));
@@ -66,6 +68,19 @@ TEST_F(DeckTest, MovesOfFunctionsAreApplied) {
   }
   EXPECT_THAT(faults(foam_33() + move_of_function("8", {"x"}) + function_8),
               ElementsAre("10: move of function 8: Ascalex = x: is not a number (columns 1 to 20)"));
+}
+
+TEST_F(DeckTest, AMoveOfNoFunctionIsAFault) {
+  const std::string deck = foam_33() + function_8;
+  EXPECT_THAT(faults(deck + move_of_function("9", {"1", "2"}) + move_of_function("9", {"1", "3"})),
+              ElementsAre("13: /MOVE_FUNCT/9: there is no /FUNCT/9"));
+  for (const char* const number : {"x", "1.5", "0", ""})
+    EXPECT_THAT(faults(deck + move_of_function(number, {"1", "2"})),
+                ElementsAre(HasSubstr("must have the number of a function, as in /MOVE_FUNCT/3")))
+        << number;
+  EXPECT_THAT(faults(deck + "#include functions.inc\n" + move_of_function("9", {"1", "2"})), IsEmpty())
+      << "it may be in that file";
+  EXPECT_THAT(faults(deck + "/FUNCT_SMOOTH/9\nsmooth\n" + move_of_function("9", {"1", "2"})), IsEmpty());
 }
 
 /// A function of compression becomes one of LAW33, in which compression is negative.

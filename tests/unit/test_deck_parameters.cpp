@@ -142,5 +142,20 @@ TEST_F(DeckTest, ParametersOfRadiossAreRead) {
           HasSubstr("/MAT/LAW33: RHO_I = &RHO: is not defined by any /PARAMETER/GLOBAL in this deck")));
 }
 
+TEST_F(DeckTest, WholeParametersAreNotCutOff) {
+  const auto of_ls_dyna = [&](const std::string& parameter) { return faults(parameter + scaled_foam); };
+  EXPECT_THAT(of_ls_dyna("*PARAMETER\nI scale,1.5\n"),
+              ElementsAre("2: parameter scale = 1.5: must be a whole number, not 1.5"));
+  EXPECT_THAT(of_ls_dyna("*PARAMETER_EXPRESSION\nI scale   7/2.0\n"),
+              ElementsAre("2: parameter scale = 7/2.0: must be a whole number, not 3.5"));
+  for (const char* const whole : {"*PARAMETER\nI scale,2.0\n", "*PARAMETER_EXPRESSION\nI scale   0.29*100-27\n"})
+    EXPECT_DOUBLE_EQ(stresses_of(only(whole + scaled_foam))[0], 40e3) << whole;
+  const std::string foam = "/MAT/LAW33/7\nFoam\n" + fields_of_20({"9E-11"}) +
+                           "                  20         0   &FCT_ID                   0\n\n" +
+                           fields_of_20({"0"}) + function_8;
+  EXPECT_THAT(faults("/PARAMETER/GLOBAL/INTEGER/1\n\nFCT_ID           8.7\n" + foam),
+              ElementsAre("3: parameter fct_id = 8.7: must be a whole number, not 8.7"));
+}
+
 }  // namespace
 }  // namespace dashpad::test

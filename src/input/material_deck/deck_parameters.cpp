@@ -1,5 +1,6 @@
 #include "input/material_deck/deck_parameters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -206,6 +207,16 @@ std::optional<DeckParameter> value_of(const ParameterDefinition& definition, con
   return Expression(definition.value, known, "is not defined above it").value(rule);
 }
 
+/// Rounds what is a whole number but for the errors of its expression.
+void make_whole(DeckParameter& parameter, std::string& rule) {
+  constexpr double tolerance = 1e-9;
+  const double whole = std::round(parameter.value);
+  const bool is_near = std::abs(parameter.value - whole) <= tolerance * std::max(1.0, std::abs(whole));
+  if (rule.empty() && !std::isnan(parameter.value) && !is_near)
+    rule = fmt::format("must be a whole number, not {:g}", parameter.value);
+  parameter.value = is_near ? whole : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 bool DeckParameters::add(std::string_view name, const DeckParameter& parameter) {
@@ -251,8 +262,8 @@ bool define_parameter(const ParameterDefinition& definition, const DeckParameter
   std::string rule;
   DeckParameter parameter =
       value_of(definition, known, rule).value_or(DeckParameter{std::numeric_limits<double>::quiet_NaN()});
+  if (definition.is_whole) make_whole(parameter, rule);
   if (!rule.empty()) faults.add(definition.line, shown, to_utf8(definition.value), rule);
-  if (definition.is_truncated) parameter.value = std::trunc(parameter.value);
   if (scope.add(definition.name, parameter)) return rule.empty();
   if (rule.empty()) faults.add(definition.line, shown, "", "is defined twice");
   return false;

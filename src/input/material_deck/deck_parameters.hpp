@@ -61,7 +61,7 @@ struct ParameterDefinition {
   std::string_view value;  ///< a number or an expression
   std::size_t line = 0;
   bool is_expression = true;  ///< 1.5-3 is a difference, and not 0.0015
-  bool is_truncated = false;  ///< to a whole number
+  bool is_whole = false;      ///< must be a whole number
 };
 /// Adds a parameter to `scope`, computed from those that are `known`. If it cannot be computed, a fault is
 /// added, and its uses cause none. False after a fault.

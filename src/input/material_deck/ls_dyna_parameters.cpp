@@ -106,7 +106,7 @@ class ParameterReader {
                                          .value = given.value,
                                          .line = given.line,
                                          .is_expression = options_.is_expression,
-                                         .is_truncated = kind == "I"};
+                                         .is_whole = kind == "I"};
     if (options_.is_local && is_local_of_includer(file, name)) {
       faults_.add(given.line, "parameter " + to_utf8(lower_case(name)), "", "is defined twice");
       return false;

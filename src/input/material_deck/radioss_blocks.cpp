@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 
 /// Whether blocks that begin so are kept.
 bool is_wanted(const std::string& keyword) {
-  constexpr std::array beginnings{"MAT/", "FUNCT", "MOVE_FUNCT/", "UNIT/", "PARAMETER/GLOBAL/"};
+  constexpr std::array beginnings{"MAT/", "FUNCT", "MOVE_FUNCT", "UNIT/", "PARAMETER/GLOBAL/"};
   return keyword == "BEGIN" || std::ranges::any_of(beginnings, [&](const char* beginning) {
            return keyword.starts_with(beginning);
          });
@@ -39,7 +40,7 @@ void define_radioss_parameter(const DeckBlock& block, DeckParameters& parameters
                     .value = value,
                     .line = block.lines[1].number,
                     .is_expression = is_expression,
-                    .is_truncated = type.starts_with("INT")},
+                    .is_whole = type.starts_with("INT")},
                    parameters, parameters, faults);
 }
 
@@ -60,7 +61,9 @@ void keep_radioss_block(DeckBlock block, const DeckText& text, RadiossBlocks& de
   } else if (kind == "PARAMETER" && parts.size() > 2) {
     define_radioss_parameter(block, *deck.parameters, faults);
   } else if (number == 0) {
-    return;
+    if (kind == "MOVE_FUNCT")
+      faults.add(block.head.number, "/" + to_utf8(block.keyword), "",
+                 "must have the number of a function, as in /MOVE_FUNCT/3");
   } else if (kind == "FUNCT") {
     deck.functions.add(number, std::move(block), text, faults);
   } else if (kind == "MOVE_FUNCT") {
@@ -70,6 +73,15 @@ void keep_radioss_block(DeckBlock block, const DeckText& text, RadiossBlocks& de
   } else if (kind.starts_with("FUNCT")) {
     deck.other_functions.emplace(number, "/" + to_utf8(kind));
   }
+}
+
+/// A move of a function that is not there is a fault, unless the function may be where nothing is read.
+void judge_moves(const RadiossBlocks& deck, MeasurementFaults& faults) {
+  if (!deck.out_of_reach.include.empty()) return;
+  for (const auto& [number, moves] : deck.moves)
+    if (deck.functions.find(number) == nullptr && !deck.other_functions.contains(number))
+      faults.add(moves.front().head.number, fmt::format("/MOVE_FUNCT/{}", number), "",
+                 missing(fmt::format("/FUNCT/{}", number), deck.out_of_reach));
 }
 
 }  // namespace
@@ -85,7 +97,7 @@ std::vector<std::string> parts_of(const DeckBlock& block) { return split_at(bloc
 long number_in(const std::vector<std::string>& parts, std::size_t place) {
   if (place >= parts.size()) return 0;
   const ReadNumber read = read_deck_number(parts[place], {});
-  const bool is_number = read.kind == NumberKind::number && read.value > 0 && read.value < 1e10;
+  const bool is_number = read.kind == NumberKind::number && read.value > 0 && read.value < 1e10 && read.value == std::floor(read.value);
   return is_number ? static_cast<long>(read.value) : 0;
 }
 
@@ -114,6 +126,7 @@ RadiossBlocks radioss_blocks(const DeckText& text, MeasurementFaults& faults) {
     wanted = is_wanted(block.keyword);
   }
   finish();
+  judge_moves(deck, faults);
   return deck;
 }
 
