@@ -107,6 +107,27 @@ TEST_F(DeckTest, ParametersOfAbaqusAreRead) {
   EXPECT_DOUBLE_EQ(curve.first_exponent, 6);
 }
 
+TEST_F(DeckTest, AFaultInAParameterOfAbaqusCausesNoOther) {
+  const auto tests = [&](const std::string& parameter, const char* rows) {
+    return faults("*PARAMETER\n" + parameter + "\n*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n*UNIAXIAL TEST DATA\n" + rows);
+  };
+  const char* const in_stress = "0,0,0.01\n<a>,0.2,0.01\n0.2,0.5,0.01\n0.8,0.7,0.01\n";
+  const char* const in_rates = "0.1,0.2,<a>\n0.2,0.5,<a>\n0.8,0.7,<a>\n";
+  for (const char* const rows : {in_stress, in_rates}) {
+    EXPECT_THAT(tests("a=1e400", rows),
+                ElementsAre("2: parameter a = 1e400: has a number that is too large: 1e400"));
+    EXPECT_THAT(tests("a = 2*1e-400", rows), ElementsAre(HasSubstr("has a number that is too small: 1e-400")));
+    EXPECT_THAT(tests("a=b\nb=a", rows), ElementsAre(HasSubstr("2: parameter a = b: uses b")));
+    EXPECT_THAT(tests("a =", rows), ElementsAre(HasSubstr("2: *PARAMETER = a =: must be a name, =")));
+    EXPECT_THAT(tests("a 0.1", rows), ElementsAre(HasSubstr("2: *PARAMETER = a 0.1: must be a name, =")));
+  }
+  for (const char* const n : {"ln(2)", "1/0"})
+    EXPECT_THAT(faults(std::string("*PARAMETER\nn = ") + n + "\n*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
+                ElementsAre(HasSubstr("2: parameter n = ")));
+  EXPECT_THAT(faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
+              ElementsAre("2: *HYPERFOAM: N = <n>: uses n, which is not defined by any *PARAMETER in this deck"));
+}
+
 TEST_F(DeckTest, WhatPythonComputesOtherwiseIsRefused) {
   const std::string others = "rho = 6e-11\nterms = 1\nmu1 = 0.05\n";
   EXPECT_THAT(

@@ -106,16 +106,24 @@ class AbaqusReader {
     foam_->id = static_cast<long>(foams_.size()) + 1;
     is_hyperfoam_ = keyword.name == "HYPERFOAM";
     is_read_ = is_hyperfoam_ && !keyword.parameters.contains("TEST DATA INPUT");
-    terms_ = 1;
-    if (const auto n = keyword.parameters.find("N"); n != keyword.parameters.end()) {
-      const auto use = parameter_use(n->second, parameters_);
-      const double terms = use ? use->value : read_number(n->second).value;
-      terms_ = terms > 0 ? static_cast<std::size_t>(std::min(terms, 9.0)) : 0;
-    }
+    has_fault_ = false;
+    terms_ = terms_of(keyword);
     const auto lateral = keyword.parameters.find("LATERAL STRAIN DATA");
     has_lateral_ = lateral != keyword.parameters.end() && upper_case(lateral->second) != "NO";
     coefficients_.clear();
     curves_.clear();
+  }
+
+  /// The number N of terms, at most 9; 0 if it is none.
+  std::size_t terms_of(const AbaqusKeyword& keyword) {
+    const auto n = keyword.parameters.find("N");
+    if (n == keyword.parameters.end()) return 1;
+    const auto use = parameter_use(n->second, parameters_);
+    if (use && !use->rule.empty())
+      faults_.add(keyword.line, foam_->card + ": N", to_utf8(n->second), use->rule);
+    const double terms = use ? use->value : read_number(n->second).value;
+    has_fault_ = use && (!use->rule.empty() || std::isnan(terms));
+    return terms > 0 ? static_cast<std::size_t>(std::min(terms, 9.0)) : 0;
   }
 
   void point(DeckFields& fields) {
@@ -130,7 +138,8 @@ class AbaqusReader {
     } else {
       rate = fields.number(has_lateral_ ? 3 : 2, key + "rate", units_.rate);
     }
-    if (std::isnan(stress + strain + rate)) return;
+    has_fault_ = has_fault_ || std::isnan(rate);
+    if (std::isnan(rate)) return;
     const auto [place, is_new] = curves_.try_emplace(rate);
     if (is_new)
       place->second = {is_hyperfoam_ ? "test of the *HYPERFOAM" : fmt::format("test at {:g} 1/s", rate),
@@ -169,7 +178,7 @@ class AbaqusReader {
     if (!foam_) return;
     foam_->title = title_;
     foam_->density = density_;
-    const bool is_sound = coefficients_.empty() ? take_tests() : take_coefficients();
+    const bool is_sound = !has_fault_ && (coefficients_.empty() ? take_tests() : take_coefficients());
     if (is_sound) foams_.push_back(*std::move(foam_));
     foam_.reset();
   }
@@ -200,6 +209,7 @@ class AbaqusReader {
   std::string title_;
   double density_ = 0;
   bool is_read_ = false, is_hyperfoam_ = false, has_lateral_ = false;
+  bool has_fault_ = false;  ///< the foam, in its keyword or a rate
   std::size_t rows_ = 0, terms_ = 1, coefficient_line_ = 0;
   std::vector<double> coefficients_;
   std::map<double, DeckCurve> curves_;  ///< by rate

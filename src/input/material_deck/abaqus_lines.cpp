@@ -20,6 +20,7 @@ void assign(const DeckLine& line, DeckParameters& parameters, MeasurementFaults&
                        });
   if (!is_name || value.empty() || value.front() == '=') {
     faults.add(line.number, "*PARAMETER", to_utf8(text), "must be a name, = and a number or an expression");
+    for (const std::string_view word : words_in(text)) parameters.add_unreadable(word);
     return;
   }
   if (value.front() == '\'' || value.front() == '"') return;

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t longest_expression = 1000;
 constexpr int deepest_brackets = 20;
 
+bool is_part_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 /// Evaluates an expression from left to right by precedence. Faults are texts; nothing is thrown.
 class Expression {
  public:
@@ -130,9 +132,6 @@ class Expression {
     if (take("(")) return bracket();
     skip_blanks();
     if (!rest_.empty() && rest_.front() == '&') rest_.remove_prefix(1);
-    const auto is_part_of_name = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-    };
     std::size_t size = 0;
     if (rest_.empty() || !std::isalpha(static_cast<unsigned char>(rest_.front()))) return number();
     while (size < rest_.size() && is_part_of_name(rest_[size])) ++size;
@@ -152,7 +151,11 @@ class Expression {
       if (!in_exponent && !is_sign && c != '.' && !is_figure) break;
       is_whole = is_whole && is_figure;
     }
-    const ReadNumber read = read_deck_number(rest_.substr(0, size), {});
+    const std::string_view written = rest_.substr(0, size);
+    const ReadNumber read = read_deck_number(written, {});
+    if (read.kind == NumberKind::out_of_range)
+      return fail(fmt::format("has a number that is too {}: {}",
+                              written.find('-') == std::string_view::npos ? "large" : "small", written));
     if (read.kind != NumberKind::number || size == 0)
       return fail(rest_.empty() ? "ends where a number is needed"
                                 : fmt::format("needs a number before \"{}\"", rest_));
@@ -223,6 +226,8 @@ bool DeckParameters::add(std::string_view name, const DeckParameter& parameter) 
   return parameters_.try_emplace(lower_case(name), parameter).second;
 }
 
+void DeckParameters::add_unreadable(std::string_view name) { unreadable_.insert(lower_case(name)); }
+
 bool DeckParameters::has_here(std::string_view name) const { return parameters_.contains(lower_case(name)); }
 
 const DeckParameter* DeckParameters::find(std::string_view name) const {
@@ -230,7 +235,20 @@ const DeckParameter* DeckParameters::find(std::string_view name) const {
   for (const DeckParameters* scope = this; scope != nullptr; scope = scope->outer_)
     if (const auto found = scope->parameters_.find(key); found != scope->parameters_.end())
       return &found->second;
+  static constexpr DeckParameter unreadable{std::numeric_limits<double>::quiet_NaN()};
+  for (const DeckParameters* scope = this; scope != nullptr; scope = scope->outer_)
+    if (scope->unreadable_.contains(key)) return &unreadable;
   return nullptr;
+}
+
+std::vector<std::string_view> words_in(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, is_part_of_name) - text.begin());
+    if (end > 0) words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
 }
 
 std::optional<ParameterUse> parameter_use(std::string_view written, const DeckParameters& known) {

@@ -5,8 +5,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "input/measurement/measurement_text.hpp"
 
@@ -34,6 +36,8 @@ class DeckParameters {
 
   /// False if there is one of that name in this scope.
   bool add(std::string_view name, const DeckParameter& parameter);
+  /// Notes a name whose definition cannot be read: where nothing else defines it, its uses cause no fault.
+  void add_unreadable(std::string_view name);
   /// Null if there is none.
   [[nodiscard]] const DeckParameter* find(std::string_view name) const;
   [[nodiscard]] bool has_here(std::string_view name) const;
@@ -44,7 +48,11 @@ class DeckParameters {
   ParameterLanguage language_;
   const DeckParameters* outer_;
   std::map<std::string, DeckParameter, std::less<>> parameters_;  ///< by names in lower case
+  std::set<std::string, std::less<>> unreadable_;
 };
+
+/// The runs of letters, digits and _ in a text, which may be names.
+std::vector<std::string_view> words_in(std::string_view text);
 
 /// The value of a field, or the rule that it breaks; NaN without a rule if a parameter has a fault of its
 /// own.
