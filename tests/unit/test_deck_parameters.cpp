@@ -5,6 +5,7 @@
 namespace dashpad::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -30,9 +31,12 @@ TEST_F(DeckTest, LocalParametersAreThoseOfTheirFile) {
   EXPECT_DOUBLE_EQ(stresses_of(foams[3])[0], 200e3);
   EXPECT_THAT(faults_of_whole("*INCLUDE\na.k\n" + foam_of(2)),
               ElementsAre("7: SFO = &scale: is not defined by any *PARAMETER in this deck"));
-  // One that hides a local one is a second definition.
-  EXPECT_THAT(faults_of_whole(local_scale("1") + "*INCLUDE\na.k\n"),
-              ElementsAre("a.k:2: parameter scale: is defined twice"));
+  // One that hides a local one holds in its file and below it; a second one in a file is a fault.
+  const auto hidden = whole(local_scale("10") + "*INCLUDE\na.k\nb.k\n" + foam_of(4));
+  ASSERT_THAT(hidden, SizeIs(4));
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(stresses_of(hidden[i]), stresses_of(foams[i])) << i;
+  EXPECT_THAT(faults(local_scale("1") + local_scale("2")), Contains("4: parameter scale: is defined twice"));
 }
 
 TEST_F(DeckTest, ParametersInWrongColumnsAreRefused) {
@@ -57,6 +61,24 @@ TEST_F(DeckTest, ParametersInWrongColumnsAreRefused) {
       ElementsAre(HasSubstr("parameter = R sc 1 2.0: must be one name without blanks (columns 1 to 10)")));
   EXPECT_THAT(parameters("C  folderC:/a b, or what\nR   scale         2.\n"), IsEmpty());
   EXPECT_THAT(parameters("C   title a text of any length, and more\nR   scale         2.\n"), IsEmpty());
+}
+
+TEST_F(DeckTest, ALineOfParametersWithAFaultCausesNoOther) {
+  for (const char* const line : {"R scale 1,2.0", "S scale,2.0", "scale,2.0", "R 5 6,1.0,R scale,2.0"})
+    EXPECT_THAT(faults(std::string("*PARAMETER\n") + line + "\n" + scaled_foam),
+                ElementsAre(HasSubstr("2: parameter = ")))
+        << line;
+  // What is defined below holds.
+  EXPECT_THAT(faults("*PARAMETER\nS scale,2.0\nR scale,2.0\n" + scaled_foam),
+              ElementsAre(HasSubstr("2: parameter = S scale: ")));
+}
+
+TEST_F(DeckTest, FunctionsThatAreNotKnownAreNamed) {
+  for (const char* const expression : {"int(2.7)+nint(1.5)+max(1,2)", "int(2.7,1)", "2*int(1,\n          2)"})
+    for (const char* const name : {"R scale   ", "R scale,"})
+      EXPECT_THAT(faults(std::string("*PARAMETER_EXPRESSION\n") + name + expression + "\n" + scaled_foam),
+                  ElementsAre(HasSubstr("uses the function int, which is not supported; those that are: sqrt, exp")))
+          << name << expression;
 }
 
 TEST_F(DeckTest, ParametersMayBeLongOrGoOn) {
@@ -89,7 +111,8 @@ TEST_F(DeckTest, AParameterWithAFaultCausesNoOther) {
   EXPECT_THAT(faults("*PARAMETER_EXPRESSION\nR rho     ln(2)\nR twice   2*rho\nR half    1/rho\n"
                      "*MAT_063\n1,&twice,&rho,0,31\n" +
                      curve_31),
-              ElementsAre("2: parameter rho = ln(2): uses the function ln, which is not supported"));
+              ElementsAre("2: parameter rho = ln(2): uses the function ln, which is not supported; those that are: sqrt, "
+                          "exp, log, log10, abs, sin, cos, tan"));
 }
 
 std::string abaqus_foam(const std::string& parameters) {

@@ -21,6 +21,22 @@ constexpr int deepest_brackets = 20;
 
 bool is_part_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
+using NamedFunction = std::pair<std::string_view, double (*)(double)>;
+constexpr std::array<NamedFunction, 8> functions{{{"sqrt", [](double x) { return std::sqrt(x); }},
+                                                  {"exp", [](double x) { return std::exp(x); }},
+                                                  {"log", [](double x) { return std::log(x); }},
+                                                  {"log10", [](double x) { return std::log10(x); }},
+                                                  {"abs", [](double x) { return std::abs(x); }},
+                                                  {"sin", [](double x) { return std::sin(x); }},
+                                                  {"cos", [](double x) { return std::cos(x); }},
+                                                  {"tan", [](double x) { return std::tan(x); }}}};
+
+std::string known_functions() {
+  std::string names;
+  for (const auto& [name, evaluate] : functions) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 /// Evaluates an expression from left to right by precedence. Faults are texts; nothing is thrown.
 class Expression {
  public:
@@ -173,20 +189,11 @@ class Expression {
   }
 
   DeckParameter function(const std::string& name) {
-    const double of = bracket().value;
-    using Function = double (*)(double);
-    constexpr std::array<std::pair<std::string_view, Function>, 8> functions{
-        {{"sqrt", [](double x) { return std::sqrt(x); }},
-         {"exp", [](double x) { return std::exp(x); }},
-         {"log", [](double x) { return std::log(x); }},
-         {"log10", [](double x) { return std::log10(x); }},
-         {"abs", [](double x) { return std::abs(x); }},
-         {"sin", [](double x) { return std::sin(x); }},
-         {"cos", [](double x) { return std::cos(x); }},
-         {"tan", [](double x) { return std::tan(x); }}}};
-    for (const auto& [known, evaluate] : functions)
-      if (name == known) return {evaluate(of)};
-    return fail(fmt::format("uses the function {}, which is not supported", name));
+    const auto* const found = std::ranges::find(functions, name, &NamedFunction::first);
+    if (found == functions.end())
+      return fail(
+          fmt::format("uses the function {}, which is not supported; those that are: {}", name, known_functions()));
+    return {found->second(bracket().value)};
   }
 
   std::string_view rest_;
@@ -227,8 +234,6 @@ bool DeckParameters::add(std::string_view name, const DeckParameter& parameter) 
 }
 
 void DeckParameters::add_unreadable(std::string_view name) { unreadable_.insert(lower_case(name)); }
-
-bool DeckParameters::has_here(std::string_view name) const { return parameters_.contains(lower_case(name)); }
 
 const DeckParameter* DeckParameters::find(std::string_view name) const {
   const std::string key = lower_case(name);

@@ -40,7 +40,6 @@ class DeckParameters {
   void add_unreadable(std::string_view name);
   /// Null if there is none.
   [[nodiscard]] const DeckParameter* find(std::string_view name) const;
-  [[nodiscard]] bool has_here(std::string_view name) const;
   [[nodiscard]] const ParameterLanguage& language() const { return language_; }
   [[nodiscard]] const DeckParameters* outer() const { return outer_; }
 

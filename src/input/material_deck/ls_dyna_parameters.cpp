@@ -43,7 +43,10 @@ class ParameterReader {
     if (!options_.is_read) return;
     rest_ = line.text;
     column_ = 0;
-    has_commas_ = rest_.find(',') != std::string_view::npos;
+    const auto comma = rest_.find(',');
+    // In an expression, a comma behind a bracket is between the arguments of a function.
+    has_commas_ = comma != std::string_view::npos &&
+                  !(options_.is_expression && rest_.substr(0, comma).find('(') != std::string_view::npos);
     if (options_.is_expression) return expression(line.number);
     while (!without_blanks(rest_).empty()) {
       const std::size_t column = column_;
@@ -99,6 +102,9 @@ class ParameterReader {
     if (std::string rule = rule_for(kind, name); !rule.empty()) {
       if (!has_commas_) rule += fmt::format(" (columns {} to {})", given.column + 1, given.column + width());
       faults_.add(given.line, "parameter", to_utf8(typed), std::move(rule));
+      skip(given.name);
+      skip(given.value);
+      if (!options_.is_expression) skip(rest_);
       return false;
     }
     const std::size_t file = deck_.place_of(given.line).file;
@@ -107,10 +113,6 @@ class ParameterReader {
                                          .line = given.line,
                                          .is_expression = options_.is_expression,
                                          .is_whole = kind == "I"};
-    if (options_.is_local && is_local_of_includer(file, name)) {
-      faults_.add(given.line, "parameter " + to_utf8(lower_case(name)), "", "is defined twice");
-      return false;
-    }
     return define_parameter(definition, scopes_.of(file),
                             options_.is_local ? scopes_.local_to(file) : scopes_.of_all(), faults_);
   }
@@ -121,11 +123,12 @@ class ParameterReader {
     return name.find_first_of(" \t") == std::string_view::npos ? "" : "must be one name without blanks";
   }
 
-  /// Whether the parameter is local to a file that includes this one.
-  bool is_local_of_includer(std::size_t file, std::string_view name) {
-    for (; file != 0; file = deck_.includers[file])
-      if (scopes_.local_to(deck_.includers[file]).has_here(name)) return true;
-    return false;
+  /// The names in a text that is not read, with their types before them or not, cause no other fault.
+  void skip(std::string_view text) {
+    for (const std::string_view word : words_in(text)) {
+      scopes_.of_all().add_unreadable(word);
+      scopes_.of_all().add_unreadable(word.substr(1));
+    }
   }
 
   const DeckText& deck_;
