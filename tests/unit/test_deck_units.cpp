@@ -88,6 +88,21 @@ TEST_F(DeckTest, UnitsThatNobodyStatesAreAskedFor) {
   EXPECT_THAT(faults("*KEYWORD\n*END\n", ""), ElementsAre(HasSubstr("contains no *MAT_057")));
 }
 
+TEST_F(DeckTest, UnitsThatAreNotKnownAreNamed) {
+  const std::string ls_dyna = control_units("furlong,s,kg") + foam_57 + curve_31,
+                    radioss = begin_with(fields_of_20({"XX", "mm", "s"})) + foam_33("7") + foam_33("9") + function_8;
+  EXPECT_THAT(faults(ls_dyna, ""),
+              ElementsAre("2: units = kg, furlong, s: furlong is not a unit of length that is known; give the "
+                          "units, as in --units t-mm-s"));
+  EXPECT_THAT(faults(radioss, ""),
+              ElementsAre("4: units = XX, mm, s: XX is not a unit of mass that is known; give the units, as in "
+                          "--units t-mm-s"));
+  EXPECT_THAT(faults(begin_with(fields_of_20({"kg", "m", "0"})) + foam_33() + function_8, ""),
+              ElementsAre(HasSubstr("0 is not a unit of time")));
+  EXPECT_EQ(only(ls_dyna).units, "t-mm-s");
+  EXPECT_EQ(reading(radioss).value().front().units, "t-mm-s");
+}
+
 TEST_F(DeckTest, AMaterialWithUnitsOfItsOwnIsReadInThem) {
   const std::string own = "/UNIT/2\nof the foam\n" + fields_of_20({"Mg", "mm", "s"});
   const std::string deck = begin_with(fields_of_20({"kg", "m", "s"})) + own + foam_33("7/2") + function_8;

@@ -29,9 +29,14 @@ bool are_of(const UnitSystem& system, const Sizes& sizes) {
   return true;
 }
 
-StatedUnits units_of_sizes(std::size_t line, std::string words, const Sizes& sizes) {
-  if (std::ranges::any_of(sizes, [](double size) { return !(size > 0); })) return {};
-  StatedUnits result{line, std::move(words)};
+/// The units with these words and sizes, of which a size of 0 is unknown.
+StatedUnits units_of_sizes(std::size_t line, const std::array<std::string, 3>& words, const Sizes& sizes) {
+  constexpr std::array<const char*, 3> quantities{"mass", "length", "time"};
+  StatedUnits result{line, to_utf8(fmt::format("{}, {}, {}", words[0], words[1], words[2]))};
+  for (std::size_t i = 0; i < sizes.size() && result.unknown.empty(); ++i)
+    if (!(sizes[i] > 0))
+      result.unknown = fmt::format("{} is not a unit of {} that is known", to_utf8(words[i]), quantities[i]);
+  if (!result.unknown.empty()) return result;
   for (const UnitSystem& system : consistent_systems())
     if (are_of(system, sizes)) result.system = &system;
   return result;
@@ -54,9 +59,8 @@ StatedUnits stated_units(std::size_t line, const std::array<std::string_view, 3>
   for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = size_of_unit(units[i], si_units[i]);
   const bool is_unset =
       std::ranges::all_of(units, [](std::string_view unit) { return read_deck_number(unit, {}).value == 1; });
-  return is_unset
-             ? StatedUnits{}
-             : units_of_sizes(line, to_utf8(fmt::format("{}, {}, {}", units[0], units[1], units[2])), sizes);
+  if (is_unset || std::ranges::any_of(units, [](std::string_view unit) { return unit.empty(); })) return {};
+  return units_of_sizes(line, {std::string(units[0]), std::string(units[1]), std::string(units[2])}, sizes);
 }
 
 StatedUnits units_by_words(std::size_t line, const std::array<std::string_view, 3>& words) {
@@ -64,18 +68,18 @@ StatedUnits units_by_words(std::size_t line, const std::array<std::string_view, 
       {{"micro_s", "us"}, {"mtrc_ton", "t"}, {"slinch", "lbf.s2/in"}}};
   if (std::ranges::all_of(words, [](std::string_view word) { return word.empty(); })) return {};
   Sizes sizes{};
-  std::string shown;
+  std::array<std::string, 3> shown;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::string word = words[i].empty() ? si_units[i] : lower_case(words[i]);
-    shown += (i > 0 ? ", " : "") + word;
+    const std::string& word = shown[i] = words[i].empty() ? si_units[i] : lower_case(words[i]);
     const auto* const other = std::ranges::find(other_names, word, &decltype(other_names)::value_type::first);
     sizes[i] = size_of_unit(other == other_names.end() ? word : other->second, si_units[i]);
   }
-  return units_of_sizes(line, to_utf8(shown), sizes);
+  return units_of_sizes(line, shown, sizes);
 }
 
 std::string UnitChoice::rule_for(const StatedUnits& stated) const {
   if (stated.line == 0) return "is required, as in --units t-mm-s; the deck does not state its units";
+  if (!stated.unknown.empty()) return stated.unknown + "; give the units, as in --units t-mm-s";
   if (given_ && stated.system)
     return fmt::format("are those of {}, but --units is {}; leave out --units to use what the deck states",
                        stated.system->name, given_->name);
@@ -98,7 +102,7 @@ std::optional<StatedUnits> UnitChoice::agreed(const std::vector<StatedUnits>& st
 
 std::optional<ChosenUnits> UnitChoice::for_numbers(const StatedUnits& stated) {
   const bool is_stated = stated.line > 0;
-  if (given_ && (!is_stated || (stated.system && stated.system->name == given_->name)))
+  if (given_ && (!is_stated || !stated.unknown.empty() || (stated.system && stated.system->name == given_->name)))
     return ChosenUnits{DeckUnits(*given_), given_->name};
   if (!given_ && stated.system)
     return ChosenUnits{

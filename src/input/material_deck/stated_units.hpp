@@ -20,10 +20,11 @@ struct StatedUnits {
   std::size_t line = 0;                ///< 0: nothing is stated
   std::string words = {};              ///< "kg, mm, ms", as written
   const UnitSystem* system = nullptr;  ///< null if it is none of those that are read
+  std::string unknown = {};            ///< "XX is not a unit of mass": why the words state nothing; else ""
 };
 
 /// Units of mass, length and time, each by a name such as Mg or as a number of kg, m or s. Three times 1,
-/// which programs write where nobody chose units, and what is not a unit state nothing.
+/// which programs write where nobody chose units, and a blank state nothing.
 StatedUnits stated_units(std::size_t line, const std::array<std::string_view, 3>& units);
 
 /// The same by the words of *CONTROL_UNITS, such as micro_s and mtrc_ton; blank is kg, m or s, unless all
