@@ -92,23 +92,41 @@ TEST_F(DeckTest, AMoveMayMirrorAFunction) {
             (std::vector<double>{0.2e6, 0.3e6, 0.5e6}));
 }
 
+TEST_F(DeckTest, AMoveThatBreaksARuleIsOneFaultThatNamesIt) {
+  EXPECT_THAT(faults(foam_33() + function_8 + move_of_function("8", {"2", "1"})),
+              ElementsAre("10: function 8 after /MOVE_FUNCT/8: strain = 1: must be less than 1, at which no "
+                          "thickness is left; is it in per cent?"));
+}
+
 TEST_F(DeckTest, FunctionsOfOtherKindsAreNamed) {
   EXPECT_THAT(faults(foam_33() + "/FUNCT_SMOOTH/8\nsmooth\n" + fields_of_20({"1", "1"})),
               ElementsAre(HasSubstr("fct_IDf = 8: function 8 is a /FUNCT_SMOOTH; only /FUNCT is read")));
 }
 
-TEST_F(DeckTest, AFunctionThatServesTwoRatesHasItsDifferencesOnce) {
+/// A foam of LAW90 with function 8 at two rates, and that function.
+std::string foam_90_at_two_rates() {
   const std::string row = "         8{:>20}                   0\n";
-  const auto found =
-      only("/MAT/LAW90/7\nFoam\n" + fields_of_20({"6E-11"}) + fields_of_20({"0.5", "0"}) +
-           "         2         0                   0                   5                 0.1\n" +
-           fmt::format(fmt::runtime(row), "0.01") + fmt::format(fmt::runtime(row), "1") + "/FUNCT/8\nsoft\n" +
-           fields_of_20({"-0.5", "-0.3"}) + fields_of_20({"0", "0"}) + fields_of_20({"0.1", "0.02"}) +
-           fields_of_20({"0.4", "0.03"}) + fields_of_20({"0.7", "0.11"}));
+  return "/MAT/LAW90/7\nFoam\n" + fields_of_20({"6E-11"}) + fields_of_20({"0.5", "0"}) +
+         "         2         0                   0                   5                 0.1\n" +
+         fmt::format(fmt::runtime(row), "0.01") + fmt::format(fmt::runtime(row), "1") + "/FUNCT/8\nsoft\n" +
+         fields_of_20({"-0.5", "-0.3"}) + fields_of_20({"0", "0"}) + fields_of_20({"0.1", "0.02"}) +
+         fields_of_20({"0.4", "0.03"}) + fields_of_20({"0.7", "0.11"});
+}
+
+TEST_F(DeckTest, AFunctionThatServesTwoRatesHasItsDifferencesOnce) {
+  const auto found = only(foam_90_at_two_rates());
   std::vector<std::string> cuts;
   for (const std::string& difference : found.differences)
     if (difference.find("left out") != std::string::npos) cuts.push_back(difference);
   EXPECT_THAT(cuts, ElementsAre("function 8: 1 point in tension was left out."));
+}
+
+TEST_F(DeckTest, AFunctionThatServesTwoRatesHasItsFaultsOnce) {
+  EXPECT_THAT(faults(foam_90_at_two_rates() + fields_of_20({"1.5", "0.2"}) + fields_of_20({"0.6", "0.2"})),
+              ElementsAre(HasSubstr("15: function 8: strain = 1.5: must be less than 1"),
+                          HasSubstr("16: function 8: strain = 0.6: must be more than the previous strain")));
+  EXPECT_THAT(faults(foam_90_at_two_rates() + move_of_function("8", {"3", "1"})),
+              ElementsAre(HasSubstr("13: function 8 after /MOVE_FUNCT/8: strain = 1.2: must be less than 1")));
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ std::optional<CleanCurve> clean_curve(const DeckCurve& curve, CurveRole role, Me
   std::size_t tension = 0, slack = 0;
   bool sound = true;
   for (std::size_t i = 0; i < curve.strain.size(); ++i) {
+    if (!sound && curve.is_moved) break;
     if (!is_sound_point(curve, i) || !judge_order(curve, i, faults)) {
       sound = false;
       continue;

@@ -89,6 +89,7 @@ struct DeckCurve {
   std::size_t line = 0;  ///< where it begins
   std::vector<double> strain = {}, stress = {};
   std::vector<std::size_t> lines = {};
+  bool is_moved = false;  ///< its numbers are not those in the lines, and one fault has many
 
   void add(double of_strain, double of_stress, std::size_t of_line) {
     strain.push_back(of_strain);

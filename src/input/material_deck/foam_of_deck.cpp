@@ -122,6 +122,7 @@ std::optional<FoamCurves> curves_of(const DeckFoam& foam, CurveLines& lines, Mea
   CurvesRateEffect effect;
   effect.linear = foam.linear_in_rate;
   bool sound = true;
+  std::vector<const DeckCurve*> at_fault;
   for (std::size_t i = 0; i < foam.loading.size(); ++i) {
     if (i == 0 && foam.hyperfoam) {
       curves.base = *foam.hyperfoam;
@@ -129,9 +130,15 @@ std::optional<FoamCurves> curves_of(const DeckFoam& foam, CurveLines& lines, Mea
       lines.of_rates.push_back(foam.loading[i].line);
       continue;
     }
-    auto clean = prepared(foam, i, faults, differences);
+    const DeckCurve& curve = foam.loading[i].curve;
+    // One that serves two rates has its fault once.
+    const bool is_told = std::ranges::any_of(at_fault, [&](const DeckCurve* other) {
+      return other->name == curve.name && other->line == curve.line;
+    });
+    auto clean = is_told ? std::nullopt : prepared(foam, i, faults, differences);
     if (!clean) {
       sound = false;
+      at_fault.push_back(&curve);
       continue;
     }
     lines.loading.push_back(clean->lines);

@@ -196,9 +196,12 @@ std::optional<DeckCurve> LawLines::function(long id, double scale, const char* f
     const double stress = point.number(1, curve.name + ": Y" + std::to_string(i), from_.units.stress);
     curve.add(strain, stress, point.line());
   }
-  if (const auto moves = from_.deck.moves.find(id); moves != from_.deck.moves.end())
+  if (const auto moves = from_.deck.moves.find(id); moves != from_.deck.moves.end()) {
     for (const DeckBlock& each : moves->second)
       if (!apply_move(curve, each, from_)) return std::nullopt;
+    curve.name += fmt::format(" after /MOVE_FUNCT/{}", id);
+    curve.is_moved = true;
+  }
   for (double& stress : curve.stress) stress *= scale;
   return curve;
 }
