@@ -8,6 +8,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
@@ -90,6 +91,17 @@ TEST_F(DeckTest, FaultsOfIncludedFilesNameThemAndShowTheirLine) {
               ElementsAre("b.k:3: curve 31: is defined twice, first on line 2 of a.k"));
   EXPECT_THAT(faults_of_whole(foam_57 + curve_31 + "*INCLUDE\na.k\n"),
               ElementsAre("a.k:2: curve 31: is defined twice, first on line 4 of deck.k"));
+}
+
+TEST_F(DeckTest, AFileThatIsIncludedTwiceIsOneFault) {
+  folder_.write("parts/c.k", "$\n*PARAMETER\nR gap,0.1\n" + curve_31 + "*DEFINE_CURVE\n32\n" + rows_31);
+  for (const char* const again : {"parts/c.k", "./parts/c.k"})
+    EXPECT_THAT(faults_of_whole(foam_57 + "*INCLUDE\nparts/c.k\n" + again + "\n"),
+                ElementsAre(HasSubstr(
+                    "parts/c.k:4: curve 31: is defined twice because parts/c.k is included twice")));
+  // Without numbers of its own, nothing is there twice.
+  folder_.write("gap.k", "*PARAMETER\nR gap,0.1\n");
+  EXPECT_THAT(faults_of_whole(foam_57 + curve_31 + "*INCLUDE\ngap.k\ngap.k\n"), IsEmpty());
 }
 
 TEST_F(DeckTest, IncludesThatAreNotReadAreNamed) {

@@ -125,8 +125,9 @@ TEST_F(DeckTest, AFunctionThatServesTwoRatesHasItsFaultsOnce) {
   EXPECT_THAT(faults(foam_90_at_two_rates() + fields_of_20({"1.5", "0.2"}) + fields_of_20({"0.6", "0.2"})),
               ElementsAre(HasSubstr("15: function 8: strain = 1.5: must be less than 1"),
                           HasSubstr("16: function 8: strain = 0.6: must be more than the previous strain")));
-  EXPECT_THAT(faults(foam_90_at_two_rates() + move_of_function("8", {"3", "1"})),
-              ElementsAre(HasSubstr("13: function 8 after /MOVE_FUNCT/8: strain = 1.2: must be less than 1")));
+  EXPECT_THAT(
+      faults(foam_90_at_two_rates() + move_of_function("8", {"3", "1"})),
+      ElementsAre(HasSubstr("13: function 8 after /MOVE_FUNCT/8: strain = 1.2: must be less than 1")));
 }
 
 }  // namespace

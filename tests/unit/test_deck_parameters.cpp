@@ -34,8 +34,7 @@ TEST_F(DeckTest, LocalParametersAreThoseOfTheirFile) {
   // One that hides a local one holds in its file and below it; a second one in a file is a fault.
   const auto hidden = whole(local_scale("10") + "*INCLUDE\na.k\nb.k\n" + foam_of(4));
   ASSERT_THAT(hidden, SizeIs(4));
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_EQ(stresses_of(hidden[i]), stresses_of(foams[i])) << i;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(stresses_of(hidden[i]), stresses_of(foams[i])) << i;
   EXPECT_THAT(faults(local_scale("1") + local_scale("2")), Contains("4: parameter scale: is defined twice"));
 }
 
@@ -76,8 +75,9 @@ TEST_F(DeckTest, ALineOfParametersWithAFaultCausesNoOther) {
 TEST_F(DeckTest, FunctionsThatAreNotKnownAreNamed) {
   for (const char* const expression : {"int(2.7)+nint(1.5)+max(1,2)", "int(2.7,1)", "2*int(1,\n          2)"})
     for (const char* const name : {"R scale   ", "R scale,"})
-      EXPECT_THAT(faults(std::string("*PARAMETER_EXPRESSION\n") + name + expression + "\n" + scaled_foam),
-                  ElementsAre(HasSubstr("uses the function int, which is not supported; those that are: sqrt, exp")))
+      EXPECT_THAT(
+          faults(std::string("*PARAMETER_EXPRESSION\n") + name + expression + "\n" + scaled_foam),
+          ElementsAre(HasSubstr("uses the function int, which is not supported; those that are: sqrt, exp")))
           << name << expression;
 }
 
@@ -108,11 +108,13 @@ TEST_F(DeckTest, FieldsOfLsDynaMayHoldExpressions) {
 }
 
 TEST_F(DeckTest, AParameterWithAFaultCausesNoOther) {
-  EXPECT_THAT(faults("*PARAMETER_EXPRESSION\nR rho     ln(2)\nR twice   2*rho\nR half    1/rho\n"
-                     "*MAT_063\n1,&twice,&rho,0,31\n" +
-                     curve_31),
-              ElementsAre("2: parameter rho = ln(2): uses the function ln, which is not supported; those that are: sqrt, "
-                          "exp, log, log10, abs, sin, cos, tan"));
+  EXPECT_THAT(
+      faults("*PARAMETER_EXPRESSION\nR rho     ln(2)\nR twice   2*rho\nR half    1/rho\n"
+             "*MAT_063\n1,&twice,&rho,0,31\n" +
+             curve_31),
+      ElementsAre(
+          "2: parameter rho = ln(2): uses the function ln, which is not supported; those that are: sqrt, "
+          "exp, log, log10, abs, sin, cos, tan"));
 }
 
 std::string abaqus_foam(const std::string& parameters) {
@@ -132,23 +134,27 @@ TEST_F(DeckTest, ParametersOfAbaqusAreRead) {
 
 TEST_F(DeckTest, AFaultInAParameterOfAbaqusCausesNoOther) {
   const auto tests = [&](const std::string& parameter, const char* rows) {
-    return faults("*PARAMETER\n" + parameter + "\n*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n*UNIAXIAL TEST DATA\n" + rows);
+    return faults("*PARAMETER\n" + parameter +
+                  "\n*MATERIAL, NAME=F\n*LOW DENSITY FOAM\n*UNIAXIAL TEST DATA\n" + rows);
   };
   const char* const in_stress = "0,0,0.01\n<a>,0.2,0.01\n0.2,0.5,0.01\n0.8,0.7,0.01\n";
   const char* const in_rates = "0.1,0.2,<a>\n0.2,0.5,<a>\n0.8,0.7,<a>\n";
   for (const char* const rows : {in_stress, in_rates}) {
     EXPECT_THAT(tests("a=1e400", rows),
                 ElementsAre("2: parameter a = 1e400: has a number that is too large: 1e400"));
-    EXPECT_THAT(tests("a = 2*1e-400", rows), ElementsAre(HasSubstr("has a number that is too small: 1e-400")));
+    EXPECT_THAT(tests("a = 2*1e-400", rows),
+                ElementsAre(HasSubstr("has a number that is too small: 1e-400")));
     EXPECT_THAT(tests("a=b\nb=a", rows), ElementsAre(HasSubstr("2: parameter a = b: uses b")));
     EXPECT_THAT(tests("a =", rows), ElementsAre(HasSubstr("2: *PARAMETER = a =: must be a name, =")));
     EXPECT_THAT(tests("a 0.1", rows), ElementsAre(HasSubstr("2: *PARAMETER = a 0.1: must be a name, =")));
   }
   for (const char* const n : {"ln(2)", "1/0"})
-    EXPECT_THAT(faults(std::string("*PARAMETER\nn = ") + n + "\n*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
-                ElementsAre(HasSubstr("2: parameter n = ")));
-  EXPECT_THAT(faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
-              ElementsAre("2: *HYPERFOAM: N = <n>: uses n, which is not defined by any *PARAMETER in this deck"));
+    EXPECT_THAT(
+        faults(std::string("*PARAMETER\nn = ") + n + "\n*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
+        ElementsAre(HasSubstr("2: parameter n = ")));
+  EXPECT_THAT(
+      faults("*MATERIAL, NAME=F\n*HYPERFOAM, N=<n>\n0.05,6,0\n"),
+      ElementsAre("2: *HYPERFOAM: N = <n>: uses n, which is not defined by any *PARAMETER in this deck"));
 }
 
 TEST_F(DeckTest, WhatPythonComputesOtherwiseIsRefused) {
@@ -192,7 +198,8 @@ TEST_F(DeckTest, WholeParametersAreNotCutOff) {
               ElementsAre("2: parameter scale = 1.5: must be a whole number, not 1.5"));
   EXPECT_THAT(of_ls_dyna("*PARAMETER_EXPRESSION\nI scale   7/2.0\n"),
               ElementsAre("2: parameter scale = 7/2.0: must be a whole number, not 3.5"));
-  for (const char* const whole : {"*PARAMETER\nI scale,2.0\n", "*PARAMETER_EXPRESSION\nI scale   0.29*100-27\n"})
+  for (const char* const whole :
+       {"*PARAMETER\nI scale,2.0\n", "*PARAMETER_EXPRESSION\nI scale   0.29*100-27\n"})
     EXPECT_DOUBLE_EQ(stresses_of(only(whole + scaled_foam))[0], 40e3) << whole;
   const std::string foam = "/MAT/LAW33/7\nFoam\n" + fields_of_20({"9E-11"}) +
                            "                  20         0   &FCT_ID                   0\n\n" +

@@ -67,7 +67,8 @@ TEST_F(DeckTest, StatementsOfUnitsThatContradictEachOtherAreOneFault) {
   for (const char* const given : {"", "kg-mm-ms", "t-mm-s"})
     EXPECT_THAT(faults(in_mm_ms + in_mm_s + ls_dyna, given),
                 ElementsAre("4: units = mtrc_ton, mm, sec: contradict kg, mm, ms on line 2"));
-  EXPECT_EQ(only(in_mm_s + control_units("mm,s,t") + ls_dyna, "").units, "t-mm-s, as the deck states on line 2");
+  EXPECT_EQ(only(in_mm_s + control_units("mm,s,t") + ls_dyna, "").units,
+            "t-mm-s, as the deck states on line 2");
   const std::string in_t_mm_s = fields_of_20({"Mg", "mm", "s"});
   EXPECT_THAT(faults(begin_with(in_kg_mm_ms) + begin_with(in_t_mm_s) + radioss, ""),
               ElementsAre("8: units = Mg, mm, s: contradict kg, mm, ms on line 4"));
@@ -90,13 +91,16 @@ TEST_F(DeckTest, UnitsThatNobodyStatesAreAskedFor) {
 
 TEST_F(DeckTest, UnitsThatAreNotKnownAreNamed) {
   const std::string ls_dyna = control_units("furlong,s,kg") + foam_57 + curve_31,
-                    radioss = begin_with(fields_of_20({"XX", "mm", "s"})) + foam_33("7") + foam_33("9") + function_8;
-  EXPECT_THAT(faults(ls_dyna, ""),
-              ElementsAre("2: units = kg, furlong, s: furlong is not a unit of length that is known; give the "
-                          "units, as in --units t-mm-s"));
-  EXPECT_THAT(faults(radioss, ""),
-              ElementsAre("4: units = XX, mm, s: XX is not a unit of mass that is known; give the units, as in "
-                          "--units t-mm-s"));
+                    radioss = begin_with(fields_of_20({"XX", "mm", "s"})) + foam_33("7") + foam_33("9") +
+                              function_8;
+  EXPECT_THAT(
+      faults(ls_dyna, ""),
+      ElementsAre("2: units = kg, furlong, s: furlong is not a unit of length that is known; give the "
+                  "units, as in --units t-mm-s"));
+  EXPECT_THAT(
+      faults(radioss, ""),
+      ElementsAre("4: units = XX, mm, s: XX is not a unit of mass that is known; give the units, as in "
+                  "--units t-mm-s"));
   EXPECT_THAT(faults(begin_with(fields_of_20({"kg", "m", "0"})) + foam_33() + function_8, ""),
               ElementsAre(HasSubstr("0 is not a unit of time")));
   EXPECT_EQ(only(ls_dyna).units, "t-mm-s");

@@ -89,8 +89,14 @@ std::optional<long> DeckFields::whole(std::size_t field, const std::string& key)
 void NumberedBlocks::add(long id, DeckBlock block, const DeckText& deck, MeasurementFaults& faults) {
   const auto found = blocks_.find(id);
   if (found != blocks_.end()) {
+    const std::size_t first = found->second.head.number;
+    const DeckPlace here = deck.place_of(block.head.number);
+    const bool is_of_repeated = deck.is_repeated(here.file) && here.line == deck.place_of(first).line;
+    if (is_of_repeated && !told_files_.insert(here.file).second) return;
     faults.add(block.head.number, fmt::format("{} {}", kind_, id), "",
-               "is defined twice, first on " + deck.words_for(found->second.head.number));
+               is_of_repeated
+                   ? fmt::format("is defined twice because {} is included twice", deck.name_of(here.file))
+                   : "is defined twice, first on " + deck.words_for(first));
     return;
   }
   blocks_.emplace(id, std::move(block));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,7 @@ class NumberedBlocks {
  private:
   std::string kind_;  ///< "curve", "function"
   std::map<long, DeckBlock> blocks_;
+  std::set<std::size_t> told_files_;  ///< included twice, which had their fault
 };
 
 /// The points of a curve as in the deck, with their lines.

@@ -125,11 +125,21 @@ DeckPlace DeckText::place_of(std::size_t line) const {
   return line < 1 || line > lines.size() ? DeckPlace{0, line} : lines[line - 1];
 }
 
+std::string DeckText::name_of(std::size_t file) const {
+  const fs::path folder = files.front().parent_path().lexically_normal();
+  return to_utf8(files[file].lexically_normal().lexically_relative(folder).generic_string());
+}
+
+bool DeckText::is_repeated(std::size_t file) const {
+  const fs::path path = files[file].lexically_normal();
+  return std::any_of(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(file),
+                     [&](const fs::path& other) { return other.lexically_normal() == path; });
+}
+
 std::string DeckText::words_for(std::size_t line) const {
   const DeckPlace place = place_of(line);
   if (files.size() == 1) return fmt::format("line {}", place.line);
-  const std::string name = files[place.file].lexically_relative(files.front().parent_path()).generic_string();
-  return fmt::format("line {} of {}", place.line, to_utf8(name));
+  return fmt::format("line {} of {}", place.line, name_of(place.file));
 }
 
 void DeckText::place(std::vector<Fault>& faults) const {

@@ -26,6 +26,10 @@ struct DeckText {
   std::vector<DeckPlace> lines;              ///< empty for a deck alone, whose lines are those of the text
 
   [[nodiscard]] DeckPlace place_of(std::size_t line) const;
+  /// The name of a file as seen from the folder of the deck, UTF-8.
+  [[nodiscard]] std::string name_of(std::size_t file) const;
+  /// Whether the file has been included before.
+  [[nodiscard]] bool is_repeated(std::size_t file) const;
   /// "line 4", or "line 4 of curves.k" if the text is from several files.
   [[nodiscard]] std::string words_for(std::size_t line) const;
   /// Sets file and line of faults of the whole text to those of the file that has the line.

@@ -108,6 +108,7 @@ class ParameterReader {
       return false;
     }
     const std::size_t file = deck_.place_of(given.line).file;
+    if (!options_.is_local && deck_.is_repeated(file)) return true;  // the same once more
     const ParameterDefinition definition{.name = name,
                                          .value = given.value,
                                          .line = given.line,

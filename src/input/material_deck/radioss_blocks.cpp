@@ -59,7 +59,8 @@ void keep_radioss_block(DeckBlock block, const DeckText& text, RadiossBlocks& de
   } else if (kind == "BEGIN") {
     deck.begins.push_back(std::move(block));
   } else if (kind == "PARAMETER" && parts.size() > 2) {
-    define_radioss_parameter(block, *deck.parameters, faults);
+    if (!text.is_repeated(text.place_of(block.head.number).file))
+      define_radioss_parameter(block, *deck.parameters, faults);
   } else if (number == 0) {
     if (kind == "MOVE_FUNCT")
       faults.add(block.head.number, "/" + to_utf8(block.keyword), "",
@@ -97,7 +98,8 @@ std::vector<std::string> parts_of(const DeckBlock& block) { return split_at(bloc
 long number_in(const std::vector<std::string>& parts, std::size_t place) {
   if (place >= parts.size()) return 0;
   const ReadNumber read = read_deck_number(parts[place], {});
-  const bool is_number = read.kind == NumberKind::number && read.value > 0 && read.value < 1e10 && read.value == std::floor(read.value);
+  const bool is_number = read.kind == NumberKind::number && read.value > 0 && read.value < 1e10 &&
+                         read.value == std::floor(read.value);
   return is_number ? static_cast<long>(read.value) : 0;
 }
 

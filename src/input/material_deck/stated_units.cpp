@@ -102,7 +102,8 @@ std::optional<StatedUnits> UnitChoice::agreed(const std::vector<StatedUnits>& st
 
 std::optional<ChosenUnits> UnitChoice::for_numbers(const StatedUnits& stated) {
   const bool is_stated = stated.line > 0;
-  if (given_ && (!is_stated || !stated.unknown.empty() || (stated.system && stated.system->name == given_->name)))
+  if (given_ &&
+      (!is_stated || !stated.unknown.empty() || (stated.system && stated.system->name == given_->name)))
     return ChosenUnits{DeckUnits(*given_), given_->name};
   if (!given_ && stated.system)
     return ChosenUnits{
