@@ -189,7 +189,7 @@ class Expression {
   }
 
   DeckParameter function(const std::string& name) {
-    const auto* const found = std::ranges::find(functions, name, &NamedFunction::first);
+    const auto found = std::ranges::find(functions, name, &NamedFunction::first);
     if (found == functions.end())
       return fail(fmt::format("uses the function {}, which is not supported; those that are: {}", name,
                               known_functions()));

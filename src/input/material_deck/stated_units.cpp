@@ -71,7 +71,7 @@ StatedUnits units_by_words(std::size_t line, const std::array<std::string_view, 
   std::array<std::string, 3> shown;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const std::string& word = shown[i] = words[i].empty() ? si_units[i] : lower_case(words[i]);
-    const auto* const other = std::ranges::find(other_names, word, &decltype(other_names)::value_type::first);
+    const auto other = std::ranges::find(other_names, word, &decltype(other_names)::value_type::first);
     sizes[i] = size_of_unit(other == other_names.end() ? word : other->second, si_units[i]);
   }
   return units_of_sizes(line, shown, sizes);

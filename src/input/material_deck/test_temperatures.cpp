@@ -13,9 +13,9 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr double same_rate = 1.1;                        // greatest ratio
-constexpr double same_temperature = 0.5;                 // K, less than that
-constexpr double least_likely = 0.05, most_likely = 20;  // factors
+constexpr double same_rate = 1.1;                           // greatest ratio
+constexpr double same_temperature = 0.5;                    // K, less than that
+constexpr double min_plausible = 0.05, max_plausible = 20;  // factors
 
 /// Sums of products of stresses at a temperature and at the reference, at equal strains.
 struct Sums {
@@ -58,7 +58,7 @@ std::string words_on(const Sums& sums, double temperature, double reference) {
       "At {}, the stress is {:.3g} times that at {} at every strain; the test deviates from that by {:.2g} % "
       "(rms){}.",
       celsius(temperature), factor, celsius(reference), 100 * sums.misfit(),
-      factor < least_likely || factor > most_likely ? "; check the units of the tests" : "");
+      factor < min_plausible || factor > max_plausible ? "; check the units of the tests" : "");
 }
 
 DeckCurve loading_of(const DeckRateCurve& test) {
