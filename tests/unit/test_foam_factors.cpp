@@ -105,9 +105,10 @@ TEST(FoamFactors, CountStandardDeviations) {
                                                             {"foam.posterior_1", Source::posterior},
                                                             {"foam.misfit", Source::misfit},
                                                             {"foam.neighbours", Source::neighbours}};
+  const char* const names[]{"peak_acceleration", "hic15", "peak_penetration"};  // the first responses
   for (const auto& [key, source] : sources)
-    for (const auto& [response, name] :
-         {std::pair{0U, "peak_acceleration"}, {1U, "hic15"}, {2U, "peak_penetration"}}) {
+    for (std::size_t response = 0; response < std::size(names); ++response) {
+      const char* const name = names[response];
       Study study = head_on_pillar();
       const double place = source == Source::posterior ? 1 : 1.959964;
       study.factors = {at(key, {-place, 0, place})};
@@ -153,14 +154,14 @@ TEST(FoamFactors, LeaveTheNominalImpactAndAreReplayed) {
 TEST(FoamFactors, AreDrawnWithTheirDistributions) {
   Study study = head_on_pillar();
   study.factors = {{.key = "foam.misfit", .unit = "1", .spread = study::Normal{0, 1}}};
-  study.samples = 1024;
+  study.samples = 256;
   std::vector<double> peaks;
   for (const study::StoredRow& row : rows_of(study)) peaks.push_back(row.outcome.values.at(0));
-  const double mean = std::reduce(peaks.begin(), peaks.end()) / 1024;
+  const double mean = std::reduce(peaks.begin(), peaks.end()) / 256;
   double squares = 0;
   for (const double peak : peaks) squares += (peak - mean) * (peak - mean);
   EXPECT_NEAR(mean / *solve(study.base, study.options).summary.peak_acceleration, 1, 1e-3);
-  EXPECT_NEAR(std::sqrt(squares / 1024) / mean, 0.05, 5e-4);
+  EXPECT_NEAR(std::sqrt(squares / 256) / mean, 0.05, 5e-4);
 }
 
 TEST(FoamFactors, ThatLeaveTheirRangeAreRefused) {
@@ -182,7 +183,7 @@ TEST(FoamFactors, ThatLeaveTheirRangeAreRefused) {
 TEST(FoamFactors, GoNoDeeperThanThePad) {
   Study study = head_on_pillar();
   study.responses = {"peak_penetration", "peak_strain", "hic15"};
-  study.factors = {at("foam.neighbours", {-20, 20})};
+  study.factors = {at("foam.misfit", {-20, 20})};
   const auto rows = rows_of(study);
   EXPECT_NEAR(rows.at(1).outcome.values.at(0), study.base.pad.thickness, 1e-12);
   EXPECT_NEAR(rows.at(1).outcome.values.at(1), 1, 1e-12);
