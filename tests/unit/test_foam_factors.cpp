@@ -10,6 +10,7 @@
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
+#include "head_on_pillar.hpp"
 #include "study/foam_factors.hpp"
 
 namespace dashpad::test::foam_factors_test {
@@ -20,30 +21,15 @@ using study::Study;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A head on a trim of 25 mm: beyond the tested strain of 0.75 and the tested rate of 100 per second.
-Study head_on_pillar() {
-  Foam foam;
-  foam.unloading_factor = 0;
-  foam.unloading_shape = 1.5;
-  foam.curves = {.base = AvalleCurve{.plateau_stress = 222e3,
-                                     .modulus = 6.3e6,
-                                     .plateau_exponent = 1,
-                                     .densification_stress = 108e3,
-                                     .densification_exponent = 1.31,
-                                     .highest_strain = 0.75},
-                 .slowest_rate = 0.01,
-                 .rate_effect = PowerRateEffect{.exponent = 0.04, .exponent_slope = 0, .highest_rate = 100}};
+/// The head on a pillar with a card that states all that it can.
+Study uncertain_study() {
   Study study;
-  study.base.impactor = {.mass = 4.54, .nose = Sphere{0.08}, .speed = 6.7056};
-  study.base.pad.thickness = 0.025;
-  study.base.pad.material.name = "made up";
-  study.base.pad.material.law = foam;
+  study.base = head_on_pillar();
   study.base.pad.material.uncertainty.scatter = 0.08;
   study.base.pad.material.uncertainty.misfit =
       Misfit{.peak_acceleration = 0.05, .hic = 0.1, .rebound_speed = 0.02, .penetration = 0.01, .impacts = 9};
   study.base.pad.material.uncertainty.posterior = {
       .keys = {"curve.plateau_stress"}, .minus = {{210e3}}, .plus = {{240e3}}};
-  study.base.support = Support::linear(300e3);
   study.responses = {"peak_acceleration", "hic15", "peak_penetration", "rebound_speed"};
   return study;
 }
@@ -70,7 +56,7 @@ std::vector<std::string> keys_of(const std::vector<study::FoamFactor>& factors) 
 }
 
 TEST(FoamFactors, AreWhatTheCardLeavesUncertain) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   EXPECT_THAT(keys_of(foam_factors(study)),
               ElementsAre("foam.continuation", "foam.rate", "foam.way_back", "foam.lag_strain",
                           "foam.scatter", "foam.posterior_1", "foam.misfit", "foam.neighbours"));
@@ -84,7 +70,7 @@ TEST(FoamFactors, MoveAnImpactToTheEndsOfItsIntervals) {
   const std::vector<std::pair<const char*, Source>> ranges{{"foam.continuation", Source::continuation},
                                                            {"foam.rate", Source::rate}};
   for (const auto& [key, source] : ranges) {
-    Study study = head_on_pillar();
+    Study study = uncertain_study();
     study.factors = {
         at(key, source == Source::rate ? std::vector<double>{0, 1} : std::vector<double>{-1, 0, 1})};
     ASSERT_TRUE(violations(study).empty()) << key;
@@ -109,7 +95,7 @@ TEST(FoamFactors, CountStandardDeviations) {
   for (const auto& [key, source] : sources)
     for (std::size_t response = 0; response < std::size(names); ++response) {
       const char* const name = names[response];
-      Study study = head_on_pillar();
+      Study study = uncertain_study();
       const double place = source == Source::posterior ? 1 : 1.959964;
       study.factors = {at(key, {-place, 0, place})};
       const auto rows = rows_of(study);
@@ -126,7 +112,7 @@ TEST(FoamFactors, CountStandardDeviations) {
 
 /// At 0 the card is as it is, to the last bit; what is drawn comes back when the row is solved again.
 TEST(FoamFactors, LeaveTheNominalImpactAndAreReplayed) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   draw_foam_uncertainty(study);
   study.samples = 16;
   for (Factor& factor : study.factors) {
@@ -152,7 +138,7 @@ TEST(FoamFactors, LeaveTheNominalImpactAndAreReplayed) {
 
 /// Mean and deviation of a scatter that moves a peak almost in proportion.
 TEST(FoamFactors, AreDrawnWithTheirDistributions) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   study.factors = {{.key = "foam.misfit", .unit = "1", .spread = study::Normal{0, 1}}};
   study.samples = 256;
   std::vector<double> peaks;
@@ -165,7 +151,7 @@ TEST(FoamFactors, AreDrawnWithTheirDistributions) {
 }
 
 TEST(FoamFactors, ThatLeaveTheirRangeAreRefused) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   study.factors = {at("foam.continuation", {0, 1.5})};
   ASSERT_EQ(violations(study).size(), 1u);
   EXPECT_THAT(violations(study).front().rule, HasSubstr("between -1 and 1"));
@@ -181,7 +167,7 @@ TEST(FoamFactors, ThatLeaveTheirRangeAreRefused) {
 
 /// An error that would press the nose through the pad ends at its floor.
 TEST(FoamFactors, GoNoDeeperThanThePad) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   study.responses = {"peak_penetration", "peak_strain", "hic15"};
   study.factors = {at("foam.misfit", {-20, 20})};
   const auto rows = rows_of(study);
@@ -192,7 +178,7 @@ TEST(FoamFactors, GoNoDeeperThanThePad) {
 
 /// What a card states is kept with the study that draws it.
 TEST(FoamFactors, AreStoredWithTheUncertaintyOfTheCard) {
-  Study study = head_on_pillar();
+  Study study = uncertain_study();
   const std::string without = resolved_text(study);
   EXPECT_EQ(without.find("uncertainty"), std::string::npos);
   draw_foam_uncertainty(study);

@@ -10,38 +10,13 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
+#include "head_on_pillar.hpp"
 
 namespace dashpad::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Foam foam() {
-  Foam of;
-  of.unloading_factor = 0;
-  of.unloading_shape = 1.5;
-  of.curves = {.base = AvalleCurve{.plateau_stress = 222e3,
-                                   .modulus = 6.3e6,
-                                   .plateau_exponent = 1,
-                                   .densification_stress = 108e3,
-                                   .densification_exponent = 1.31,
-                                   .highest_strain = 0.75},
-               .slowest_rate = 0.01,
-               .rate_effect = PowerRateEffect{.exponent = 0.04, .exponent_slope = 0, .highest_rate = 100}};
-  return of;
-}
-
-/// A head on a trim of 25 mm: beyond a strain of 0.75 and a rate of 100 per second.
-ImpactCase head_on_pillar() {
-  ImpactCase impact;
-  impact.impactor = {.mass = 4.54, .nose = Sphere{0.08}, .speed = 6.7056};
-  impact.pad.thickness = 0.025;
-  impact.pad.material.name = "made up";
-  impact.pad.material.law = foam();
-  impact.support = Support::linear(300e3);
-  return impact;
-}
 
 Solution with_intervals(const ImpactCase& impact) {
   Solution solution = solve(impact, {});
