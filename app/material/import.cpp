@@ -240,8 +240,7 @@ int import_material(const ImportRequest& request) {
 void add_deck_units(CLI::App& app, std::string& units) {
   add_option(app, "--units SYSTEM", units,
              "Units of the deck: kg-mm-ms (kN, GPa), kg-m-s (N, Pa), t-mm-s (N, MPa), g-mm-ms (N, MPa), "
-             "g-cm-us (Mbar), "
-             "lbf-s2/in-in-s (lbf, psi)");
+             "g-cm-us (Mbar), lbf-s2/in-in-s (lbf, psi)");
 }
 
 std::optional<UnitSystem> deck_units_of(const std::string& name, std::vector<std::string>& errors) {

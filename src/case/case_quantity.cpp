@@ -205,6 +205,13 @@ void add_fields(const std::string& table, std::vector<CaseField>& into) {
 
 std::span<const OtherWay> other_ways() { return all_other_ways; }
 
+std::string decided_by(const std::string& key) {
+  if (key == static_stress) return "impactor.mass";
+  for (const OtherWay& way : other_ways())
+    if (key == way.key) return way.instead_of;
+  return key;
+}
+
 CaseQuantities quantities_of(const ImpactCase& base) {
   std::vector<CaseQuantity> all;
   add_parameters<Impactor>(

@@ -46,14 +46,6 @@ bool add_misspelt_figures(const input::CaseRows& rows, const std::string& file, 
   return faults.size() > before;
 }
 
-/// The number of the case that a key decides: the speed for a drop height, the mass for a static stress.
-std::string decided_by(const std::string& key) {
-  if (key == static_stress) return "impactor.mass";
-  for (const OtherWay& way : other_ways())
-    if (key == way.key) return way.instead_of;
-  return key;
-}
-
 /// A column whose numbers would not be used: `set` gives them for all drops, the fit seeks them, or another
 /// column gives them in another way.
 void refuse_overruled(input::TableReader& table, const input::CaseRows& rows, const std::string& file,

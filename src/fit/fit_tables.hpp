@@ -1,7 +1,9 @@
 #pragma once
 /// Reading the tables and values of a fit file.
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dashpad/fit/fit.hpp"
@@ -13,6 +15,9 @@ namespace dashpad::fit {
 /// Reads one of [[tests]], and adds the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
+/// Reads the pulse of an impact, {file = ..., deviation = ...}; none after a fault.
+std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
+                                               std::vector<input::InputFile>& files);
 /// An entry of [[impacts]] is one impact, or with rows = "drops.csv" one for each row of that table: the case
 /// with the numbers of the row, and the measured figures of the row with the deviation of the entry.
 /// A number of the case that an unknown of the fit would overrule is a fault.
@@ -26,6 +31,20 @@ std::vector<ImpactMeasurement> read_drops(input::TableReader& table, const input
 
 /// The entries of `set` as settings, "impactor.mass=6 kg"; tables are opened.
 std::vector<std::string> settings_in(const input::TomlNode& set, const std::string& prefix = "");
+
+/// The keys of a fit in place of the options in a rule: "bridge_gaps" for "--bridge-gaps".
+std::string with_keys(std::string rule);
+
+/// What was read; faults are added in words of a fit file.
+template <class T>
+std::optional<T> taken_with_keys(input::Reading<T> reading, input::FaultList& faults) {
+  if (reading) return *std::move(reading);
+  for (input::Fault fault : reading.faults()) {
+    fault.rule = with_keys(std::move(fault.rule));
+    faults.add({std::move(fault)});
+  }
+  return std::nullopt;
+}
 
 // Values. SI; NaN after a fault.
 

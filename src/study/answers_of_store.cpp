@@ -25,10 +25,8 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& names, const
 bool is_of_cushion_curves(const Study& study) {
   bool has_mass = false;
   for (const Factor& factor : study.factors) {
-    std::string_view key = factor.key;
-    for (const OtherWay& way : other_ways())
-      if (key == way.key) key = way.instead_of;
-    const bool is_mass = key == "impactor.mass" || key == static_stress;
+    const std::string key = decided_by(factor.key);
+    const bool is_mass = key == "impactor.mass";
     has_mass = has_mass || is_mass;
     if (factor.is_sampled() || (!is_mass && key != "impactor.speed" && key != "pad.thickness")) return false;
   }

@@ -87,27 +87,6 @@ bool is_of_law(const std::string& key) {
   return is_in(of_pad, "pad.parameters.") || is_in(of_pad, "pad.curve.") || is_in(of_pad, "pad.rate.");
 }
 
-std::vector<FoamFactor> foam_factors(const Study& study) {
-  if (study.materials.empty()) return uncertainty::foam_factors(study.base);
-  std::vector<FoamFactor> factors;
-  ImpactCase impact = study.base;
-  for (const Material& material : study.materials) {
-    impact.pad.material = material;
-    for (FoamFactor& factor : uncertainty::foam_factors(impact))
-      if (!std::ranges::count(factors, factor.key, &FoamFactor::key)) factors.push_back(std::move(factor));
-  }
-  return factors;
-}
-
-void draw_foam_uncertainty(Study& study) {
-  for (const FoamFactor& factor : foam_factors(study)) {
-    if (std::ranges::count(study.factors, factor.key, &Factor::key)) continue;
-    Spread spread = Normal{0, 1};
-    if (!factor.is_statistical) spread = Uniform{factor.lowest, factor.highest};
-    study.factors.push_back({.key = factor.key, .unit = "1", .spread = spread, .lowest = {}, .highest = {}});
-  }
-}
-
 Application::Application(const Study& study) {
   const CaseQuantities quantities = quantities_of(study.base);
   // The nominal value differs between materials.

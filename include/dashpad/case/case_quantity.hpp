@@ -46,6 +46,10 @@ std::span<const OtherWay> other_ways();
 /// place of the mass. It depends on that area, so it is set after all other numbers.
 inline constexpr const char* static_stress = "impactor.static_stress";
 
+/// The number of a case that a key decides: impactor.speed for a drop height, impactor.mass for a weight or a
+/// static stress, itself for every other key.
+std::string decided_by(const std::string& key);
+
 /// The numbers of a case, in the order of case files and by key.
 class CaseQuantities {
  public:

@@ -18,8 +18,6 @@ namespace dashpad::input {
 
 namespace {
 
-constexpr std::size_t max_rows_of_stresses = 100'000;
-
 /// Completes the rates that the header does not state.
 void settle_rates_of(TestColumns& columns, std::optional<double> rate, MeasurementFaults& faults) {
   if (columns.stresses.size() == 1) {

@@ -34,7 +34,7 @@ struct RawTest {
 RawTest raw_test(const CsvTable& csv, const TestColumns& columns) {
   RawTest test;
   CsvRows rows(csv.text, csv.separator);
-  for (CsvRow row; rows.next(row);) {
+  for (CsvRow row; test.place.size() <= max_rows_of_stresses && rows.next(row);) {
     if (row.line < csv.header.first_line) continue;
     const ReadNumber place = read_csv_number(field_in(row, columns.strain));
     const ReadNumber force = read_csv_number(field_in(row, columns.stresses.front().of));

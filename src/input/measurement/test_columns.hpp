@@ -16,6 +16,9 @@ struct StressColumn {
   double rate = 0;            ///< 1/s, in the header after an @; 0: not stated
 };
 
+/// Rows of a test, at most; some readers allow fewer.
+inline constexpr std::size_t max_rows_of_stresses = 100'000;
+
 struct TestColumns {
   std::size_t line = 0;           ///< of the header
   injury::MeasuredColumn strain;  ///< its factor gives a strain, of a displacement over the thickness
