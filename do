@@ -21,16 +21,16 @@ Usage: ./do TASK [arguments]
   pictures                 redraw the pictures in README and docs, except the one that was drawn by hand
   format                   format the C++ code with clang-format
   check-layout             check the format of the code with clang-format, and the scripts with shellcheck
-  lint                     run check-layout, clang-tidy and cppcheck; changes nothing
+  lint                     run check-layout, clang-tidy and cppcheck, and compile everything with clang 14, warnings as
+                           errors; changes nothing
   coverage                 run the tests and report the lines that they cover
   fuzz [TARGET] [SECONDS]  fuzz the file readers, each for SECONDS (default: 300), or only TARGET
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
   wasm                     compile the solver, the injury metrics and the text readers for WebAssembly, and solve a case
                            there
-  compile COMPILER         build everything with clang-14 or clang-19, with warnings as errors; runs nothing
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
-                           cases compared with more accurate solutions and 200 with a second solver, both clangs,
-                           WebAssembly, the tests under sanitizers, a minute of fuzzing for each reader, and lint
+                           cases compared with more accurate solutions and 200 with a second solver, WebAssembly, the
+                           tests by clang 19 under sanitizers, half a minute of fuzzing for each reader, and lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages in packages.txt (default: all groups)
@@ -148,6 +148,7 @@ task_test() {
     shift
   fi
   need_packages run test format shellcheck wasm
+  if [[ "$preset" == asan-ubsan ]]; then need_packages clang; fi
   say "Building the tests ..."
   configure "$preset" -DDASHPAD_BUILD_TESTS=ON
   build "$preset"
@@ -265,7 +266,7 @@ task_lint() {
   cd "$root"
   task_check_layout
 
-  # Ninja goes on from what has passed: the first time takes an hour, later ones what has changed.
+  # Ninja goes on from what has passed: the first time takes half an hour, later ones what has changed.
   say "Building with clang-tidy, with warnings as errors ..."
   configure lint -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
   logged cmake --build "$root/build/lint" --parallel "$jobs" -- -k 0
@@ -306,8 +307,8 @@ task_fuzz() {
   fi
   seconds="${1:-$seconds}"
   [[ "$seconds" =~ ^[1-9][0-9]*$ ]] || fail "not a number of seconds: '$seconds'"
-  need_packages run fuzz
-  say "Building the fuzz targets (the first time takes a quarter of an hour) ..."
+  need_packages run clang
+  say "Building the fuzz targets ..."
   configure fuzz
   build fuzz "${names[@]/#/fuzz_}"
   mkdir -p "$root/build/fuzz/findings"
@@ -394,8 +395,8 @@ TEXT
 # build/nightly, and what has passed is not done again while the code is the same, so that a night that is cut off goes on
 # and words in documents cost nothing.
 task_nightly() {
-  need_packages run test bench format lint fuzz compilers
-  local tests="$root/build/release/tests" ended=() failed=0 kind compiler commit kept
+  need_packages run test bench format lint clang
+  local tests="$root/build/release/tests" ended=() failed=0 kind commit kept
   local code=(.clang-tidy CMakeLists.txt CMakePresets.json app bench cmake data examples include materials schema src
     standards tests web ':!*.md' ':!bench/results')
   commit="$(git -C "$root" describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)"
@@ -423,12 +424,12 @@ task_nightly() {
     say "Building ..."
     configure release -DDASHPAD_BUILD_TESTS=ON
     build release count_answers compare_with_oracle mats_of_known_truth
+    configure asan-ubsan -DDASHPAD_BUILD_BENCH=ON  # everything by the second clang: lint has the first
   )
-  for compiler in clang-14 clang-19; do step "$root/do" compile "$compiler"; done
   step "$root/do" wasm
   step "$root/do" test asan-ubsan -LE 'page|documents|consumer|wasm'  # a browser, and other compilers' programs
   step "$root/do" lint
-  step "$root/do" fuzz 60
+  step "$root/do" fuzz 30
   step "$tests/mats_of_known_truth" --least 54
   for kind in ordinary plausible; do
     step "$tests/count_answers" --kind "$kind" --cases 10000 --threads "$jobs"
@@ -439,13 +440,6 @@ task_nightly() {
   [[ $failed -eq 0 ]]
 }
 
-# Everything by another compiler, warnings are errors; nothing is run.
-task_compile() {
-  need_packages run test bench compilers
-  configure "$1" -DDASHPAD_BUILD_TESTS=ON -DDASHPAD_BUILD_BENCH=ON
-  build "$1"
-}
-
 task_clean() { rm -rf "$root/build"; }
 
 task_install_packages() { need_packages "$@"; }
@@ -453,7 +447,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | format | check-layout | lint | coverage | fuzz | wasm | compile | nightly | clean | install-packages)
+  run | test | bench | pictures | format | check-layout | lint | coverage | fuzz | wasm | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

@@ -142,7 +142,9 @@ std::optional<ComputedPulse> computed_pulse(const Solution& solution, const Meas
     const double end = history.time.back();
     curve = filtered(curve, end, measured);
     peak = 0;
-    for (double time = 0; time <= end; time += measured.interval) peak = std::max(peak, curve.at(time));
+    const auto last = static_cast<std::size_t>(end / measured.interval);
+    for (std::size_t i = 0; i <= last; ++i)
+      peak = std::max(peak, curve.at(static_cast<double>(i) * measured.interval));
   }
   // A foam that answers at first contact has its onset there.
   const double onset = curve.first_at(injury::onset_share * peak);
@@ -165,7 +167,9 @@ double best_shift(const ComputedPulse& computed, const MeasuredDeceleration& mea
   // The curve at even times, from the earliest that any look reads.
   const double begin = time.front() - highest, fine = look / 2;
   std::vector<double> chords;
-  for (double t = begin; t <= time.back() - lowest + 2 * fine; t += fine) chords.push_back(computed.at(t, 0));
+  const auto last = static_cast<std::size_t>((time.back() - lowest - begin) / fine + 2);
+  for (std::size_t i = 0; i <= last; ++i)
+    chords.push_back(computed.at(begin + static_cast<double>(i) * fine, 0));
   const auto misses_of = [&](const auto& deceleration_at) {
     double squares = 0;
     for (std::size_t i = 0; i < time.size(); ++i) {

@@ -98,10 +98,10 @@ Predict prediction_of(const Fit& fit, const MaterialMeasurement& test);
 /// A function that predicts the figures of an impact, then its pulse, with `runs` runs of the solver, or to
 /// the tolerance of the case if `runs` is 0. The pulse begins at the measured onset, or later by the
 /// coordinate `shift`.
-Predict prediction_of(const Fit& fit, const ImpactMeasurement& impact, int runs,
+Predict prediction_of(const Fit& fit, const ImpactMeasurement& measured, int runs,
                       std::optional<std::size_t> shift = {});
 /// The same with the best shift between these bounds, s.
-Settle settling_of(const Fit& fit, const ImpactMeasurement& impact, int runs, std::size_t shift,
+Settle settling_of(const Fit& fit, const ImpactMeasurement& measured, int runs, std::size_t shift,
                    double lowest, double highest);
 
 /// Whether the model admits nothing beyond that bound of an unknown.

@@ -174,7 +174,7 @@ FitReport run_fit(const Fit& fit, const RunOptions& options) {
   FitReport report;
   report.title = fit.title;
   const auto remark = [&](const std::string& file, const std::vector<std::string>& remarks) {
-    for (const std::string& each : remarks) report.remarks.push_back(file + ": " + each);
+    for (const std::string& each : remarks) report.remarks.push_back(fmt::format("{}: {}", file, each));
   };
   for (const MaterialMeasurement& test : fit.tests) remark(test.file, test.remarks);
   for (const ImpactMeasurement& impact : fit.impacts)

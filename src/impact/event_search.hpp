@@ -31,7 +31,7 @@ std::pair<double, double> bracket_event(Value&& value_at, const EventSearch& sea
     const bool is_nowhere = f_high == -infinite;
     double x = is_nowhere ? low : (f_low * high - f_high * low) / (f_low - f_high);
     // Once the guesses have settled, one just beyond the event closes the bracket.
-    if (std::abs(x - before) < search.precision / 50) x += (side == 1 ? 1 : -1) * search.precision / 25;
+    if (std::abs(x - before) < search.precision / 50) x += (side == 1 ? 1.0 : -1.0) * search.precision / 25;
     before = x;
     // Without a solution at the far end interpolation is impossible: first the guess, then bisection.
     if (is_nowhere) x = i == 0 ? search.guess : infinite;

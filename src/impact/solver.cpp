@@ -127,7 +127,7 @@ struct Solver::Memory {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  void check(const ImpactCase& impact, const Options& options) {
+  void check(const ImpactCase& impact, const Options& options) const {
     refuse_unsound(impact, impact.pad.layers.empty() && contacts.know(impact.pad.material.law), options);
   }
 };

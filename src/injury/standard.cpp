@@ -111,8 +111,8 @@ Standard with_variants(const Standard& standard, const std::vector<std::string>&
       if (!(variant.*replacement)) continue;
       for (const std::string& other : result.chosen)
         if (find_variant(standard, other).*replacement)
-          throw std::invalid_argument("the variants \"" + other + "\" and \"" + name + "\" of " +
-                                      standard.name + " both set the " + what);
+          throw std::invalid_argument(fmt::format(R"(the variants "{}" and "{}" of {} both set the {})",
+                                                  other, name, standard.name, what));
       result.*value = *(variant.*replacement);
     }
     result.chosen.push_back(name);

@@ -42,7 +42,7 @@ struct PadMaterial {
 };
 
 /// Reads and checks a case that is already a tree; files that it names are relative to the folder of `file`.
-Reading<CaseFile> read_case_tree(TomlFile& tree, const std::filesystem::path& file,
+Reading<CaseFile> read_case_tree(TomlFile& toml, const std::filesystem::path& file,
                                  const std::filesystem::path& materials);
 
 /// Reads `material`, or a law with its tables.

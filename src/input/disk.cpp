@@ -48,14 +48,15 @@ Reading<std::string> content_of(const std::filesystem::path& file, std::size_t m
 }
 
 Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& folder,
-                                                       std::string_view text) {
+                                                       std::string_view content) {
   std::error_code error;
   std::vector<std::filesystem::path> files;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
     if (entry->path().extension() == ".toml" && entry->is_regular_file()) files.push_back(entry->path());
   if (error)
-    return fault_of_file(folder, "is not a readable folder of " + std::string(text) + ": " + error.message());
+    return fault_of_file(folder,
+                         "is not a readable folder of " + std::string(content) + ": " + error.message());
   std::ranges::sort(files);
   return files;
 }

@@ -216,14 +216,14 @@ std::string tidy_unit(std::string_view text) {
   return tidy.starts_with('/') ? '1' + tidy : tidy;
 }
 
-UnitFactor unit_factor(std::string_view text, std::string_view si_unit) {
-  if (text.size() > longest_unit) return {UnitMatch::unknown};
-  if (const auto stranger = stranger_in(text)) return {*stranger};
-  const auto unit = UnitReader(text).whole(), si = UnitReader(si_unit).whole();
-  if (!unit || !si) return {UnitMatch::unknown};
-  if (unit->dimension != si->dimension || unit->has_offset) return {UnitMatch::other_dimension};
-  const int ten = unit->ten - si->ten;
-  const long double number = unit->number / si->number, power = std::pow(10.0L, std::abs(ten));
+UnitFactor unit_factor(std::string_view unit, std::string_view si_unit) {
+  if (unit.size() > longest_unit) return {UnitMatch::unknown};
+  if (const auto stranger = stranger_in(unit)) return {*stranger};
+  const auto one = UnitReader(unit).whole(), si = UnitReader(si_unit).whole();
+  if (!one || !si) return {UnitMatch::unknown};
+  if (one->dimension != si->dimension || one->has_offset) return {UnitMatch::other_dimension};
+  const int ten = one->ten - si->ten;
+  const long double number = one->number / si->number, power = std::pow(10.0L, std::abs(ten));
   return {UnitMatch::same_dimension, static_cast<double>(ten < 0 ? number / power : number * power)};
 }
 

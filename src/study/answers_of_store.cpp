@@ -240,7 +240,8 @@ std::vector<Reading> readings_of(const Study& study, const Records& records, con
     const bool is_final =
         status == Status::released || status == Status::at_rest || status == Status::bottomed_out;
     const bool is_known = !std::isnan(values[i]) && (is_final || (status == Status::time_limit && grows));
-    readings.push_back({is_known ? values[i] : -infinite, is_known && is_final ? values[i] : infinite});
+    const double value = values[i];
+    readings.push_back({is_known ? value : -infinite, is_known && is_final ? value : infinite});
   }
   return readings;
 }

@@ -186,7 +186,8 @@ StoreHeading read_heading(const Database& database) {
 std::string value_columns(const StoreHeading& heading, const std::string& before, const std::string& after) {
   std::string columns;
   for (const auto* list : {&heading.factors, &heading.responses})
-    for (const StoredColumn& column : *list) columns += ", " + before + sql_name(column.name) + after;
+    for (const StoredColumn& column : *list)
+      columns += fmt::format(", {}{}{}", before, sql_name(column.name), after);
   return columns;
 }
 

@@ -110,7 +110,7 @@ inline constexpr std::size_t max_pulse_points = 200;
 /// The pulse between onset and end, thinned evenly to max_pulse_points. `measured` has been filtered; `quiet`
 /// is the stretch before the impact, if it is known. Throws std::invalid_argument, with a message that
 /// follows the name of the file, for a pulse without onset or with too few samples after it.
-MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& measured,
+MeasuredDeceleration deceleration_of(const injury::ProcessedPulse& processed,
                                      const std::optional<injury::Stretch>& quiet = {});
 
 /// An impact and what was measured of it. The material of its pad is that of the fit.

@@ -162,8 +162,8 @@ struct DeckFoam {
 };
 
 /// The foams of a deck. Faults are added to `faults`.
-std::vector<DeckFoam> read_ls_dyna(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
-std::vector<DeckFoam> read_radioss(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
+std::vector<DeckFoam> read_ls_dyna(const DeckText& text, UnitChoice& units, MeasurementFaults& faults);
+std::vector<DeckFoam> read_radioss(const DeckText& text, UnitChoice& units, MeasurementFaults& faults);
 std::vector<DeckFoam> read_abaqus(const DeckText& deck, UnitChoice& units, MeasurementFaults& faults);
 /// Whether the keywords of a text are those of Abaqus.
 bool is_abaqus(std::string_view text);

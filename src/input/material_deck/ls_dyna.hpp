@@ -42,7 +42,7 @@ struct LsDynaBlocks {
   std::unique_ptr<LsDynaScopes> parameters;
 };
 
-LsDynaBlocks ls_dyna_blocks(const DeckText& deck, MeasurementFaults& faults);
+LsDynaBlocks ls_dyna_blocks(const DeckText& text, MeasurementFaults& faults);
 
 /// The block that a line such as "*MAT_057_TITLE +" begins, and whether its fields are long.
 DeckBlock begun_block(const DeckLine& line, bool all_long);

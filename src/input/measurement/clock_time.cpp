@@ -98,7 +98,8 @@ std::optional<ExactTime> time_of_day(std::string_view text) {
   const int lead = take_zone(text);
   const std::optional<int> half = take_half_of_day(text);
   std::int64_t days = 0;
-  if (const std::size_t between = text.substr(0, text.find(':')).find_last_of("T "); between != text.npos) {
+  if (const std::size_t between = text.substr(0, text.find(':')).find_last_of("T ");
+      between != std::string_view::npos) {
     const auto date = days_of(without_blanks(text.substr(0, between)));
     if (!date) return std::nullopt;
     days = *date;

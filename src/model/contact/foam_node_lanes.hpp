@@ -96,7 +96,7 @@ HWY_INLINE Lanes numbers_of(const NodeRow& row, std::size_t j) {
   return min(number, Lanes(static_cast<double>(row.first + row.count - 1)));
 }
 
-void fill_within(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
+inline void fill_within(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
   const LanesTag tag;
   const FoamCurve::Rows& base = nodes.stress.base;
   // Rows begin with the middle of a panel.
@@ -109,7 +109,7 @@ void fill_within(const FoamNodes& nodes, const NodeRow& row, NodeValues& values)
   }
 }
 
-void fill_beyond(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
+inline void fill_beyond(const FoamNodes& nodes, const NodeRow& row, NodeValues& values) {
   const Places last = places_of(Lanes(Cells::count));
   for (std::size_t j = 0; j < row.count; j += Register<Lanes>::size()) {
     const Lanes complement = exp(row.from - row.step * numbers_of(row, j));

@@ -58,7 +58,7 @@ struct PulseOptions {
 /// Reads a pulse. Units are never guessed. Repairs are remarks. Gaps in rows, gaps in times unless they are
 /// to be bridged, text, numbers that are not finite, times that do not increase and ambiguous choices are
 /// faults, of which the first 200 are reported. At most 1 GiB and 50 million samples.
-Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseOptions& options);
+Reading<PulseFile> read_pulse_csv(const std::filesystem::path& file, const PulseOptions& given);
 
 /// The columns with the units of the header; without a header, numbers only.
 Reading<std::vector<injury::MeasuredColumn>> pulse_csv_columns(const std::filesystem::path& file);
@@ -98,6 +98,6 @@ struct StressStrainTable {
 /// turned positive, with a remark. Reports all faults with their lines, or the first 200: missing columns or
 /// units, times that do not increase, strains of 1 or more (per cent taken for a fraction).
 Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& file,
-                                                  const StressStrainColumns& columns);
+                                                  const StressStrainColumns& wanted);
 
 }  // namespace dashpad::input

@@ -49,7 +49,7 @@ class LayerSeries {
     std::size_t looks = 0;         ///< number of layer stresses computed
     std::size_t nested_looks = 0;  ///< those for a root within a root
   };
-  [[nodiscard]] Solution solve(const Shortening& end, const LayerStates& now, const LayerStep& step,
+  [[nodiscard]] Solution solve(const Shortening& wanted, const LayerStates& now, const LayerStep& step,
                                const ColumnGuess& guess) const;
 
   /// The state of a layer at the end of a solved step.
