@@ -32,7 +32,7 @@ namespace dashpad {
 namespace scalar {
 namespace {
 
-#include "model/contact/sweep_columns.hpp"
+#include "model/contact/sweep_columns.hpp"  // NOLINT(readability-duplicate-include): for other types
 
 }  // namespace
 }  // namespace scalar
