@@ -121,8 +121,8 @@ TEST(ColumnFactor, HalvesTheErrorBelowADisc) {
   // thickness.
   for (const auto& [material, most] :
        std::map<std::string, double>{{"A0", 0.12}, {"B0", 0.09}, {"TS", 0.16}}) {
-    const auto pads = pads_where([&, material = material](const Pressed& pad) {
-      return pad.nose == "disc" && pad.material == material && pad.size >= 1;
+    const auto pads = pads_where([&, foam = material](const Pressed& pad) {
+      return pad.nose == "disc" && pad.material == foam && pad.size >= 1;
     });
     ASSERT_GE(pads.size(), 3U) << material;
     EXPECT_LT(error_of_forces(pads, 0.6).value(), most) << material;
