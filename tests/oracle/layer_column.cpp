@@ -11,9 +11,11 @@ namespace {
 
 constexpr double max_stress = 1e15;  ///< Pa, where there is none: a step that was tried too long
 
-/// Where an increasing function of a number is zero, from a guess on; no farther than `low` and `high`.
+/// Where an increasing function of a number is zero, from a guess on; no farther than `low` and `high`. A
+/// step that was tried too long may have left no room between them: `high` then.
 template <class F>
 double increasing_root(double guess, double stride, double low, double high, const F& f) {
+  low = std::fmin(low, high);
   double a = std::clamp(guess, low, high), fa = f(a), b = a, fb = fa;
   const double way = fa < 0 ? 1 : -1;
   for (; fa * fb > 0 && (way > 0 ? b < high : b > low); stride *= 4) {

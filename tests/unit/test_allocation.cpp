@@ -24,7 +24,14 @@ std::atomic<std::size_t> allocations{0};
 }  // namespace
 
 // The address sanitizer brings an allocator of its own, which must not be mixed with this one.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef __SANITIZE_ADDRESS__  // by GCC
+#define DASHPAD_OTHER_ALLOCATOR
+#elif defined(__has_feature)  // by clang
+#if __has_feature(address_sanitizer)
+#define DASHPAD_OTHER_ALLOCATOR
+#endif
+#endif
+#ifdef DASHPAD_OTHER_ALLOCATOR
 constexpr bool counts = false;
 #else
 constexpr bool counts = true;

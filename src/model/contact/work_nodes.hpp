@@ -57,7 +57,8 @@ class WorkIntegral {
             Beyond&& beyond) {
     const auto count = [](double wanted, double least) {
       constexpr double max_panels = 2000;
-      return static_cast<std::size_t>(std::clamp(std::ceil(wanted), least, max_panels));
+      if (!(wanted > least)) return static_cast<std::size_t>(least);  // NaN of a step tried too long as well
+      return static_cast<std::size_t>(std::min(std::ceil(wanted), max_panels));
     };
     at_edge_ = over.from_edge;
     values.work[0] = over.first.base.work;
