@@ -85,10 +85,16 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
   return std::nullopt;
 }
 
+std::string with_gravity(const std::string& text, const std::string& si_unit) {
+  const bool is_in_g = si_unit == "m/s2" && text.size() > 1 && text.ends_with('g') &&
+                       std::string_view("0123456789. ").find(text[text.size() - 2]) != std::string_view::npos;
+  return is_in_g ? text.substr(0, text.size() - 1) + " gravity" : text;
+}
+
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
-  auto [value, rule] = read_si(*text, si_unit);
+  auto [value, rule] = read_si(with_gravity(*text, si_unit), si_unit);
   if (rule.empty()) rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
   if (rule.empty()) return value;
   errors.push_back(fmt::format("{} {}: {}", option, *text, rule));

@@ -32,6 +32,7 @@ constexpr const char* description =
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case read as you intended?
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
+  dashpad solve-for --help                       how thick, how high, how sure
   dashpad materials                              list the foams
   dashpad material-test ensolite-aac-9           simulate a laboratory test of one of them
   dashpad material --help                        import and export other solvers' decks
@@ -49,9 +50,10 @@ Exit codes:
   0  success, even if the pad bottomed out or the time limit was reached
   1  a result could not be written (to a full disk, for example), or the program failed
   2  invalid input or command line; nothing was run or written
-  3  not reliable or no verdict: the results do not meet the tolerance, or assess cannot decide
+  3  not reliable or no verdict: the results do not meet the tolerance, or assess or solve-for cannot
+     decide
   4  assess: a limit of the standard is exceeded, even if other results are missing;
-     validate --strict: a rule is not met)";
+     solve-for: nothing in the range passes; validate --strict: a rule is not met)";
 
 struct Command {
   std::string_view group;  ///< of the help
@@ -64,6 +66,7 @@ struct Command {
 constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Everyday use", "check", add_check, true},
                              {"Everyday use", "assess", add_assess},
+                             {"Everyday use", "solve-for", add_solve_for},
                              {"Everyday use", "standards", add_standards, true},
                              {"Everyday use", "pulse", add_pulse},
                              {"Everyday use", "export", add_export},

@@ -21,14 +21,6 @@ namespace dashpad::app {
 
 namespace {
 
-/// Accepts g as a unit of acceleration, which elsewhere is a gram.
-double value_in_si(const std::string& text, const std::string& si_unit) {
-  if (si_unit == "m/s2" && text.size() > 1 && text.ends_with("g"))
-    return standard_gravity *
-           stated_si(std::string(input::without_blanks(text.substr(0, text.size() - 1))), "1");
-  return stated_si(text, si_unit);
-}
-
 /// The response of that name; null if the store has none.
 const study::StoredColumn* response_of(const std::string& name, const study::Store& store) {
   const auto found = std::ranges::find(store.responses(), name, &study::StoredColumn::name);
@@ -78,9 +70,10 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
   const std::string name = std::string(input::without_blanks(text.substr(0, sign)));
   if (const std::string rule = response_rule(name, store); !rule.empty()) return refuse(name + " " + rule);
   const std::string value = text.substr(sign + 1);
+  const std::string& unit = response_of(name, store)->unit;
   try {
-    return study::StudyLimit{
-        name, value_in_si(std::string(input::without_blanks(value)), response_of(name, store)->unit)};
+    return study::StudyLimit{name,
+                             stated_si(with_gravity(std::string(input::without_blanks(value)), unit), unit)};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }

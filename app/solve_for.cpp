@@ -1,0 +1,365 @@
+// dashpad solve-for: where the verdict about a case turns as one of its numbers varies.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/case/case_quantity.hpp"
+#include "dashpad/margin/margin.hpp"
+#include "dashpad/output/margin.hpp"
+#include "dashpad/study/responses.hpp"
+#include "dashpad/study/study_file.hpp"
+#include "input/measurement/measurement_text.hpp"
+#include "input/spelling.hpp"
+#include "output_files.hpp"
+#include "progress_line.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr const char* solve_for_footer = R"(Examples:
+  dashpad solve-for pad.thickness examples/dashboard-20mph.toml --standard fmvss-201-instrument-panel
+  dashpad solve-for impactor.speed examples/dashboard-20mph.toml --until "hic15 = 700"
+  dashpad solve-for pad.scale examples/dashboard-20mph.toml --until "peak_acceleration <= 80 g" --between 0.2..5
+  dashpad solve-for pad.thickness examples/dashboard-20mph.toml --until "hic_d <= 1000" \
+    --probability "95 %" --vary pad.scale="5 %" --vary impactor.speed="14.5 mph..15.5 mph"
+  dashpad solve-for pad.thickness examples/disc-on-mat.toml --until "hic15 <= 150" --vary foam --draws 256
+  dashpad solve-for pad.thickness examples/dashboard-20mph.toml --until "hic15 <= 700" --report ./how-thick.html
+
+KEY is a number of the case as studies name it: pad.thickness, impactor.speed, impactor.drop_height, pad.scale,
+pad.temperature, support.stiffness, ... The limits are those of a standard, with its impactor, or your own: any
+response of studies, as "hic15 <= 700", "rebound_speed >= 1 m/s", or "hic15 = 700" to ask where it has that value. With
+several limits, all must be kept.
+
+The whole range is searched and all solutions are reported, since figures bend: too soft a pad bottoms out, too hard a
+pad is hard. Without --between the range is a quarter of the value in the case to four times that value.
+
+Without --vary, the interval of a solution is where it may lie for all that is uncertain of foam and model; see
+docs/theory.md, section 6.2. With --vary, the answer is the value at which the given share of the draws keeps all limits,
+and its interval is due to the number of draws. --vary KEY="5 %" draws from a normal distribution with that standard
+deviation about the value of the case, "A..B" evenly from A to B, "M +- S" from a normal distribution; --vary foam
+draws all that the card of the foam leaves uncertain, and --vary STUDY.toml what a study draws.
+
+Exit codes: 0 some value passes, or the aim is reached; 4 no value of the range passes, or the aim is not reached; 3 no
+value passes for certain, but some may, or the search is incomplete; 1 a result could not be written; 2 invalid input or
+command line (nothing was run).)";
+
+struct SolveForRequest {
+  std::string key;
+  GivenCase given;
+  std::vector<std::string> standards, until, vary;
+  std::optional<std::string> between, probability, tolerance;
+  std::uint64_t draws = 1024, seed = 1;
+  std::string standard_folder;
+  OutputFiles files;
+  bool no_intervals = false;
+};
+
+using Complaints = std::vector<std::string>;
+
+/// "A..B" in SI.
+std::optional<std::pair<double, double>> range_of(const std::string& option, const std::string& text,
+                                                  const std::string& unit, Complaints& errors) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos || text.find("..", dots + 2) != std::string::npos) {
+    errors.push_back(fmt::format(R"({} "{}": must be a range such as "10 mm..60 mm")", option, text));
+    return std::nullopt;
+  }
+  const auto low = quantity_of(option.c_str(), text.substr(0, dots), unit, errors);
+  const auto high = quantity_of(option.c_str(), text.substr(dots + 2), unit, errors);
+  if (!low || !high) return std::nullopt;
+  if (*low < *high) return std::pair(*low, *high);
+  errors.push_back(fmt::format(R"({} "{}": the range must begin below its end)", option, text));
+  return std::nullopt;
+}
+
+/// The value of a case by a key of case_quantity.hpp; NaN if the case has none.
+double value_in(const ImpactCase& impact, const std::string& key) {
+  const CaseQuantities quantities = quantities_of(impact);
+  if (const CaseQuantity* quantity = quantities.find(key)) return quantity->get(impact);
+  for (const OtherWay& way : other_ways())
+    if (key == way.key) return way.get(impact);
+  return no_value;
+}
+
+/// The factor that one of these keys names, with its unit.
+const study::FactorKey* known_key(const std::vector<study::FactorKey>& known, const std::string& key) {
+  const auto found = std::ranges::find(known, key, &study::FactorKey::key);
+  return found == known.end() ? nullptr : &*found;
+}
+
+std::optional<margin::Limit> limit_of(const std::string& text, Complaints& errors) {
+  const std::size_t sign = text.find_first_of("<>=");
+  const auto refuse = [&](const std::string& rule) {
+    errors.push_back(fmt::format(R"(--until "{}": {})", text, rule));
+    return std::nullopt;
+  };
+  if (sign == std::string::npos) return refuse(R"(must compare a figure with a value, as in "hic15 <= 700")");
+  const std::size_t behind = text.find_first_not_of("<>=", sign);
+  const std::string comparison = text.substr(sign, behind == std::string::npos ? behind : behind - sign);
+  const std::string name(input::without_blanks(text.substr(0, sign)));
+  std::vector<std::string> names;
+  for (const ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
+  const ResultQuantity* const figure = study::find_response_kind(name);
+  if (figure == nullptr || name != figure->key)
+    return refuse("no such figure" + input::meant_or_listed(name, names));
+  constexpr std::array comparisons{"<=", "<", "=", "==", ">=", ">"};
+  if (behind == std::string::npos || std::ranges::find(comparisons, comparison) == comparisons.end())
+    return refuse(R"(the comparison must be <=, >= or =, followed by a value)");
+  const auto value = quantity_of("--until", std::string(input::without_blanks(text.substr(behind))),
+                                 figure->si_unit, errors);
+  if (!value) return std::nullopt;
+  if (!(std::abs(*value) > 0)) return refuse("the value must not be 0");
+  return margin::Limit{.figure = figure,
+                       .value = *value,
+                       .at_least = comparison.front() == '>',
+                       .is_aim = comparison.front() == '=',
+                       .title = figure->title};
+}
+
+/// A factor of --vary: "5 %", "A..B" or "M +- S".
+std::optional<study::Factor> factor_of(const std::string& text, const std::vector<study::FactorKey>& known,
+                                       const ImpactCase& impact, Complaints& errors) {
+  const std::size_t sign = text.find('=');
+  const std::string key = text.substr(0, sign);
+  const std::string option = "--vary " + key;
+  const study::FactorKey* const of = known_key(known, key);
+  if (of == nullptr || of->unit.empty()) {
+    errors.push_back(option + ": " + study::rule_for_unknown(key, impact, known));
+    return std::nullopt;
+  }
+  if (sign == std::string::npos || sign + 1 == text.size()) {
+    errors.push_back(option + R"(: must be followed by its scatter, as in pad.scale="5 %" or "A..B")");
+    return std::nullopt;
+  }
+  const std::string spread = text.substr(sign + 1);
+  study::Factor factor{.key = key, .unit = of->unit, .lowest = {}, .highest = {}};
+  if (const std::size_t between = spread.find("+-"); between != std::string::npos) {
+    const auto mean = quantity_of(option.c_str(), spread.substr(0, between), of->unit, errors);
+    const auto deviation = quantity_of(option.c_str(), spread.substr(between + 2), of->unit, errors);
+    if (!mean || !deviation) return std::nullopt;
+    factor.spread = study::Normal{*mean, *deviation};
+  } else if (spread.find("..") != std::string::npos) {
+    const auto range = range_of(option, spread, of->unit, errors);
+    if (!range) return std::nullopt;
+    factor.spread = study::Uniform{range->first, range->second};
+  } else if (spread.find('%') != std::string::npos) {
+    const auto share = positive_quantity_of(option.c_str(), spread, "1", errors);
+    const double value = value_in(impact, key);
+    if (share && !(std::abs(value) > 0)) {
+      errors.push_back(option +
+                       R"(: the case has no value to take a percentage of; give "M +- S" or "A..B")");
+      return std::nullopt;
+    }
+    if (!share) return std::nullopt;
+    factor.spread = study::Normal{value, *share * std::abs(value)};
+  } else {
+    errors.push_back(
+        fmt::format(R"({}: "{}" is no scatter; give a percentage, "A..B" or "M +- S")", option, spread));
+    return std::nullopt;
+  }
+  return factor;
+}
+
+/// Adds what a study draws, with its correlations. Its levels and its case are left out.
+void add_draws_of(const study::Study& study, margin::Chance& chance) {
+  std::vector<std::optional<std::size_t>> places;
+  for (const study::Factor& factor : study.factors) {
+    places.emplace_back(factor.is_sampled() ? std::optional(chance.factors.size()) : std::nullopt);
+    if (factor.is_sampled()) chance.factors.push_back(factor);
+  }
+  for (const study::Correlation& correlation : study.correlations)
+    if (places[correlation.first] && places[correlation.second])
+      chance.correlations.push_back(
+          {*places[correlation.first], *places[correlation.second], correlation.value});
+}
+
+/// The standard, whose own value of what the key decides gives way.
+injury::Standard with_key_of_user(const injury::Standard& standard, const std::string& key) {
+  injury::Standard result = standard;
+  const std::string decided = decided_by(key);
+  const auto give_way = [&](injury::StandardValue& value) {
+    if (!value.value) return;
+    value.instead = value.value;
+    value.chosen_by_user = true;
+    value.value.reset();
+  };
+  if (decided == "impactor.speed") give_way(result.speed);
+  if (decided == "impactor.mass") give_way(result.mass);
+  if (decided == "impactor.radius") give_way(result.radius);
+  return result;
+}
+
+/// A range about the value of the case that breaks no rule: a quarter to four times, or as much of it as may
+/// be.
+void choose_range(margin::Question& question, const std::string& key, Complaints& errors) {
+  const double value = value_in(question.impacts.front().impact, key);
+  if (!(value > 0)) {
+    errors.push_back(
+        fmt::format("{}: the case has no value above 0 to search about; give --between \"A..B\"", key));
+    return;
+  }
+  question.logarithmic = true;
+  const auto is_sound = [&](double low, double high) {
+    question.low = low, question.high = high;
+    return margin::violations(question).empty();
+  };
+  double down = 4, up = 4;
+  while (down > 1.01 && !is_sound(value / down, value)) down = 1 + (down - 1) / 2;
+  while (up > 1.01 && !is_sound(value, value * up)) up = 1 + (up - 1) / 2;
+  question.low = value / down, question.high = value * up;
+}
+
+margin::Question question_of(const SolveForRequest& request) {
+  Complaints errors;
+  margin::Question question{
+      .impacts = {}, .key = request.key, .unit = {}, .intervals = !request.no_intervals};
+  const std::optional<double> tolerance = tolerance_of(request.tolerance, errors);
+  std::vector<margin::Limit> limits;
+  for (const std::string& text : request.until)
+    if (const auto limit = limit_of(text, errors)) limits.push_back(*limit);
+  std::vector<input::InputFile> files;
+  std::vector<injury::Standard> standards;
+  for (const std::string& name : request.standards)
+    if (const auto standard = standard_of(name, chosen_standards(request.standard_folder), files, errors))
+      standards.push_back(with_key_of_user(*standard, request.key));
+  if (request.until.empty() && request.standards.empty())
+    errors.emplace_back("no limit: give --standard or --until");
+  const std::optional<double> probability =
+      positive_quantity_of("--probability", request.probability, "1", errors);
+  if (probability && request.vary.empty())
+    errors.emplace_back("--probability: needs --vary, to say what scatters, or --vary foam");
+  const std::optional<input::CaseFile> given = read_case(request.given, errors);
+  for (const input::InputFile& file : files_of(request.given.file, given)) files.push_back(file);
+  judge_files(request.files, files, errors);
+  judge_picture(request.files, errors);
+  if (!given) throw Refused(std::move(errors));
+
+  question.options = given->options;
+  if (tolerance) question.options.tolerance = *tolerance;
+  for (const injury::Standard& standard : standards)
+    question.impacts.push_back(
+        {.impact = injury::with_impactor_of(standard, given->impact), .standard = standard});
+  if (!limits.empty()) question.impacts.push_back({.impact = given->impact, .limits = std::move(limits)});
+
+  const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
+  const study::FactorKey* const key = known_key(known, request.key);
+  if (key == nullptr)
+    errors.push_back(
+        fmt::format("{}: {}", request.key, study::rule_for_unknown(request.key, given->impact, known)));
+  else if (key->unit.empty())
+    errors.push_back(request.key + ": is no number; compare materials in a study (docs/studies.md)");
+  else
+    question.unit = key->unit;
+  if (!request.vary.empty()) {
+    question.chance = {.probability = probability.value_or(0.95),
+                       .factors = {},
+                       .draws = request.draws,
+                       .seed = request.seed};
+    for (const std::string& text : request.vary) {
+      if (text == "foam") {
+        question.chance->foam = true;
+      } else if (text.ends_with(".toml")) {
+        if (const auto study = taken(study::read_study(text, chosen_folder(request.given.materials)), errors))
+          add_draws_of(*study, *question.chance);
+      } else if (const auto factor = factor_of(text, known, given->impact, errors)) {
+        question.chance->factors.push_back(*factor);
+      }
+    }
+  }
+  if (request.between && key != nullptr)
+    if (const auto range = range_of("--between", *request.between, key->unit, errors)) {
+      question.low = range->first, question.high = range->second;
+      question.logarithmic = range->first > 0 && range->second > 4 * range->first;
+    }
+  if (errors.empty() && !request.between) choose_range(question, request.key, errors);
+  if (errors.empty())
+    for (const Violation& violation : margin::violations(question)) {
+      const std::string name =
+          violation.key.starts_with("factors.") ? violation.key.substr(8) : violation.key;
+      // The rule of a case names its number and value itself.
+      errors.push_back(violation.rule.starts_with(name) ? violation.rule
+                                                        : fmt::format("{}: {}", name, violation.rule));
+    }
+  if (!errors.empty()) throw Refused(std::move(errors));
+  return question;
+}
+
+int code_of(const margin::Answer& answer) {
+  const auto any = [&](margin::Zone zone) {
+    return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
+  };
+  if (!answer.is_complete) return exit_not_trusted;
+  const bool is_aim = answer.limits.size() == 1 && answer.limits.front().is_aim && !answer.question.chance;
+  if (is_aim)
+    return std::ranges::any_of(answer.turns, [](const margin::Turn& turn) { return !turn.jumps; })
+               ? exit_done
+               : exit_not_passed;
+  if (any(margin::Zone::pass)) return exit_done;
+  return any(margin::Zone::undecided) || any(margin::Zone::unknown) ? exit_not_trusted : exit_not_passed;
+}
+
+int run_solve_for(const SolveForRequest& request) {
+  const margin::Question question = question_of(request);
+  const margin::Answer answer = [&] {
+    ProgressLine line{"Searching"};
+    constexpr std::size_t all = 1000;
+    return margin::solve_for(question, [&line](double share) {
+      line.show(static_cast<std::size_t>(share * static_cast<double>(all)), all);
+      return true;
+    });
+  }();
+  const UnitSystem& units = unit_system(request.files.units);
+  const auto document = [&](output::Pictures pictures) {
+    return output::margin_document(answer, request.given.file, units, pictures);
+  };
+  publish(request.files, document,
+          {{"--json", [&](const Target&) { return output::margin_json(answer); }},
+           {"--csv", [&](const Target&) { return output::margin_csv(answer); }},
+           {"--picture",
+            [&](const Target& target) { return picture_text(output::margin_plot(answer, units), target); }}});
+  return code_of(answer);
+}
+
+}  // namespace
+
+void add_solve_for(CLI::App& app, Action& action) {
+  const auto [sub, request] = add_subcommand<SolveForRequest>(
+      app, action, "solve-for", "Find the value of a number at which a verdict turns", solve_for_footer,
+      run_solve_for);
+  add_option(sub, "KEY", request.key, "Number of the case, such as pad.thickness")->required();
+  add_case(sub, request.given);
+  add_option(sub, "--standard NAME[:VARIANT]", request.standards,
+             "Keep the limits of a standard, with its impactor; may be repeated")
+      ->take_all();
+  add_option(sub, "--until LIMIT", request.until, "Keep a limit, such as \"hic15 <= 700\"; may be repeated")
+      ->take_all();
+  add_option(sub, "--between RANGE", request.between, "Range to search, such as \"10 mm..60 mm\"");
+  add_option(sub, "--vary KEY=SCATTER", request.vary,
+             "Draw a number, such as pad.scale=\"5 %\", foam, or what a study draws; may be repeated")
+      ->take_all();
+  add_option(sub, "--probability P", request.probability,
+             "Share of the draws that must keep all limits (default: 95 %)");
+  add_option(sub, "--draws N", request.draws, "Number of draws (default: 1024)")
+      ->check(CLI::Range(64, 1000000));
+  add_option(sub, "--seed N", request.seed, "Seed of the draws (default: 1)");
+  add_file(sub, request.files, "--json",
+           "Write the answer as JSON, in SI units and g (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write a row for each value that was looked at");
+  add_file(sub, request.files, "--picture", "Draw the figures over the range: .svg, .png or .pdf");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_all(sub, request.files.detail);
+  add_tolerance(sub, request.tolerance);
+  add_no_intervals(sub, request.no_intervals);
+  add_force(sub, request.files.force);
+  add_standard_folder(sub, request.standard_folder);
+  add_material_folder(sub, request.given.materials);
+}
+
+}  // namespace dashpad::app

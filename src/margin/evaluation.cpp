@@ -1,0 +1,274 @@
+#include "margin/evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <boost/math/distributions/binomial.hpp>
+
+#include "dashpad/impact/flags.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "dashpad/study/responses.hpp"
+#include "dashpad/study/run_study.hpp"
+#include "dashpad/uncertainty/intervals.hpp"
+#include "model/parameter_values.hpp"
+
+namespace dashpad::margin {
+
+namespace {
+
+/// A figure, and the ends of its interval.
+struct Read {
+  double value = no_value, low = no_value, high = no_value;
+};
+
+Read without_interval(double value) { return {value, value, value}; }
+
+/// Of a pulse that was cut a figure can only grow: it tells something if it is beyond the limit already.
+double known_part(const Limit& limit, double value, bool is_lower_bound) {
+  const bool is_decided = !limit.at_least && value > limit.value;
+  return is_lower_bound && !is_decided ? no_value : value;
+}
+
+Read read_criterion(const Limit& limit, const injury::CriterionResult& result, const Summary& summary) {
+  if (bottomed_on_rigid_support(summary)) return without_interval(infinite);
+  if (!result.value) return {};
+  Read read = without_interval(known_part(limit, *result.value, result.lower_bound));
+  if (result.interval && !std::isnan(read.value))
+    read.low = result.interval->low, read.high = result.interval->high;
+  return read;
+}
+
+Read read_figure(const Limit& limit, const Solution& solution) {
+  const std::vector<std::string> names{limit.figure->key};
+  study::ResponseReader reader(names);
+  study::Outcome outcome;
+  reader(solution, outcome);
+  const Growth growth = limit.figure->role.growth;
+  const Summary& summary = solution.summary;
+  if (bottomed_on_rigid_support(summary) && growth == Growth::with_force) return without_interval(infinite);
+  Read read =
+      without_interval(known_part(limit, outcome.values.front(), growth != Growth::none && is_cut(summary)));
+  if (const auto& intervals = summary.intervals; intervals && !std::isnan(read.value))
+    if (const FigureInterval* interval = intervals->find(limit.figure->key)) {
+      read.low = interval->low;
+      read.high = interval->high;
+    }
+  return read;
+}
+
+std::string why_none(const Limit& limit, const Summary& summary) {
+  if (summary.status == Status::tolerance_not_met) return "the tolerance is not met";
+  return fmt::format("the impact has no {} ({})", title_in_sentence(*limit.figure),
+                     to_string(summary.status));
+}
+
+/// The limit that is exceeded by most, or else the first that is unknown, or that with the least to spare.
+std::size_t worst_of(const std::vector<double>& excess) {
+  const auto rank = [](double one) { return std::isnan(one) ? 0.0 : one; };
+  const auto is_less = [&](double a, double b) {
+    return rank(a) < rank(b) || (rank(a) == rank(b) && !std::isnan(a) && std::isnan(b));
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(excess, is_less) - excess.begin());
+}
+
+/// Flags of an impact that none of those before it had.
+void add_reservations(const Judged& judged, const std::optional<injury::Assessment>& assessment,
+                      const Summary& summary, std::vector<Flag>& reservations) {
+  std::vector<std::string> keys;
+  for (const Limit& limit : judged.limits) keys.emplace_back(limit.figure->key);
+  for (const Flag& flag : assessment ? assessment->reservations : flags(summary, keys))
+    if (std::ranges::find(reservations, flag.text, &Flag::text) == reservations.end())
+      reservations.push_back(flag);
+}
+
+void add_limits(const Judged& judged, std::vector<Limit>& limits) {
+  if (judged.standard)
+    for (const injury::Criterion& criterion : judged.standard->criteria)
+      limits.push_back({.figure = &injury::quantity_of(criterion.metric),
+                        .level = criterion.metric == injury::Metric::dwell_time ? criterion.level : 0,
+                        .value = criterion.limit,
+                        .title = injury::title_of(criterion),
+                        .origin = judged.standard->name});
+  limits.insert(limits.end(), judged.limits.begin(), judged.limits.end());
+}
+
+}  // namespace
+
+std::vector<Limit> limits_of(const Question& question) {
+  std::vector<Limit> limits;
+  for (const Judged& judged : question.impacts) add_limits(judged, limits);
+  return limits;
+}
+
+double excess_of(const Limit& limit, double figure) {
+  double share = (figure - limit.value) / std::abs(limit.value);
+  // Rounding is no excess: a figure that the key does not move may be the limit itself.
+  constexpr double rounding = 1e-9;
+  if (std::abs(share) < rounding) share = 0;
+  return std::asinh(limit.at_least ? -share : share);
+}
+
+study::Study study_of(const Question& question, const Judged& judged, std::vector<double> values) {
+  study::Study study;
+  study.base = judged.impact;
+  study.options = question.options;
+  study.factors = {{.key = question.key,
+                    .unit = question.unit,
+                    .spread = study::Levels{std::move(values)},
+                    .lowest = {},
+                    .highest = {}}};
+  if (question.chance) {
+    study.options.tolerance = std::max(study.options.tolerance, 1e-3);
+    study.factors.insert(study.factors.end(), question.chance->factors.begin(),
+                         question.chance->factors.end());
+    for (const study::Correlation& correlation : question.chance->correlations)
+      study.correlations.push_back({correlation.first + 1, correlation.second + 1, correlation.value});
+    if (question.chance->foam) study::draw_foam_uncertainty(study);
+    study.samples = question.chance->draws;
+    study.seed = question.chance->seed;
+  }
+  std::vector<Limit> limits;
+  add_limits(judged, limits);
+  for (const Limit& limit : limits) study.responses.emplace_back(limit.figure->key);
+  return study;
+}
+
+Impacts::Impacts(const Question& question) : question_(question), limits_(limits_of(question)) {
+  for (const Judged& judged : question.impacts) {
+    studies_.push_back(study_of(question, judged, {question.low}));
+    studies_.back().factors.resize(1);
+  }
+  for (const study::Study& study : studies_) applications_.emplace_back(study);
+}
+
+Place Impacts::look(double value, bool intervals) {
+  Place place{.value = value};
+  std::vector<double> excess, low, high;
+  for (std::size_t i = 0; i < studies_.size(); ++i) {
+    const Judged& judged = question_.impacts[i];
+    ImpactCase impact = judged.impact;
+    const double values[]{value};
+    applications_[i](values, impact);
+    const std::vector<Violation> broken = dashpad::violations(impact);
+    Solution solution;
+    std::optional<injury::Assessment> assessment;
+    if (broken.empty()) {
+      solution = solve(impact, question_.options);
+      ++solved_;
+      if (intervals) {
+        const std::vector<double> levels =
+            judged.standard ? injury::dwell_levels(*judged.standard) : std::vector<double>{};
+        uncertainty::add_intervals(impact, question_.options, solution, levels);
+        if (solution.summary.intervals)
+          solved_ += static_cast<std::uint64_t>(solution.summary.intervals->impacts);
+      }
+      if (judged.standard) assessment = injury::assess(*judged.standard, impact, solution);
+      add_reservations(judged, assessment, solution.summary, place.reservations);
+    } else {
+      place.why_unknown = fmt::format("{}: {}", broken.front().key, broken.front().rule);
+    }
+    const std::size_t criteria = judged.standard ? judged.standard->criteria.size() : 0;
+    for (std::size_t j = 0; j < criteria + judged.limits.size(); ++j) {
+      const Limit& limit = limits_[place.figures.size()];
+      Read read;
+      if (broken.empty())
+        read = j < criteria ? read_criterion(limit, assessment->results[j], solution.summary)
+                            : read_figure(limit, solution);
+      if (broken.empty() && std::isnan(read.value) && place.why_unknown.empty())
+        place.why_unknown = why_none(limit, solution.summary);
+      place.figures.push_back(read.value);
+      excess.push_back(excess_of(limit, read.value));
+      low.push_back(excess_of(limit, limit.at_least ? read.high : read.low));
+      high.push_back(excess_of(limit, limit.at_least ? read.low : read.high));
+    }
+  }
+  place.worst = worst_of(excess);
+  place.excess = excess[place.worst];
+  place.low = low[worst_of(low)];
+  place.high = high[worst_of(high)];
+  return place;
+}
+
+Draws draws_at(const Question& question, double value) {
+  const std::vector<Limit> limits = limits_of(question);
+  Draws draws;
+  draws.excess.assign(question.chance->draws, -infinite);
+  std::vector<char> is_without(question.chance->draws, 0);
+  std::size_t first_limit = 0;
+  for (const Judged& judged : question.impacts) {
+    const study::Study study = study_of(question, judged, {value});
+    const study::Design design(study);
+    const std::size_t count = study.responses.size();
+    for (std::size_t j = 0; j < count; ++j) draws.figures.emplace_back(design.rows(), no_value);
+    const bool is_first = draws.factors.empty();
+    if (is_first) draws.factors.resize(design.rows());
+    constexpr std::uint64_t batch = 32;
+    oneapi::tbb::enumerable_thread_specific<study::Worker> workers(
+        [&] { return study::Worker(study, design); });
+    oneapi::tbb::parallel_for(
+        std::uint64_t{0}, (design.rows() + batch - 1) / batch, [&](std::uint64_t number) {
+          for (study::StoredRow& row : workers.local().compute(number, batch)) {
+            for (std::size_t j = 0; j < count; ++j) {
+              const Limit& limit = limits[first_limit + j];
+              double figure = row.outcome.values[j];
+              const Growth growth = limit.figure->role.growth;
+              if (row.outcome.status == Status::bottomed_out && growth == Growth::with_force)
+                figure = infinite;
+              if (row.outcome.status == Status::time_limit && growth != Growth::none)
+                figure = known_part(limit, figure, true);
+              draws.figures[first_limit + j][row.row] = figure;
+              double excess = excess_of(limit, figure);
+              if (std::isnan(excess)) {
+                is_without[row.row] = 1;
+                excess = infinite;
+              }
+              draws.excess[row.row] = std::max(draws.excess[row.row], excess);
+            }
+            if (is_first) draws.factors[row.row] = std::move(row.factors);
+          }
+        });
+    first_limit += count;
+  }
+  draws.without = static_cast<std::uint64_t>(std::ranges::count(is_without, 1));
+  return draws;
+}
+
+Place place_of(const Question& question, double value, const Draws& draws) {
+  const std::vector<Limit> limits = limits_of(question);
+  const std::size_t count = draws.excess.size();
+  const double probability = question.chance->probability;
+  /// Of `count` sorted values that with the given number of them at or below it.
+  const auto ranked = [count](std::vector<double> values, double rank) {
+    const auto place = static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(count)) - 1);
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
+    return values[place];
+  };
+  const double rank = std::ceil(probability * static_cast<double>(count) - 1e-9);
+  const boost::math::binomial_distribution<> below(static_cast<double>(count), probability);
+  Place place{.value = value};
+  place.excess = ranked(draws.excess, rank);
+  // The ranks between which the quantile lies with 95 % (independent draws).
+  place.low = ranked(draws.excess, std::floor(quantile(below, 0.025)));
+  place.high = ranked(draws.excess, std::ceil(quantile(complement(below, 0.025))) + 1);
+  place.share =
+      static_cast<double>(std::ranges::count_if(draws.excess, [](double excess) { return excess <= 0; })) /
+      static_cast<double>(count);
+  double worst = -infinite;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    std::vector<double> excess(count);
+    std::ranges::transform(draws.figures[i], excess.begin(), [&](double figure) {
+      return std::isnan(figure) ? infinite : excess_of(limits[i], figure);
+    });
+    // Back to the figure, so that it is the quantile on the side of the limit.
+    const double at = ranked(std::move(excess), rank);
+    const double share = std::sinh(at) * (limits[i].at_least ? -1 : 1);
+    place.figures.push_back(limits[i].value + share * std::abs(limits[i].value));
+    if (at > worst) worst = at, place.worst = i;
+  }
+  return place;
+}
+
+}  // namespace dashpad::margin

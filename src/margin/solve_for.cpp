@@ -1,0 +1,362 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "dashpad/margin/margin.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "dashpad/study/responses.hpp"
+#include "margin/crossings.hpp"
+#include "margin/evaluation.hpp"
+
+namespace dashpad::margin {
+
+namespace {
+
+/// An end of the intervals moved by less than this share of its value is found.
+constexpr double end_precision = 5e-3;
+constexpr int max_moves = 4;
+/// Excesses beyond it are not drawn across zero by any interval that was seen.
+constexpr double far_from_limit = 1.5;
+constexpr std::size_t spread_looks = 3;
+
+enum class Which { excess, low, high };
+
+/// The range of the key, and places of it from 0 to 1.
+struct Range {
+  double low, high;
+  bool logarithmic;
+
+  [[nodiscard]] double value_at(double place) const {
+    if (place <= 0 || place >= 1) return place <= 0 ? low : high;
+    return logarithmic ? low * std::pow(high / low, place) : low + (high - low) * place;
+  }
+  [[nodiscard]] double place_of(double value) const {
+    return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  }
+};
+
+class Solving {
+ public:
+  Solving(const Question& question, const Progress& progress)
+      : range_{question.low, question.high, question.logarithmic}, progress_(progress), impacts_(question) {
+    answer_.question = question;
+    answer_.limits = limits_of(question);
+  }
+
+  Answer run() {
+    const auto begin = std::chrono::steady_clock::now();
+    search();
+    if (has_intervals()) find_intervals();
+    add_reservations();
+    std::ranges::sort(answer_.places, {}, &Place::value);
+    add_stretches();
+    for (std::size_t i = 0; i < answer_.places.size(); ++i)
+      if (const double excess = answer_.places[i].excess;
+          !std::isnan(excess) && (!answer_.nearest || excess < answer_.places[*answer_.nearest].excess))
+        answer_.nearest = i;
+    if (answer_.question.chance) add_contributors();
+    answer_.impacts += impacts_.solved();
+    answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(answer_);
+  }
+
+ private:
+  [[nodiscard]] bool has_intervals() const { return answer_.question.chance || answer_.question.intervals; }
+
+  const Place& look(double value, bool intervals = false) {
+    tell();
+    std::vector<Place>& places = answer_.places;
+    const auto same = std::ranges::find(places, value, &Place::value);
+    if (same != places.end() && (!intervals || has_interval(*same))) return *same;
+    Place place;
+    if (answer_.question.chance) {
+      place = place_of(answer_.question, value, draws_at(answer_.question, value));
+      answer_.impacts += answer_.question.chance->draws * answer_.question.impacts.size();
+    } else {
+      place = impacts_.look(value, intervals);
+      if (intervals) with_interval_.push_back(value);
+    }
+    ++looks_;
+    if (same != places.end()) return *same = std::move(place);
+    places.push_back(std::move(place));
+    return places.back();
+  }
+  [[nodiscard]] bool has_interval(const Place& place) const {
+    return answer_.question.chance.has_value() ||
+           std::ranges::find(with_interval_, place.value) != with_interval_.end();
+  }
+  void tell() const {
+    // The first looks, at the ends of the range, are no measure of the others.
+    constexpr double first_looks = 12;
+    if (!progress_ || looks_ < first_looks) return;
+    const double expected = answer_.question.chance ? 30 : 60;
+    if (!progress_(std::min(looks_ / expected, 0.99))) throw std::runtime_error("stopped");
+  }
+
+  void search() {
+    const bool draws = answer_.question.chance.has_value();
+    // A quantile of draws has a corner where another draw takes its place: its bends tell nothing below a
+    // step.
+    SearchSettings settings =
+        draws ? SearchSettings{.grid = 12, .max_looks = 40, .precision = 1e-3, .shortest = 1.0 / 30}
+              : SearchSettings{.grid = 20, .max_looks = 90};
+    settings.noise =
+        study_of(answer_.question, answer_.question.impacts.front(), {range_.low}).options.tolerance;
+    const CurvesAt curves_at = [&](double at) {
+      const Place& place = look(range_.value_at(at));
+      if (draws) return std::vector{place.excess};
+      std::vector<double> curves;
+      for (std::size_t i = 0; i < answer_.limits.size(); ++i)
+        curves.push_back(excess_of(answer_.limits[i], place.figures[i]));
+      return curves;
+    };
+    CrossingSearch found = find_crossings(curves_at, settings);
+    answer_.is_complete = found.is_complete;
+    gaps_ = std::move(found.gaps);
+    for (const Crossing& crossing : found.crossings) {
+      const double before = range_.value_at(crossing.before), after = range_.value_at(crossing.after);
+      Turn turn{.value = range_.value_at(crossing.place),
+                .precision = (after - before) / 2,
+                .passes_above = !crossing.rises,
+                .jumps = crossing.jumps};
+      turn.limit = look(crossing.rises ? after : before).worst;
+      answer_.turns.push_back(turn);
+    }
+  }
+
+  /// The curve at a value: of the excess itself by a straight line between the places looked at, the ends of
+  /// intervals from it by their distance, which changes less.
+  [[nodiscard]] double curve_at(const std::vector<Place>& sorted, Which which, double value) const {
+    const double excess = on_line(sorted, value, [](const Place& place) { return place.excess; });
+    if (which == Which::excess || !std::isfinite(excess)) return excess;
+    std::vector<Place> ends;
+    for (const Place& place : sorted)
+      if (has_interval(place) && std::isfinite(place.excess)) ends.push_back(place);
+    if (ends.empty()) return excess;
+    return excess + on_line(ends, value, [which](const Place& place) {
+             return (which == Which::high ? place.high : place.low) - place.excess;
+           });
+  }
+  template <class Of>
+  [[nodiscard]] double on_line(const std::vector<Place>& sorted, double value, Of of) const {
+    const auto after = std::ranges::lower_bound(sorted, value, {}, &Place::value);
+    if (after == sorted.end()) return of(sorted.back());
+    if (after == sorted.begin() || after->value == value) return of(*after);
+    const auto before = std::prev(after);
+    const double from = range_.place_of(before->value), to = range_.place_of(after->value);
+    const double share = (range_.place_of(value) - from) / (to - from);
+    const double at_before = of(*before), at_after = of(*after);
+    if (std::isfinite(at_before) && std::isfinite(at_after)) return std::lerp(at_before, at_after, share);
+    return share < 0.5 ? at_before : at_after;
+  }
+  [[nodiscard]] std::vector<Place> sorted_places() const {
+    std::vector<Place> sorted = answer_.places;
+    std::ranges::sort(sorted, {}, &Place::value);
+    return sorted;
+  }
+
+  struct End {
+    double value;
+    bool rises;
+  };
+  /// Where a curve crosses zero, by the places looked at so far. Next to a place where it is infinite nothing
+  /// tells how far: halfway, or, if that is to be the `last` word, where it is finite.
+  [[nodiscard]] std::vector<End> ends_of(Which which, bool last) const {
+    const std::vector<Place> sorted = sorted_places();
+    std::vector<End> ends;
+    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+      const double from = curve_at(sorted, which, sorted[i].value);
+      const double to = curve_at(sorted, which, sorted[i + 1].value);
+      if (std::isnan(from) || std::isnan(to) || (from > 0) == (to > 0)) continue;
+      const double a = range_.place_of(sorted[i].value), b = range_.place_of(sorted[i + 1].value);
+      double share = from / (from - to);
+      if (!std::isfinite(from) || !std::isfinite(to)) share = !last ? 0.5 : std::isfinite(to) ? 1 : 0;
+      ends.push_back({range_.value_at(std::lerp(a, b, share)), to > from});
+    }
+    return ends;
+  }
+  /// The same, each looked at until it stays in its place.
+  std::vector<End> settled_ends(Which which) {
+    std::vector<End> ends = ends_of(which, false);
+    for (int move = 0; move < max_moves; ++move) {
+      for (const End& end : ends) look(end.value, true);
+      const std::vector<End> next = ends_of(which, false);
+      const bool is_settled = std::ranges::all_of(next, [&](const End& end) {
+        return std::ranges::any_of(ends, [&](const End& before) {
+          return std::abs(end.value - before.value) <= end_precision * std::abs(end.value);
+        });
+      });
+      ends = next;
+      if (is_settled) break;
+    }
+    return ends_of(which, true);
+  }
+
+  void find_intervals() {
+    if (!answer_.question.chance) {
+      for (const Turn& turn : answer_.turns) look(turn.value, true);
+      const std::vector<Place> sorted = sorted_places();
+      std::vector<double> values;
+      for (const Place& place : sorted)
+        if (std::abs(place.excess) < far_from_limit) values.push_back(place.value);
+      const std::size_t count = std::min(values.size(), spread_looks);
+      for (std::size_t i = 0; i < count; ++i)
+        look(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)], true);
+    }
+    high_ends_ = settled_ends(Which::high);
+    low_ends_ = settled_ends(Which::low);
+    for (Turn& turn : answer_.turns) {
+      // Below a turn that passes above, the first end at or below it; above it the first at or above.
+      const auto nearest = [&](const std::vector<End>& ends, bool above) {
+        double value = above ? infinite : -infinite;
+        for (const End& end : ends) {
+          const bool is_beyond =
+              above ? end.value >= turn.value - turn.precision : end.value <= turn.value + turn.precision;
+          if (end.rises == !turn.passes_above && is_beyond)
+            value = above ? std::min(value, end.value) : std::max(value, end.value);
+        }
+        return value;
+      };
+      turn.interval = turn.passes_above ? std::pair(nearest(low_ends_, false), nearest(high_ends_, true))
+                                        : std::pair(nearest(high_ends_, false), nearest(low_ends_, true));
+    }
+  }
+
+  void add_stretches() {
+    std::vector<double> bounds{answer_.question.low, answer_.question.high};
+    if (has_intervals()) {
+      for (const End& end : high_ends_) bounds.push_back(end.value);
+      for (const End& end : low_ends_) bounds.push_back(end.value);
+    } else {
+      for (const Turn& turn : answer_.turns) bounds.push_back(turn.value);
+    }
+    for (const Gap& gap : gaps_) {
+      bounds.push_back(range_.value_at(gap.from));
+      bounds.push_back(range_.value_at(gap.to));
+    }
+    std::ranges::sort(bounds);
+    const std::vector<Place> sorted = sorted_places();
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+      const double from = bounds[i], to = bounds[i + 1];
+      if (!(to - from > 1e-9 * std::abs(to))) continue;
+      const double middle = range_.value_at((range_.place_of(from) + range_.place_of(to)) / 2);
+      const Zone zone = zone_at(sorted, middle);
+      if (!answer_.stretches.empty() && answer_.stretches.back().zone == zone)
+        answer_.stretches.back().to = to;
+      else
+        answer_.stretches.push_back({from, to, zone});
+    }
+  }
+  [[nodiscard]] Zone zone_at(const std::vector<Place>& sorted, double value) const {
+    const double place = range_.place_of(value);
+    if (std::ranges::any_of(gaps_, [&](const Gap& gap) { return place > gap.from && place < gap.to; }))
+      return Zone::unknown;
+    // Next to an infinite excess a line has no height: the side of that place counts.
+    const double high = curve_at(sorted, has_intervals() ? Which::high : Which::excess, value);
+    const double low = curve_at(sorted, has_intervals() ? Which::low : Which::excess, value);
+    if (std::isnan(high) || std::isnan(low)) return Zone::fail;
+    return high <= 0 ? Zone::pass : low > 0 ? Zone::fail : Zone::undecided;
+  }
+
+  /// Those at the first turn, or at the place that comes nearest.
+  void add_reservations() {
+    double at = answer_.turns.empty() ? no_value : answer_.turns.front().value;
+    if (answer_.turns.empty()) {
+      double least = infinite;
+      for (const Place& place : answer_.places)
+        if (place.excess < least) least = place.excess, at = place.value;
+    }
+    if (std::isnan(at)) return;
+    answer_.reservations = answer_.question.chance ? impacts_.look(at, false).reservations
+                                                   : look(at, answer_.question.intervals).reservations;
+    // Draws take the place of intervals.
+    if (answer_.question.chance)
+      std::erase_if(answer_.reservations, [](const Flag& flag) { return flag.name == "NO INTERVALS"; });
+  }
+
+  /// Ranks of values, from 0.
+  static std::vector<double> ranks_of(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
+    std::vector<double> ranks(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) ranks[order[i]] = static_cast<double>(i);
+    return ranks;
+  }
+
+  void add_contributors() {
+    if (!answer_.nearest) return;
+    const Question& question = answer_.question;
+    const double value =
+        answer_.turns.empty() ? answer_.places[*answer_.nearest].value : answer_.turns.front().value;
+    const Draws draws = draws_at(question, value);
+    answer_.impacts += question.chance->draws * question.impacts.size();
+    const study::Study study = study_of(question, question.impacts.front(), {value});
+    const std::vector<double> excess = ranks_of(draws.excess);
+    const double middle = static_cast<double>(excess.size() - 1) / 2;
+    for (std::size_t factor = 1; factor < study.factors.size(); ++factor) {
+      std::vector<double> values;
+      for (const std::vector<double>& row : draws.factors) values.push_back(row[factor]);
+      const std::vector<double> ranks = ranks_of(values);
+      double both = 0, one = 0, other = 0;
+      for (std::size_t i = 0; i < ranks.size(); ++i) {
+        both += (ranks[i] - middle) * (excess[i] - middle);
+        one += (ranks[i] - middle) * (ranks[i] - middle);
+        other += (excess[i] - middle) * (excess[i] - middle);
+      }
+      answer_.contributors.push_back({study.factors[factor].key, both * both / (one * other)});
+    }
+    std::ranges::stable_sort(answer_.contributors, std::ranges::greater{}, &Contributor::share);
+  }
+
+  Range range_;
+  const Progress& progress_;
+  Answer answer_;
+  Impacts impacts_;
+  std::vector<double> with_interval_;
+  std::vector<Gap> gaps_;
+  std::vector<End> high_ends_, low_ends_;
+  double looks_ = 0;
+};
+
+}  // namespace
+
+const char* to_string(Zone zone) {
+  constexpr const char* names[]{"pass", "fail", "undecided", "unknown"};
+  return names[static_cast<std::size_t>(zone)];
+}
+
+std::vector<Violation> violations(const Question& question) {
+  std::vector<Violation> broken;
+  if (!(question.low < question.high) || !std::isfinite(question.low) || !std::isfinite(question.high))
+    return {{"--between", question.low, "the range must begin below its end"}};
+  if (question.logarithmic && !(question.low > 0))
+    return {{"--between", question.low, "equal ratios need a range above 0"}};
+  for (const Limit& limit : limits_of(question))
+    if (limit.value == 0 || !std::isfinite(limit.value))
+      broken.push_back({"--until", limit.value, "the limit must be a finite number other than 0"});
+  if (limits_of(question).empty()) broken.push_back({"--standard", 0, "a limit is needed"});
+  if (const auto& chance = question.chance) {
+    if (!(chance->probability >= 0.5 && chance->probability <= 0.9991))
+      broken.push_back({"--probability", chance->probability, "must lie between 50 % and 99.9 %"});
+    for (const Limit& limit : limits_of(question))
+      if (study::find_response_kind(limit.figure->key) == nullptr)
+        broken.push_back({"--probability", chance->probability,
+                          "draws have no " + title_in_sentence(*limit.figure) + ", which is limited"});
+  }
+  if (!broken.empty()) return broken;
+  for (const Judged& judged : question.impacts) {
+    study::Study study = study_of(question, judged, {question.low, question.high});
+    if (study.responses.empty() || !question.chance) study.responses = study::default_responses();
+    for (const Violation& violation : study::violations(study)) broken.push_back(violation);
+  }
+  return broken;
+}
+
+Answer solve_for(const Question& question, const Progress& progress) {
+  return Solving(question, progress).run();
+}
+
+}  // namespace dashpad::margin

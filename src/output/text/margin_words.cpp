@@ -1,0 +1,175 @@
+#include "output/text/margin_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "dashpad/output/margin.hpp"
+#include "output/text/capitals.hpp"
+#include "output/text/study_words.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::output {
+
+namespace {
+
+constexpr int key_digits = 4;
+
+std::string joined(const std::vector<std::string>& parts, const char* word) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? word : ", ") + parts[i];
+  return text;
+}
+
+/// A turn in the sentence that answers: with its interval where that is due to the number of draws alone.
+std::string turn_in_answer(const margin::Answer& answer, const margin::Turn& turn, const UnitSystem& units) {
+  return answer.question.chance ? turn_text(answer, turn, units) : key_text(answer, turn.value, units);
+}
+
+/// ", and for certain from 31 mm on": where the whole interval keeps the limits; "" without intervals.
+std::string certain_text(const margin::Answer& answer, const UnitSystem& units) {
+  if (answer.question.chance || !answer.question.intervals) return "";
+  std::vector<std::string> parts;
+  bool is_everywhere = false;
+  for (const auto& [from, to, zone] : answer.stretches) {
+    if (zone != margin::Zone::pass) continue;
+    const bool from_begin = from <= answer.question.low, to_end = to >= answer.question.high;
+    is_everywhere = is_everywhere || (from_begin && to_end);
+    parts.push_back(
+        from_begin ? "up to " + key_text(answer, to, units)
+        : to_end   ? fmt::format("from {} on", key_text(answer, from, units))
+                 : fmt::format("from {} to {}", key_text(answer, from, units), key_text(answer, to, units)));
+  }
+  if (is_everywhere) return ", and that for certain";
+  return parts.empty() ? ", but nowhere for certain" : ", and for certain " + joined(parts, " and ");
+}
+
+/// "is at least 29.4 mm", "is 21 to 44 mm": the stretches between turns in which the limits are kept.
+std::vector<std::string> kept_stretches(const margin::Answer& answer, const UnitSystem& units) {
+  std::vector<std::string> parts;
+  const std::vector<margin::Turn>& turns = answer.turns;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::string here = turn_in_answer(answer, turns[i], units);
+    if (!turns[i].passes_above) {
+      if (i == 0) parts.push_back("is at most " + here);
+    } else if (i + 1 < turns.size()) {
+      parts.push_back(fmt::format("is between {} and {}", here, turn_in_answer(answer, turns[i + 1], units)));
+    } else {
+      parts.push_back("is at least " + here);
+    }
+  }
+  return parts;
+}
+
+std::string range_text(const margin::Answer& answer, const UnitSystem& units) {
+  return fmt::format("between {} and {}", key_text(answer, answer.question.low, units),
+                     key_text(answer, answer.question.high, units));
+}
+
+std::string chance_words(const margin::Answer& answer) {
+  if (!answer.question.chance) return "";
+  return fmt::format(" with a probability of {}", per_cent(answer.question.chance->probability));
+}
+
+/// "nearest at 60 mm, where HIC15 is 812 (at most 700)"
+std::string nearest_text(const margin::Answer& answer, const UnitSystem& units) {
+  if (!answer.nearest) return "no value of it gives a figure to judge";
+  const margin::Place& place = answer.places[*answer.nearest];
+  const margin::Limit& limit = answer.limits[place.worst];
+  if (answer.question.chance)
+    return fmt::format("at best, at {}, {} of the draws pass", key_text(answer, place.value, units),
+                       per_cent(place.share));
+  return fmt::format("the nearest is {}, where {} is {} (limit: {})", key_text(answer, place.value, units),
+                     limit_title(answer, place.worst), figure_text(limit, place.figures[place.worst], units),
+                     limit_text(limit, units));
+}
+
+/// "HIC15 is 700 if the thickness of the pad is 29.4 mm or 71 mm".
+std::string aim_answer(const margin::Answer& answer, const UnitSystem& units) {
+  const std::string key = factor_words(answer.question.key);
+  const std::string aim =
+      fmt::format("{} is {}", capitalised(limit_title(answer, 0)), limit_text(answer.limits.front(), units));
+  std::vector<std::string> reached, leapt;
+  for (const margin::Turn& turn : answer.turns)
+    (turn.jumps ? leapt : reached).push_back(turn_text(answer, turn, units));
+  if (answer.turns.empty())
+    return fmt::format("{}{} at no {} {}: {}", capitalised(limit_title(answer, 0)),
+                       aim.substr(limit_title(answer, 0).size()), key, range_text(answer, units),
+                       nearest_text(answer, units));
+  std::string text;
+  if (!reached.empty()) text = fmt::format("{} if the {} is {}", aim, key, joined(reached, " or "));
+  if (!leapt.empty())
+    text += fmt::format("{}{} jumps over {} at {}", text.empty() ? "" : "; ",
+                        text.empty() ? capitalised(limit_title(answer, 0)) : "it",
+                        limit_text(answer.limits.front(), units), joined(leapt, " and "));
+  return text;
+}
+
+}  // namespace
+
+std::string key_text(const margin::Answer& answer, double value, const UnitSystem& units) {
+  return brief_quantity(value, answer.question.unit, units, key_digits);
+}
+
+std::string turn_text(const margin::Answer& answer, const margin::Turn& turn, const UnitSystem& units) {
+  const std::string at = key_text(answer, turn.value, units);
+  if (!turn.interval) return at;
+  const auto& [low, high] = *turn.interval;
+  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
+  const std::string from = key_text(answer, low, units), to = key_text(answer, high, units);
+  if (!has_low && !has_high) return fmt::format("{} (95 % interval: all of the range)", at);
+  if (!has_low) return fmt::format("{} (95 % interval: at most {})", at, to);
+  if (!has_high) return fmt::format("{} (95 % interval: at least {})", at, from);
+  if (from == to) return at;
+  const std::string unit = shown_as(answer.question.unit, units).unit;
+  const bool same_unit = !unit.empty() && from.ends_with(" " + unit);
+  return fmt::format("{} (95 % interval {} to {})", at,
+                     same_unit ? from.substr(0, from.size() - unit.size() - 1) : from, to);
+}
+
+std::string limit_title(const margin::Answer& answer, std::size_t limit) {
+  const margin::Limit& of = answer.limits[limit];
+  const std::string title = uncapitalised(of.title);
+  const auto same = std::ranges::count(answer.limits, of.title, &margin::Limit::title);
+  return same > 1 && !of.origin.empty() ? fmt::format("{} of {}", title, of.origin) : title;
+}
+
+std::string limit_text(const margin::Limit& limit, const UnitSystem& units) {
+  const std::string value = brief_quantity(limit.value, limit.figure->si_unit, units);
+  return limit.is_aim ? value : (limit.at_least ? "at least " : "at most ") + value;
+}
+
+std::string figure_text(const margin::Limit& limit, double figure, const UnitSystem& units) {
+  if (std::isnan(figure)) return "none";
+  if (std::isinf(figure)) return "bottomed out";
+  return brief_quantity(figure, limit.figure->si_unit, units, 4);
+}
+
+double share_of_limit(double excess) { return 1 + std::sinh(excess); }
+
+bool is_aim(const margin::Answer& answer) {
+  return answer.limits.size() == 1 && answer.limits.front().is_aim;
+}
+
+std::string margin_answer(const margin::Answer& answer, const UnitSystem& units) {
+  if (is_aim(answer) && !answer.question.chance) return aim_answer(answer, units);
+  const std::string key = factor_words(answer.question.key);
+  const std::vector<std::string> kept = kept_stretches(answer, units);
+  if (!kept.empty())
+    return fmt::format("Passes{} if the {} {}{}", chance_words(answer), key, joined(kept, " or "),
+                       certain_text(answer, units));
+  const bool passes = answer.nearest && answer.places[*answer.nearest].excess <= 0;
+  if (!passes)
+    return fmt::format("Passes{} at no {} {}: {}", chance_words(answer), key, range_text(answer, units),
+                       nearest_text(answer, units));
+  const auto where = std::ranges::max_element(answer.places, {}, &margin::Place::excess);
+  return fmt::format("Passes{} at every {} {}{}: next to its limit at {}, where {} is {} (limit: {})",
+                     chance_words(answer), key, range_text(answer, units), certain_text(answer, units),
+                     key_text(answer, where->value, units), limit_title(answer, where->worst),
+                     figure_text(answer.limits[where->worst], where->figures[where->worst], units),
+                     limit_text(answer.limits[where->worst], units));
+}
+
+}  // namespace dashpad::output

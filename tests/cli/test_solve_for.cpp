@@ -1,0 +1,120 @@
+// dashpad solve-for: where a verdict turns.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace dashpad::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SolveForTest : public CommandTest {};
+
+json answer_of(const std::vector<std::string>& more, int exit_code = 0) {
+  std::vector<std::string> arguments{"solve-for", "pad.thickness", examples + "disc-on-mat.toml", "--json",
+                                     "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = dashpad(arguments);
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST_F(SolveForTest, TheThicknessThatItGivesHasTheLimit) {
+  const json answer = answer_of({"--until", "peak_acceleration <= 100 g"});
+  ASSERT_EQ(answer["turns"].size(), 1u);
+  const double thickness = answer["turns"][0]["value"];
+  EXPECT_LT(answer["turns"][0]["low"], thickness);
+  EXPECT_GT(answer["turns"][0]["high"], thickness);
+  EXPECT_THAT(std::string(answer["answer"]), StartsWith("Passes if the thickness of the pad is at least "));
+  const json run = json::parse(dashpad({"run", examples + "disc-on-mat.toml", "--set",
+                                        "pad.thickness=" + std::to_string(thickness) + " m", "--json", "-"})
+                                   .out);
+  EXPECT_NEAR(run["peak_acceleration_g"], 100, 0.1);
+}
+
+TEST_F(SolveForTest, AnAimIsAskedForByAnEqualSign) {
+  const json answer = answer_of({"--until", "hic15 = 100"});
+  EXPECT_THAT(std::string(answer["answer"]), StartsWith("HIC15 is 100 if the thickness of the pad is "));
+  EXPECT_THAT(std::string(answer_of({"--until", "hic15 = 1e5"}, 4)["answer"]),
+              AllOf(HasSubstr("at no thickness of the pad between"), HasSubstr("the nearest is")));
+}
+
+TEST_F(SolveForTest, WithoutAnAnswerItSaysHowNearOneComes) {
+  const json answer = answer_of({"--until", "peak_acceleration <= 5 g"}, 4);
+  EXPECT_TRUE(answer["turns"].empty());
+  EXPECT_FALSE(answer["nearest"].is_null());
+  EXPECT_THAT(std::string(answer["answer"]), StartsWith("Passes at no thickness of the pad between"));
+}
+
+TEST_F(SolveForTest, DrawsGiveAProbability) {
+  const json answer = answer_of({"--until", "peak_acceleration <= 100 g", "--probability", "90 %", "--vary",
+                                 "pad.scale=5 %", "--vary", "impactor.speed=2 %", "--draws", "256"});
+  EXPECT_THAT(std::string(answer["answer"]),
+              StartsWith("Passes with a probability of 90 % if the thickness"));
+  const json nominal = answer_of({"--until", "peak_acceleration <= 100 g", "--no-intervals"});
+  EXPECT_GT(answer["turns"][0]["value"], nominal["turns"][0]["value"]);
+  EXPECT_LE(answer["turns"][0]["low"], answer["turns"][0]["value"]);
+  EXPECT_EQ(answer["contributors"].size(), 2u);
+  // The same draws each time.
+  const json again = answer_of({"--until", "peak_acceleration <= 100 g", "--probability", "90 %", "--vary",
+                                "pad.scale=5 %", "--vary", "impactor.speed=2 %", "--draws", "256"});
+  EXPECT_EQ(answer["turns"], again["turns"]);
+}
+
+TEST_F(SolveForTest, AStandardBringsItsImpactor) {
+  const Outcome outcome =
+      dashpad({"solve-for", "pad.thickness", nine, "--standard", "fmvss-201-instrument-panel"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("Standard: FMVSS 201"), HasSubstr("3 ms clip"), HasSubstr("Over the range")));
+  const Outcome speed =
+      dashpad({"solve-for", "impactor.speed", nine, "--standard", "fmvss-201-instrument-panel"});
+  EXPECT_THAT(speed.out, HasSubstr("REPLACED: the speed is not that of the standard"));
+}
+
+TEST_F(SolveForTest, WritesEveryFile) {
+  const Outcome outcome = dashpad({"solve-for", "pad.thickness", nine, "--until", "hic15 <= 1600", "--json",
+                                   file("a.json"), "--csv", file("a.csv"), "--picture", file("a.svg"),
+                                   "--report", file("a.html"), "--markdown", file("a.md")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("a.csv")), StartsWith("pad.thickness [m],hic15,share_of_limit,"));
+  EXPECT_THAT(read_file(file("a.svg")), HasSubstr("Share of the limit (%)"));
+  EXPECT_THAT(read_file(file("a.html")), HasSubstr("Passes if the thickness of the pad"));
+  EXPECT_THAT(read_file(file("a.md")), HasSubstr("Passes if the thickness of the pad"));
+}
+
+TEST_F(SolveForTest, BadQuestionsAreRefusedAllAtOnce) {
+  const Outcome outcome =
+      dashpad({"solve-for", "pad.thicknes", nine, "--until", "hic16 <= 3", "--until", "hic15 ~ 3", "--until",
+               "hic15 <= 0", "--between", "3 mm", "--probability", "95 %"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("did you mean \"pad.thickness\""), HasSubstr("hic16"), HasSubstr("hic15 ~ 3"),
+                    HasSubstr("must not be 0"), HasSubstr("needs --vary"), HasSubstr("nothing was run")));
+  for (const auto& [arguments, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"pad.thickness"}, "no limit: give --standard or --until"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--between", "30 mm..20 mm"},
+            "must begin below its end"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--between", "-1 mm..20 mm"}, "pad.thickness"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.scale=five"}, "is no scatter"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.thickness=5 %"}, "given twice"},
+           {{"pad.material", "--until", "hic15 <= 700"}, "pad.material"},
+           {{"impactor.gravity", "--until", "hic15 <= 700"}, "--between"}}) {
+    std::vector<std::string> all{"solve-for", arguments.front(), nine};
+    all.insert(all.end(), arguments.begin() + 1, arguments.end());
+    const Outcome refused = dashpad(all);
+    EXPECT_EQ(refused.exit_code, 2) << message;
+    EXPECT_THAT(refused.err, HasSubstr(message));
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace dashpad::test
