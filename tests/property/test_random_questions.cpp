@@ -40,7 +40,7 @@ TEST(RandomQuestions, NoTurnIsMissedAndNoneIsWrong) {
   constexpr const char* figures[]{"peak_acceleration", "hic15", "peak_penetration", "peak_force"};
   constexpr int fine = 200;
   int asked = 0, turns = 0, close_pairs = 0;
-  std::uint64_t most_impacts = 0;
+  std::uint64_t max_impacts = 0;
   for (std::uint64_t seed = 0; seed < questions; ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(seed + 1000);
@@ -72,7 +72,7 @@ TEST(RandomQuestions, NoTurnIsMissedAndNoneIsWrong) {
     ++asked;
     const margin::Answer answer = solve_for(question);
     EXPECT_TRUE(answer.is_complete);
-    most_impacts = std::max(most_impacts, answer.impacts);
+    max_impacts = std::max(max_impacts, answer.impacts);
     for (int i = 0; i < fine; ++i) {
       const double from = on_grid[static_cast<std::size_t>(i)], to = on_grid[static_cast<std::size_t>(i) + 1];
       // Nearer to the limit than the solver's error neither side is certain.
@@ -107,11 +107,11 @@ TEST(RandomQuestions, NoTurnIsMissedAndNoneIsWrong) {
   }
   EXPECT_GT(asked, static_cast<int>(questions) / 2);
   EXPECT_GT(turns, asked / 2);
-  EXPECT_LE(most_impacts, 150u);
+  EXPECT_LE(max_impacts, 150u);
   RecordProperty("asked", asked);
   RecordProperty("turns", turns);
   RecordProperty("close_pairs", close_pairs);
-  RecordProperty("most_impacts", static_cast<int>(most_impacts));
+  RecordProperty("max_impacts", static_cast<int>(max_impacts));
 }
 
 }  // namespace
