@@ -139,15 +139,15 @@ class Solving {
              return (which == Which::high ? place.high : place.low) - place.excess;
            });
   }
-  template <class Of>
-  [[nodiscard]] double on_line(const std::vector<Place>& sorted, double value, Of of) const {
+  template <class Height>
+  [[nodiscard]] double on_line(const std::vector<Place>& sorted, double value, Height height_of) const {
     const auto after = std::ranges::lower_bound(sorted, value, {}, &Place::value);
-    if (after == sorted.end()) return of(sorted.back());
-    if (after == sorted.begin() || after->value == value) return of(*after);
+    if (after == sorted.end()) return height_of(sorted.back());
+    if (after == sorted.begin() || after->value == value) return height_of(*after);
     const auto before = std::prev(after);
     const double from = range_.place_of(before->value), to = range_.place_of(after->value);
     const double share = (range_.place_of(value) - from) / (to - from);
-    const double at_before = of(*before), at_after = of(*after);
+    const double at_before = height_of(*before), at_after = height_of(*after);
     if (std::isfinite(at_before) && std::isfinite(at_after)) return std::lerp(at_before, at_after, share);
     return share < 0.5 ? at_before : at_after;
   }

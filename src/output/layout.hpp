@@ -31,11 +31,11 @@ std::vector<Table> tables_of(const Section& section);
 std::string markdown(const Table& table);
 
 /// The table for a terminal of 100 columns; texts of its widest columns may continue on further lines.
-std::string plain_text(const Table& table);
+std::string plain_text(const Table& given);
 
 /// "  Peak force             5757 N      5100 to 6400 N    ± 0.2 %  remark", at most 100 columns wide;
 /// without room for what no row has.
-std::string laid_out(const std::vector<ValueRow>& rows);
+std::string laid_out(const std::vector<ValueRow>& given);
 
 /// The same table below that line.
 Table captioned(std::string caption, Table table);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a verdict turns as one number of a case varies: the pad that passes, the height that hurts.
+/// The values of one number of a case at which a verdict turns: the pad that passes, the height that hurts.
 ///
 /// The margin of a limit is L - f for a figure f. What is followed over the range of the key is the excess
 /// asinh((f - L) / |L|) of the limit that is exceeded by most, at most zero where all are kept. It bends (a
@@ -78,15 +78,15 @@ struct Place {
   std::string why_unknown = {};         ///< the rule that the case breaks there, or why a figure is missing
 };
 
-/// Where the verdict turns.
+/// A value at which the verdict turns.
 struct Turn {
   double value = 0;           ///< of the key, SI
   double precision = 0;       ///< half the width of the bracket
   bool passes_above = false;  ///< the limits are kept above it, not below
   bool jumps = false;         ///< the figure leaps over its limit
   std::size_t limit = 0;      ///< the limit that decides
-  /// Where it may lie for all that is uncertain: by foam and model, or by the number of draws. Infinite where
-  /// the range of the key does not hold the end; absent without intervals.
+  /// The values between which it lies, by what is uncertain of foam and model or by the number of draws.
+  /// Infinite where the range of the key does not hold the end; absent without intervals.
   std::optional<std::pair<double, double>> interval = {};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a verdict turns, as people and programs read it.
+/// The values at which a verdict turns, as people and programs read them.
 
 #include <string>
 

@@ -45,7 +45,7 @@ std::vector<std::string> not_in_material_deck(const Material& material, const Ma
 /// The material with its curves, ready to be included. A number that was read from such a deck is written
 /// with the same value, as far as 20 columns hold its digits. Throws std::invalid_argument with
 /// why_no_material_deck().
-std::string material_deck(const Material& material, const MaterialDeckOptions& options);
+std::string material_deck(const Material& given, const MaterialDeckOptions& options);
 
 /// A deck of LS-DYNA or Abaqus that includes that deck as the file `included` and compresses one element of
 /// the material at the highest rate of its curves, with the force by the curve in straight lines, F = A s(v t

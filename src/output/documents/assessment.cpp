@@ -244,7 +244,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   std::vector<std::string> brief = interval_lines(report, units);
   for (std::string& line : case_lines(report.assessed, units)) brief.push_back(std::move(line));
   if (replaced.lines.empty())
-    brief.push_back("No values of the case were replaced.");
+    brief.emplace_back("No values of the case were replaced.");
   else
     document.lead->subject.push_back(
         fmt::format("Replaced in the case: {}.", fmt::join(replaced.lines, "; ")));

@@ -49,27 +49,27 @@ Json question_json(const margin::Question& question) {
 }  // namespace
 
 std::string margin_json(const margin::Answer& answer) {
-  const auto turn = [&](const margin::Turn& of) {
-    return Json{{"value", of.value},
-                {"precision", of.precision},
-                {"low", of.interval ? number(of.interval->first) : Json(nullptr)},
-                {"high", of.interval ? number(of.interval->second) : Json(nullptr)},
-                {"passes_above", of.passes_above},
-                {"jumps", of.jumps},
-                {"figure", name_of(answer.limits[of.limit])}};
+  const auto turn_json = [&](const margin::Turn& turn) {
+    return Json{{"value", turn.value},
+                {"precision", turn.precision},
+                {"low", turn.interval ? number(turn.interval->first) : Json(nullptr)},
+                {"high", turn.interval ? number(turn.interval->second) : Json(nullptr)},
+                {"passes_above", turn.passes_above},
+                {"jumps", turn.jumps},
+                {"figure", name_of(answer.limits[turn.limit])}};
   };
-  const auto place = [&](const margin::Place& of) {
-    Json json{{"value", of.value}};
+  const auto place_json = [&](const margin::Place& place) {
+    Json json{{"value", place.value}};
     Json figures = Json::array();
-    for (std::size_t i = 0; i < of.figures.size(); ++i)
-      figures.push_back(number(shown(answer.limits[i], of.figures[i])));
+    for (std::size_t i = 0; i < place.figures.size(); ++i)
+      figures.push_back(number(shown(answer.limits[i], place.figures[i])));
     json["figures"] = figures;
-    json["share_of_limit"] = number(share_of_limit(of.excess));
-    json["share_low"] = number(share_of_limit(of.low));
-    json["share_high"] = number(share_of_limit(of.high));
-    json["worst"] = name_of(answer.limits[of.worst]);
-    if (answer.question.chance) json["passing_draws"] = of.share;
-    json["why_unknown"] = text_if_any(of.why_unknown);
+    json["share_of_limit"] = number(share_of_limit(place.excess));
+    json["share_low"] = number(share_of_limit(place.low));
+    json["share_high"] = number(share_of_limit(place.high));
+    json["worst"] = name_of(answer.limits[place.worst]);
+    if (answer.question.chance) json["passing_draws"] = place.share;
+    json["why_unknown"] = text_if_any(place.why_unknown);
     return json;
   };
   return result_json_text(
@@ -77,18 +77,18 @@ std::string margin_json(const margin::Answer& answer) {
        {"question", question_json(answer.question)},
        {"limits", array_of(answer.limits, limit_json)},
        {"answer", margin_answer(answer, plain_si())},
-       {"turns", array_of(answer.turns, turn)},
+       {"turns", array_of(answer.turns, turn_json)},
        {"stretches", array_of(answer.stretches,
                               [](const margin::Stretch& stretch) {
                                 return Json{{"from", stretch.from},
                                             {"to", stretch.to},
                                             {"verdict", margin::to_string(stretch.zone)}};
                               })},
-       {"nearest", answer.nearest ? place(answer.places[*answer.nearest]) : Json(nullptr)},
-       {"places", array_of(answer.places, place)},
+       {"nearest", answer.nearest ? place_json(answer.places[*answer.nearest]) : Json(nullptr)},
+       {"places", array_of(answer.places, place_json)},
        {"contributors", array_of(answer.contributors,
-                                 [](const margin::Contributor& of) {
-                                   return Json{{"key", of.key}, {"share", number(of.share)}};
+                                 [](const margin::Contributor& each) {
+                                   return Json{{"key", each.key}, {"share", number(each.share)}};
                                  })},
        {"flags", flags_json(answer.reservations)},
        {"complete", answer.is_complete},

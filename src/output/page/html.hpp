@@ -37,7 +37,7 @@ struct DocumentInUnits {
 
 /// A page in one or several unit systems; the first is shown. Of the others the page keeps texts, tables and
 /// drawings, hidden, and its script swaps them in and converts the axes whose SI unit is known.
-PageHtml html_of(std::vector<DocumentInUnits> documents);
+PageHtml html_of(std::vector<DocumentInUnits> pages);
 /// The file.
 std::string to_html(std::vector<DocumentInUnits> documents);
 

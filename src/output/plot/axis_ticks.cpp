@@ -114,8 +114,9 @@ std::vector<Tick> linear_ticks(const AxisRange& range, std::size_t most) {
       ticks.push_back({end, with_minus(fmt::format("{}", end))});
     return ticks;
   }
-  for (double count = first; count <= last; ++count) {
-    const double value = step.multiple(count);
+  const auto steps = static_cast<int>(last - first);
+  for (int i = 0; i <= steps; ++i) {
+    const double value = step.multiple(first + i);
     ticks.push_back({std::clamp(value, range.low, range.high), linear_label(value, step, largest)});
   }
   return ticks;

@@ -75,7 +75,7 @@ std::string area_path(const PlaceLine& outline, const PanelScale& scale) {
 /// The outline of a band: forth along y, back along y2.
 std::string band_path(const PlotRun& run, const PanelScale& scale) {
   PlaceLine outline = places_of(run, scale);
-  for (auto row = run.rbegin(); row != run.rend(); ++row) outline.push_back(scale.place(row->x, row->y2));
+  for (const PlotRow& row : PlotRun(run.rbegin(), run.rend())) outline.push_back(scale.place(row.x, row.y2));
   return area_path(simplified(outline), scale);
 }
 
