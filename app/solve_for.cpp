@@ -46,8 +46,8 @@ deviation about the value of the case, "A..B" evenly from A to B, "M +- S" from 
 draws all that the card of the foam leaves uncertain, and --vary STUDY.toml what a study draws.
 
 Exit codes: 0 some value passes, or the aim is reached; 4 no value of the range passes, or the aim is not reached; 3 no
-value passes for certain, but some may, or the search is incomplete; 1 a result could not be written; 2 invalid input or
-command line (nothing was run).)";
+value passes for certain, but some may, or the search is incomplete or not reliable; 1 a result could not be written;
+2 invalid input or command line (nothing was run).)";
 
 struct SolveForRequest {
   std::string key;
@@ -294,7 +294,7 @@ int code_of(const margin::Answer& answer) {
   const auto any = [&](margin::Zone zone) {
     return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
   };
-  if (!answer.is_complete) return exit_not_trusted;
+  if (!answer.is_complete || answer.doubtful > 0) return exit_not_trusted;
   const bool is_aim = answer.limits.size() == 1 && answer.limits.front().is_aim && !answer.question.chance;
   if (is_aim)
     return std::ranges::any_of(answer.turns, [](const margin::Turn& turn) { return !turn.jumps; })

@@ -167,6 +167,7 @@ Place Impacts::look(double value, bool intervals) {
       }
       if (judged.standard) assessment = injury::assess(*judged.standard, impact, solution);
       add_reservations(judged, assessment, solution.summary, place.reservations);
+      place.is_doubtful = place.is_doubtful || !solution.summary.trustworthy();
     } else {
       place.why_unknown = fmt::format("{}: {}", broken.front().key, broken.front().rule);
     }
@@ -214,6 +215,7 @@ Draws draws_at(const Question& question, double value) {
             for (std::size_t j = 0; j < count; ++j) {
               const Limit& limit = limits[first_limit + j];
               double figure = row.outcome.values[j];
+              if (row.outcome.status == Status::tolerance_not_met) figure = no_value;
               const Growth growth = limit.figure->role.growth;
               if (row.outcome.status == Status::bottomed_out && growth == Growth::with_force)
                 figure = infinite;

@@ -56,6 +56,8 @@ class Solving {
       if (const double excess = answer_.places[i].excess;
           !std::isnan(excess) && (!answer_.nearest || excess < answer_.places[*answer_.nearest].excess))
         answer_.nearest = i;
+    answer_.doubtful =
+        static_cast<std::size_t>(std::ranges::count(answer_.places, true, &Place::is_doubtful));
     if (answer_.question.chance) add_contributors();
     answer_.impacts += impacts_.solved();
     answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

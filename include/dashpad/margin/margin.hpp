@@ -75,6 +75,7 @@ struct Place {
   double low = 0, high = 0;             ///< the excess at the ends of its interval; equal to it without one
   double share = 0;                     ///< of the draws that keep all limits; with a chance
   std::vector<Flag> reservations = {};  ///< about the impacts there
+  bool is_doubtful = false;             ///< an impact, or a draw, missed the tolerance
   std::string why_unknown = {};         ///< the rule that the case breaks there, or why a figure is missing
 };
 
@@ -116,6 +117,7 @@ struct Answer {
   std::optional<std::size_t> nearest = {};     ///< of places: the least excess; absent if all are unknown
   std::vector<Contributor> contributors = {};  ///< largest first; with a chance
   std::vector<Flag> reservations = {};  ///< about the impacts at the first turn, or at the nearest place
+  std::size_t doubtful = 0;             ///< places at which the tolerance was missed
   bool is_complete = true;              ///< false: the search stopped before it could exclude further turns
   std::uint64_t impacts = 0;
   double seconds = 0;

@@ -190,6 +190,9 @@ Document margin_document(const margin::Answer& answer, const std::string& file, 
                                                             : "By the card's own foam",
                                 certain));
   for (std::string& line : scatter_words(answer)) lines.push_back(std::move(line));
+  if (answer.doubtful > 0)
+    lines.push_back(fmt::format("At {} of {} values the solver missed the tolerance: the answer is doubtful.",
+                                answer.doubtful, answer.places.size()));
   if (!answer.is_complete)
     lines.emplace_back("The search ended before it could exclude further solutions: give a smaller range.");
   for (const margin::Place& place : answer.places)

@@ -91,6 +91,7 @@ std::string margin_json(const margin::Answer& answer) {
                                    return Json{{"key", each.key}, {"share", number(each.share)}};
                                  })},
        {"flags", flags_json(answer.reservations)},
+       {"doubtful_places", answer.doubtful},
        {"complete", answer.is_complete},
        {"impacts", answer.impacts},
        {"seconds", answer.seconds}});
