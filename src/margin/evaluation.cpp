@@ -105,8 +105,8 @@ std::vector<Limit> limits_of(const Question& question) {
 
 double excess_of(const Limit& limit, double figure) {
   double share = (figure - limit.value) / std::abs(limit.value);
-  // Rounding is no excess: a figure that the key does not move may be the limit itself.
-  constexpr double rounding = 1e-9;
+  // What no solver tells is no excess: a figure that the key hardly moves may be the limit itself.
+  constexpr double rounding = 1e-7;
   if (std::abs(share) < rounding) share = 0;
   return std::asinh(limit.at_least ? -share : share);
 }

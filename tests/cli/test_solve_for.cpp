@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
@@ -88,6 +90,24 @@ TEST_F(SolveForTest, WritesEveryFile) {
   EXPECT_THAT(read_file(file("a.svg")), HasSubstr("Share of the limit (%)"));
   EXPECT_THAT(read_file(file("a.html")), HasSubstr("Passes if the thickness of the pad"));
   EXPECT_THAT(read_file(file("a.md")), HasSubstr("Passes if the thickness of the pad"));
+}
+
+/// Commands of documents that are shown with their answer give it.
+TEST_F(SolveForTest, TheDocumentsShowItsAnswers) {
+  int shown = 0;
+  for (const char* document : {"README.md", "docs/solve-for.md"}) {
+    std::istringstream text(read_file(fs::path(DASHPAD_SOURCE_DIR) / document));
+    for (std::string line; std::getline(text, line);) {
+      if (!line.starts_with("$ dashpad solve-for ")) continue;
+      std::string answer;
+      std::getline(text, answer);
+      const Outcome outcome = shell(std::string("cd ") + DASHPAD_SOURCE_DIR + " && $DASHPAD" +
+                                    line.substr(std::string("$ dashpad").size()));
+      EXPECT_THAT(outcome.out, StartsWith(answer + "\n")) << line;
+      ++shown;
+    }
+  }
+  EXPECT_GE(shown, 2);
 }
 
 TEST_F(SolveForTest, BadQuestionsAreRefusedAllAtOnce) {
