@@ -117,8 +117,7 @@ std::vector<std::size_t> chosen_places(const margin::Answer& answer, std::size_t
     chosen.push_back(static_cast<std::size_t>(nearest - places.begin()));
   }
   std::ranges::sort(chosen);
-  const auto again = std::ranges::unique(chosen);
-  chosen.erase(again.begin(), again.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
 
