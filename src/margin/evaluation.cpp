@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <boost/math/distributions/binomial.hpp>
 
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
-#include "dashpad/study/run_study.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 #include "model/parameter_values.hpp"
 
@@ -25,12 +21,6 @@ struct Read {
 };
 
 Read without_interval(double value) { return {value, value, value}; }
-
-/// Of a pulse that was cut a figure can only grow: it tells something if it is beyond the limit already.
-double known_part(const Limit& limit, double value, bool is_lower_bound) {
-  const bool is_decided = !limit.at_least && value > limit.value;
-  return is_lower_bound && !is_decided ? no_value : value;
-}
 
 Read read_criterion(const Limit& limit, const injury::CriterionResult& result, const Summary& summary) {
   if (bottomed_on_rigid_support(summary)) return without_interval(infinite);
@@ -101,6 +91,11 @@ std::vector<Limit> limits_of(const Question& question) {
   std::vector<Limit> limits;
   for (const Judged& judged : question.impacts) add_limits(judged, limits);
   return limits;
+}
+
+double known_part(const Limit& limit, double value, bool is_lower_bound) {
+  const bool is_decided = !limit.at_least && value > limit.value;
+  return is_lower_bound && !is_decided ? no_value : value;
 }
 
 double excess_of(const Limit& limit, double figure) {
@@ -190,86 +185,6 @@ Place Impacts::look(double value, bool intervals) {
   place.excess = excess[place.worst];
   place.low = low[worst_of(low)];
   place.high = high[worst_of(high)];
-  return place;
-}
-
-Draws draws_at(const Question& question, double value) {
-  const std::vector<Limit> limits = limits_of(question);
-  Draws draws;
-  draws.excess.assign(question.chance->draws, -infinite);
-  std::vector<char> is_without(question.chance->draws, 0);
-  std::size_t first_limit = 0;
-  for (const Judged& judged : question.impacts) {
-    const study::Study study = study_of(question, judged, {value});
-    const study::Design design(study);
-    const std::size_t count = study.responses.size();
-    for (std::size_t j = 0; j < count; ++j) draws.figures.emplace_back(design.rows(), no_value);
-    const bool is_first = draws.factors.empty();
-    if (is_first) draws.factors.resize(design.rows());
-    constexpr std::uint64_t batch = 32;
-    oneapi::tbb::enumerable_thread_specific<study::Worker> workers(
-        [&] { return study::Worker(study, design); });
-    oneapi::tbb::parallel_for(
-        std::uint64_t{0}, (design.rows() + batch - 1) / batch, [&](std::uint64_t number) {
-          for (study::StoredRow& row : workers.local().compute(number, batch)) {
-            for (std::size_t j = 0; j < count; ++j) {
-              const Limit& limit = limits[first_limit + j];
-              double figure = row.outcome.values[j];
-              if (row.outcome.status == Status::tolerance_not_met) figure = no_value;
-              const Growth growth = limit.figure->role.growth;
-              if (row.outcome.status == Status::bottomed_out && growth == Growth::with_force)
-                figure = infinite;
-              if (row.outcome.status == Status::time_limit && growth != Growth::none)
-                figure = known_part(limit, figure, true);
-              draws.figures[first_limit + j][row.row] = figure;
-              double excess = excess_of(limit, figure);
-              if (std::isnan(excess)) {
-                is_without[row.row] = 1;
-                excess = infinite;
-              }
-              draws.excess[row.row] = std::max(draws.excess[row.row], excess);
-            }
-            if (is_first) draws.factors[row.row] = std::move(row.factors);
-          }
-        });
-    first_limit += count;
-  }
-  draws.without = static_cast<std::uint64_t>(std::ranges::count(is_without, 1));
-  return draws;
-}
-
-Place place_of(const Question& question, double value, const Draws& draws) {
-  const std::vector<Limit> limits = limits_of(question);
-  const std::size_t count = draws.excess.size();
-  const double probability = question.chance->probability;
-  /// Of `count` sorted values that with the given number of them at or below it.
-  const auto ranked = [count](std::vector<double> values, double rank) {
-    const auto place = static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(count)) - 1);
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
-    return values[place];
-  };
-  const double rank = std::ceil(probability * static_cast<double>(count) - 1e-9);
-  const boost::math::binomial_distribution<> below(static_cast<double>(count), probability);
-  Place place{.value = value};
-  place.excess = ranked(draws.excess, rank);
-  // The ranks between which the quantile lies with 95 % (independent draws).
-  place.low = ranked(draws.excess, std::floor(quantile(below, 0.025)));
-  place.high = ranked(draws.excess, std::ceil(quantile(complement(below, 0.025))) + 1);
-  place.share =
-      static_cast<double>(std::ranges::count_if(draws.excess, [](double excess) { return excess <= 0; })) /
-      static_cast<double>(count);
-  double worst = -infinite;
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    std::vector<double> excess(count);
-    std::ranges::transform(draws.figures[i], excess.begin(), [&](double figure) {
-      return std::isnan(figure) ? infinite : excess_of(limits[i], figure);
-    });
-    // Back to the figure, so that it is the quantile on the side of the limit.
-    const double at = ranked(std::move(excess), rank);
-    const double share = std::sinh(at) * (limits[i].at_least ? -1 : 1);
-    place.figures.push_back(limits[i].value + share * std::abs(limits[i].value));
-    if (at > worst) worst = at, place.worst = i;
-  }
   return place;
 }
 

@@ -14,6 +14,10 @@ namespace dashpad::margin {
 /// straight near the limit and never so steep as the figure itself. NaN for NaN.
 double excess_of(const Limit& limit, double figure);
 
+/// Of a pulse that was cut a figure can only grow: it tells something if it is beyond the limit already; else
+/// NaN.
+double known_part(const Limit& limit, double value, bool is_lower_bound);
+
 /// The study of an impact of the question, with the key as its first factor at these values.
 study::Study study_of(const Question& question, const Judged& judged, std::vector<double> values);
 
@@ -45,6 +49,10 @@ struct Draws {
 
 /// All draws at a value of the key, the same draws at every value. On all cores.
 Draws draws_at(const Question& question, double value);
+
+/// How much each drawn factor explains of the scatter of the worst excess at a value of the key, largest
+/// first.
+std::vector<Contributor> contributors_of(const Question& question, double value, const Draws& draws);
 
 /// The quantiles of draws at the probability of the question.
 Place place_of(const Question& question, double value, const Draws& draws);

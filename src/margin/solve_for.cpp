@@ -278,39 +278,13 @@ class Solving {
       std::erase_if(answer_.reservations, [](const Flag& flag) { return flag.name == "NO INTERVALS"; });
   }
 
-  /// Ranks of values, from 0.
-  static std::vector<double> ranks_of(const std::vector<double>& values) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
-    std::vector<double> ranks(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) ranks[order[i]] = static_cast<double>(i);
-    return ranks;
-  }
-
   void add_contributors() {
     if (!answer_.nearest) return;
     const Question& question = answer_.question;
     const double value =
         answer_.turns.empty() ? answer_.places[*answer_.nearest].value : answer_.turns.front().value;
-    const Draws draws = draws_at(question, value);
+    answer_.contributors = contributors_of(question, value, draws_at(question, value));
     answer_.impacts += question.chance->draws * question.impacts.size();
-    const study::Study study = study_of(question, question.impacts.front(), {value});
-    const std::vector<double> excess = ranks_of(draws.excess);
-    const double middle = static_cast<double>(excess.size() - 1) / 2;
-    for (std::size_t factor = 1; factor < study.factors.size(); ++factor) {
-      std::vector<double> values;
-      for (const std::vector<double>& row : draws.factors) values.push_back(row[factor]);
-      const std::vector<double> ranks = ranks_of(values);
-      double both = 0, one = 0, other = 0;
-      for (std::size_t i = 0; i < ranks.size(); ++i) {
-        both += (ranks[i] - middle) * (excess[i] - middle);
-        one += (ranks[i] - middle) * (ranks[i] - middle);
-        other += (excess[i] - middle) * (excess[i] - middle);
-      }
-      answer_.contributors.push_back({study.factors[factor].key, both * both / (one * other)});
-    }
-    std::ranges::stable_sort(answer_.contributors, std::ranges::greater{}, &Contributor::share);
   }
 
   Range range_;

@@ -1,0 +1,29 @@
+#pragma once
+/// The question of `dashpad solve-for`, as the command line asks it.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "dashpad/margin/margin.hpp"
+#include "output_files.hpp"
+
+namespace dashpad::app {
+
+struct SolveForRequest {
+  std::string key;
+  GivenCase given;
+  std::vector<std::string> standards, until, vary;
+  std::optional<std::string> between, probability, tolerance;
+  std::uint64_t draws = 1024, seed = 1;
+  std::string standard_folder;
+  OutputFiles files;
+  bool no_intervals = false;
+};
+
+/// Reads the case, standards and limits. Throws Refused with all errors.
+margin::Question question_of(const SolveForRequest& request);
+
+}  // namespace dashpad::app
