@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "input/measurement/measurement_text.hpp"
@@ -22,7 +23,7 @@ using Complaints = std::vector<std::string>;
 std::optional<std::pair<double, double>> range_of(const std::string& option, const std::string& text,
                                                   const std::string& unit, Complaints& errors) {
   const std::size_t dots = text.find("..");
-  if (dots == std::string::npos || text.find("..", dots + 2) != std::string::npos) {
+  if (dots == std::string::npos || dots == 0 || text.find("..", dots + 2) != std::string::npos) {
     errors.push_back(fmt::format(R"({} "{}": must be a range such as "10 mm..60 mm")", option, text));
     return std::nullopt;
   }
@@ -71,6 +72,7 @@ std::optional<margin::Limit> limit_of(const std::string& text, Complaints& error
                                  figure->si_unit, errors);
   if (!value) return std::nullopt;
   if (!(std::abs(*value) > 0)) return refuse("the value must not be 0");
+  if (*value < 0 && !figure->role.is_signed) return refuse("the figure is never below 0");
   return margin::Limit{.figure = figure,
                        .value = *value,
                        .at_least = comparison.front() == '>',
@@ -85,8 +87,15 @@ std::optional<study::Factor> factor_of(const std::string& text, const std::vecto
   const std::string key = text.substr(0, sign);
   const std::string option = "--vary " + key;
   const study::FactorKey* const of = known_key(known, key);
+  if (key.starts_with("foam.")) {
+    errors.push_back(option +
+                     ": --vary foam draws all that the card leaves uncertain; for one source of it, draw in "
+                     "a study and give its file");
+    return std::nullopt;
+  }
   if (of == nullptr || of->unit.empty()) {
-    errors.push_back(option + ": " + study::rule_for_unknown(key, impact, known));
+    errors.push_back(option + ": " +
+                     (of == nullptr ? study::rule_for_unknown(key, impact, known) : "is no number"));
     return std::nullopt;
   }
   if (sign == std::string::npos || sign + 1 == text.size()) {
@@ -97,9 +106,11 @@ std::optional<study::Factor> factor_of(const std::string& text, const std::vecto
   study::Factor factor{.key = key, .unit = of->unit, .lowest = {}, .highest = {}};
   if (const std::size_t between = spread.find("+-"); between != std::string::npos) {
     const auto mean = quantity_of(option.c_str(), spread.substr(0, between), of->unit, errors);
-    const auto deviation = quantity_of(option.c_str(), spread.substr(between + 2), of->unit, errors);
+    const bool is_share = spread.find('%', between) != std::string::npos;
+    const std::string width(input::without_blanks(spread.substr(between + 2)));
+    const auto deviation = positive_quantity_of(option.c_str(), width, is_share ? "1" : of->unit, errors);
     if (!mean || !deviation) return std::nullopt;
-    factor.spread = study::Normal{*mean, *deviation};
+    factor.spread = study::Normal{*mean, is_share ? *deviation * std::abs(*mean) : *deviation};
   } else if (spread.find("..") != std::string::npos) {
     const auto range = range_of(option, spread, of->unit, errors);
     if (!range) return std::nullopt;
@@ -190,8 +201,15 @@ margin::Question question_of(const SolveForRequest& request) {
     errors.emplace_back("no limit: give --standard or --until");
   const std::optional<double> probability =
       positive_quantity_of("--probability", request.probability, "1", errors);
-  if (probability && request.vary.empty())
-    errors.emplace_back("--probability: needs --vary, to say what scatters, or --vary foam");
+  if (request.vary.empty() && (probability || request.draws || request.seed))
+    errors.push_back(
+        fmt::format("{}: needs --vary, to say what scatters, or --vary foam", probability ? "--probability"
+                                                                              : request.draws ? "--draws"
+                                                                                              : "--seed"));
+  if (std::ranges::any_of(limits, &margin::Limit::is_aim) &&
+      (limits.size() + standards.size() > 1 || !request.vary.empty()))
+    errors.emplace_back(
+        "--until: = asks where one figure has a value, without other limits and --vary; use <= or >=");
   const std::optional<input::CaseFile> given = read_case(request.given, errors);
   for (const input::InputFile& file : files_of(request.given.file, given)) files.push_back(file);
   judge_files(request.files, files, errors);
@@ -203,7 +221,11 @@ margin::Question question_of(const SolveForRequest& request) {
   for (const injury::Standard& standard : standards)
     question.impacts.push_back(
         {.impact = injury::with_impactor_of(standard, given->impact), .standard = standard});
-  if (!limits.empty()) question.impacts.push_back({.impact = given->impact, .limits = std::move(limits)});
+  ImpactCase own = given->impact;
+  // As in a case that states the height.
+  if (request.key == "impactor.drop_height" && own.impactor.gravity == 0)
+    own.impactor.gravity = standard_gravity;
+  if (!limits.empty()) question.impacts.push_back({.impact = std::move(own), .limits = std::move(limits)});
 
   const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
   const study::FactorKey* const key = known_key(known, request.key);
@@ -217,8 +239,8 @@ margin::Question question_of(const SolveForRequest& request) {
   if (!request.vary.empty()) {
     question.chance = {.probability = probability.value_or(0.95),
                        .factors = {},
-                       .draws = request.draws,
-                       .seed = request.seed};
+                       .draws = request.draws.value_or(1024),
+                       .seed = request.seed.value_or(1)};
     for (const std::string& text : request.vary) {
       if (text == "foam") {
         question.chance->foam = true;
@@ -230,6 +252,11 @@ margin::Question question_of(const SolveForRequest& request) {
       }
     }
   }
+  if (question.chance)
+    for (const study::Factor& factor : question.chance->factors)
+      if (factor.key == request.key)
+        errors.push_back(
+            fmt::format("--vary {}: the number that is sought cannot be drawn as well", factor.key));
   if (request.between && key != nullptr)
     if (const auto range = range_of("--between", *request.between, key->unit, errors)) {
       question.low = range->first, question.high = range->second;

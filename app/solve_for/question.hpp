@@ -17,7 +17,7 @@ struct SolveForRequest {
   GivenCase given;
   std::vector<std::string> standards, until, vary;
   std::optional<std::string> between, probability, tolerance;
-  std::uint64_t draws = 1024, seed = 1;
+  std::optional<std::uint64_t> draws, seed;
   std::string standard_folder;
   OutputFiles files;
   bool no_intervals = false;

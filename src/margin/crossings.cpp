@@ -13,9 +13,6 @@ namespace dashpad::margin {
 
 namespace {
 
-/// The room that second differences leave is taken so many times as large as that of a parabola: between two
-/// places a corner leaves the straight line four times as far as they tell, and a leap eight times.
-constexpr double caution = 8;
 /// A curve that changes by more than this within the precision of a place jumps.
 constexpr double jump = 0.02;
 /// In place of an infinite excess, so that interpolation stays possible.
@@ -93,7 +90,7 @@ class Search {
             all_may_be_kept && length > 4 * settings_.shortest && (std::isfinite(from) || std::isfinite(to));
         continue;
       }
-      const double room = caution * bend(left, curve) * length * length / 4;
+      const double room = settings_.caution * bend(left, curve) * length * length / 4;
       if (side == Side::kept && std::max(from, to) + room > 0) return true;
       all_may_be_kept = all_may_be_kept && std::min(from, to) - room < 0;
     }

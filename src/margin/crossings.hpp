@@ -45,6 +45,9 @@ struct SearchSettings {
   double precision = 3e-5;   ///< of the place of a crossing
   double shortest = 2.5e-4;  ///< stretches shorter than it are not divided for a pair of crossings
   double noise = 0;          ///< of the curves: what lies this near to zero cannot be told from it
+  /// The room that second differences leave is taken so many times as large as that of a parabola: between
+  /// two places a corner leaves the straight line four times as far as they tell, and a leap eight times.
+  double caution = 8;
 };
 
 /// The curves at a place.

@@ -101,8 +101,11 @@ Place place_of(const Question& question, double value, const Draws& draws) {
   Place place{.value = value};
   place.excess = ranked(draws.excess, rank);
   // The ranks between which the quantile lies with 95 % (independent draws).
-  place.low = ranked(draws.excess, std::floor(quantile(below, 0.025)));
-  place.high = ranked(draws.excess, std::ceil(quantile(complement(below, 0.025))) + 1);
+  // Too few draws have no such rank.
+  const double low_rank = std::floor(quantile(below, 0.025));
+  const double high_rank = std::ceil(quantile(complement(below, 0.025))) + 1;
+  place.low = low_rank < 1 ? -infinite : ranked(draws.excess, low_rank);
+  place.high = high_rank > static_cast<double>(count) ? infinite : ranked(draws.excess, high_rank);
   place.share =
       static_cast<double>(std::ranges::count_if(draws.excess, [](double excess) { return excess <= 0; })) /
       static_cast<double>(count);

@@ -6,6 +6,7 @@
 
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/responses.hpp"
 #include "margin/crossings.hpp"
 #include "margin/evaluation.hpp"
@@ -15,7 +16,7 @@ namespace dashpad::margin {
 namespace {
 
 /// An end of the intervals moved by less than this share of its value is found.
-constexpr double end_precision = 5e-3;
+constexpr double end_precision = 3e-3;
 constexpr int max_moves = 4;
 /// Excesses beyond it are not drawn across zero by any interval that was seen.
 constexpr double far_from_limit = 1.5;
@@ -43,6 +44,14 @@ class Solving {
       : range_{question.low, question.high, question.logarithmic}, progress_(progress), impacts_(question) {
     answer_.question = question;
     answer_.limits = limits_of(question);
+    // What has no interval is not certain anywhere.
+    for (const Limit& limit : answer_.limits)
+      if (answer_.question.intervals && !question.chance && !limit.figure->has_interval()) {
+        answer_.reservations.push_back(flag_of(
+            "NO INTERVALS",
+            title_in_sentence(*limit.figure) + " has no interval by what is uncertain of foam and model"));
+        answer_.question.intervals = false;
+      }
   }
 
   Answer run() {
@@ -51,10 +60,12 @@ class Solving {
     if (has_intervals()) find_intervals();
     add_reservations();
     std::ranges::sort(answer_.places, {}, &Place::value);
+    add_kept();
     add_stretches();
     for (std::size_t i = 0; i < answer_.places.size(); ++i)
       if (const double excess = answer_.places[i].excess;
-          !std::isnan(excess) && (!answer_.nearest || excess < answer_.places[*answer_.nearest].excess))
+          !std::isnan(excess) &&
+          (!answer_.nearest || is_nearer(answer_.places[i], answer_.places[*answer_.nearest])))
         answer_.nearest = i;
     answer_.doubtful =
         static_cast<std::size_t>(std::ranges::count(answer_.places, true, &Place::is_doubtful));
@@ -65,6 +76,11 @@ class Solving {
   }
 
  private:
+  /// Of draws the share that passes counts, which quantiles of a few of them tell less well.
+  [[nodiscard]] bool is_nearer(const Place& one, const Place& other) const {
+    if (answer_.question.chance && one.share != other.share) return one.share > other.share;
+    return one.excess < other.excess;
+  }
   [[nodiscard]] bool has_intervals() const { return answer_.question.chance || answer_.question.intervals; }
 
   const Place& look(double value, bool intervals = false) {
@@ -101,9 +117,12 @@ class Solving {
     const bool draws = answer_.question.chance.has_value();
     // A quantile of draws has a corner where another draw takes its place: its bends tell nothing below a
     // step.
-    SearchSettings settings =
-        draws ? SearchSettings{.grid = 12, .max_looks = 40, .precision = 1e-3, .shortest = 1.0 / 30}
-              : SearchSettings{.grid = 20, .max_looks = 90};
+    SearchSettings settings = draws ? SearchSettings{.grid = 12,
+                                                     .max_looks = 40,
+                                                     .precision = 1e-3,
+                                                     .shortest = 1.0 / 150,
+                                                     .caution = 4}
+                                    : SearchSettings{.grid = 20, .max_looks = 90};
     settings.noise =
         study_of(answer_.question, answer_.question.impacts.front(), {range_.low}).options.tolerance;
     const CurvesAt curves_at = [&](double at) {
@@ -123,6 +142,8 @@ class Solving {
                 .precision = (after - before) / 2,
                 .passes_above = !crossing.rises,
                 .jumps = crossing.jumps};
+      // A share of draws is to be reached, not nearly so.
+      if (draws) turn.value = crossing.rises ? before : after;
       turn.limit = look(crossing.rises ? after : before).worst;
       answer_.turns.push_back(turn);
     }
@@ -193,7 +214,11 @@ class Solving {
       ends = next;
       if (is_settled) break;
     }
-    return ends_of(which, true);
+    ends = ends_of(which, true);
+    // What is certain begins where it is found to be, and not as much before it as an end is known.
+    if (which == Which::high && !answer_.question.chance)
+      for (End& end : ends) end.value *= end.rises == (end.value > 0) ? 1 - end_precision : 1 + end_precision;
+    return ends;
   }
 
   void find_intervals() {
@@ -209,6 +234,10 @@ class Solving {
     }
     high_ends_ = settled_ends(Which::high);
     low_ends_ = settled_ends(Which::low);
+    if (look_into_long_undecided()) {
+      high_ends_ = settled_ends(Which::high);
+      low_ends_ = settled_ends(Which::low);
+    }
     for (Turn& turn : answer_.turns) {
       // Below a turn that passes above, the first end at or below it; above it the first at or above.
       const auto nearest = [&](const std::vector<End>& ends, bool above) {
@@ -226,6 +255,31 @@ class Solving {
     }
   }
 
+  /// Between places whose intervals are known, one may be wide and the other narrow: the middle tells.
+  bool look_into_long_undecided() {
+    constexpr double long_stretch = 0.1;
+    if (answer_.question.chance) return false;
+    std::vector<double> bounds{0, 1};
+    for (const std::vector<End>* ends : {&high_ends_, &low_ends_})
+      for (const End& end : *ends) bounds.push_back(range_.place_of(end.value));
+    std::ranges::sort(bounds);
+    const std::vector<Place> sorted = sorted_places();
+    bool has_looked = false;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+      const double middle = range_.value_at((bounds[i] + bounds[i + 1]) / 2);
+      if (bounds[i + 1] - bounds[i] < long_stretch || zone_at(sorted, middle) != Zone::undecided) continue;
+      look(middle, true);
+      has_looked = true;
+    }
+    return has_looked;
+  }
+
+  /// The verdicts of the figures themselves.
+  void add_kept() {
+    std::vector<double> bounds{answer_.question.low, answer_.question.high};
+    for (const Turn& turn : answer_.turns) bounds.push_back(turn.value);
+    add_zones(bounds, Which::excess, Which::excess, answer_.kept);
+  }
   void add_stretches() {
     std::vector<double> bounds{answer_.question.low, answer_.question.high};
     if (has_intervals()) {
@@ -234,6 +288,10 @@ class Solving {
     } else {
       for (const Turn& turn : answer_.turns) bounds.push_back(turn.value);
     }
+    add_zones(bounds, has_intervals() ? Which::low : Which::excess,
+              has_intervals() ? Which::high : Which::excess, answer_.stretches);
+  }
+  void add_zones(std::vector<double> bounds, Which low, Which high, std::vector<Stretch>& stretches) const {
     for (const Gap& gap : gaps_) {
       bounds.push_back(range_.value_at(gap.from));
       bounds.push_back(range_.value_at(gap.to));
@@ -244,20 +302,21 @@ class Solving {
       const double from = bounds[i], to = bounds[i + 1];
       if (!(to - from > 1e-9 * std::abs(to))) continue;
       const double middle = range_.value_at((range_.place_of(from) + range_.place_of(to)) / 2);
-      const Zone zone = zone_at(sorted, middle);
-      if (!answer_.stretches.empty() && answer_.stretches.back().zone == zone)
-        answer_.stretches.back().to = to;
+      const Zone zone = zone_at(sorted, middle, low, high);
+      if (!stretches.empty() && stretches.back().zone == zone)
+        stretches.back().to = to;
       else
-        answer_.stretches.push_back({from, to, zone});
+        stretches.push_back({from, to, zone});
     }
   }
-  [[nodiscard]] Zone zone_at(const std::vector<Place>& sorted, double value) const {
+  [[nodiscard]] Zone zone_at(const std::vector<Place>& sorted, double value, Which low_end = Which::low,
+                             Which high_end = Which::high) const {
     const double place = range_.place_of(value);
     if (std::ranges::any_of(gaps_, [&](const Gap& gap) { return place > gap.from && place < gap.to; }))
       return Zone::unknown;
     // Next to an infinite excess a line has no height: the side of that place counts.
-    const double high = curve_at(sorted, has_intervals() ? Which::high : Which::excess, value);
-    const double low = curve_at(sorted, has_intervals() ? Which::low : Which::excess, value);
+    const double high = curve_at(sorted, high_end, value);
+    const double low = curve_at(sorted, low_end, value);
     if (std::isnan(high) || std::isnan(low)) return Zone::fail;
     return high <= 0 ? Zone::pass : low > 0 ? Zone::fail : Zone::undecided;
   }
@@ -271,8 +330,10 @@ class Solving {
         if (place.excess < least) least = place.excess, at = place.value;
     }
     if (std::isnan(at)) return;
-    answer_.reservations = answer_.question.chance ? impacts_.look(at, false).reservations
-                                                   : look(at, answer_.question.intervals).reservations;
+    const std::vector<Flag> found = answer_.question.chance
+                                        ? impacts_.look(at, false).reservations
+                                        : look(at, answer_.question.intervals).reservations;
+    answer_.reservations.insert(answer_.reservations.end(), found.begin(), found.end());
     // Draws take the place of intervals.
     if (answer_.question.chance)
       std::erase_if(answer_.reservations, [](const Flag& flag) { return flag.name == "NO INTERVALS"; });

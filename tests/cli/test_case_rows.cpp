@@ -34,7 +34,7 @@ class CaseRows : public CommandTest {
     return lines;
   }
   /// The peak force of a case with settings, N.
-  double peak_force(std::vector<std::string> settings) {
+  double peak_force(const std::vector<std::string>& settings) {
     std::vector<std::string> arguments{"run", file("case.toml"), "--tolerance", "1e-3", "--json",
                                        "-",   "--no-intervals"};
     for (const std::string& setting : settings) arguments.insert(arguments.end(), {"--set", setting});

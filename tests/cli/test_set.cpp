@@ -25,7 +25,7 @@ class SetTest : public CommandTest {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   /// What a case comes to with these settings, all in SI.
-  nlohmann::json result(const std::string& name, std::vector<std::string> settings) {
+  nlohmann::json result(const std::string& name, const std::vector<std::string>& settings) {
     std::vector<std::string> arguments{"run", name, "--no-intervals", "--json", "-"};
     for (const std::string& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
     const Outcome outcome = dashpad(arguments);

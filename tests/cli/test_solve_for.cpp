@@ -70,6 +70,52 @@ TEST_F(SolveForTest, DrawsGiveAProbability) {
   EXPECT_EQ(answer["turns"], again["turns"]);
 }
 
+TEST_F(SolveForTest, DrawsFindANarrowWindow) {
+  // Between what the acceleration and what the penetration allows, narrower than any first step.
+  const json answer =
+      answer_of({"--until", "peak_acceleration <= 100 g", "--until", "peak_penetration <= 12.5 mm", "--vary",
+                 "impactor.speed=2 %", "--draws", "256", "--between", "10 mm..30 mm"},
+                3);
+  ASSERT_EQ(answer["turns"].size(), 2u);
+  EXPECT_NEAR(answer["turns"][0]["value"], 0.02203, 2e-5);
+  EXPECT_NEAR(answer["turns"][1]["value"], 0.02211, 2e-5);
+}
+
+TEST_F(SolveForTest, TooFewDrawsBoundNothing) {
+  const json answer = answer_of({"--until", "peak_acceleration <= 100 g", "--vary", "impactor.speed=5 %",
+                                 "--probability", "99.9 %", "--draws", "64"},
+                                3);
+  EXPECT_FALSE(answer["turns"][0]["low"].is_null());
+  EXPECT_TRUE(answer["turns"][0]["high"].is_null());
+}
+
+TEST_F(SolveForTest, WhatHasNoFigureDoesNotPass) {
+  const Outcome outcome = dashpad({"solve-for", "pad.scale", examples + "rigid-floor-bottoming.toml",
+                                   "--until", "restitution >= 0.5", "--between", "0.1..20"});
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("Passes if the factor applied to the foam's stress is at least 2.33"),
+                    HasSubstr("it has no figure to judge from 0.1 to 2.33")));
+}
+
+TEST_F(SolveForTest, WhatHasNoIntervalIsNotCertain) {
+  const json answer = answer_of({"--until", "contact_end <= 15 ms"});
+  EXPECT_THAT(std::string(answer["answer"]), testing::Not(HasSubstr("certain")));
+  EXPECT_TRUE(answer["turns"][0]["low"].is_null());
+  EXPECT_EQ(answer["flags"][0]["name"], "NO INTERVALS");
+}
+
+TEST_F(SolveForTest, AHeightIsThatOfACaseThatStatesIt) {
+  const json answer = json::parse(dashpad({"solve-for", "impactor.drop_height", examples + "disc-on-mat.toml",
+                                           "--until", "hic15 <= 1000", "--no-intervals", "--json", "-"})
+                                      .out);
+  const double height = answer["turns"][0]["value"];
+  const json run =
+      json::parse(dashpad({"run", examples + "disc-on-mat.toml", "--set",
+                           "impactor.drop_height=" + std::to_string(height) + " m", "--json", "-"})
+                      .out);
+  EXPECT_NEAR(run["injury"]["hic15"]["value"], 1000, 1);
+}
+
 TEST_F(SolveForTest, AStandardBringsItsImpactor) {
   const Outcome outcome =
       dashpad({"solve-for", "pad.thickness", nine, "--standard", "fmvss-201-instrument-panel"});
@@ -124,7 +170,12 @@ TEST_F(SolveForTest, BadQuestionsAreRefusedAllAtOnce) {
             "must begin below its end"},
            {{"pad.thickness", "--until", "hic15 <= 700", "--between", "-1 mm..20 mm"}, "pad.thickness"},
            {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.scale=five"}, "is no scatter"},
-           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.thickness=5 %"}, "given twice"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.thickness=5 %"},
+            "cannot be drawn as well"},
+           {{"pad.thickness", "--until", "hic15 = 700", "--until", "peak_acceleration <= 100 g"},
+            "asks where one figure has a value"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--draws", "100"}, "--draws: needs --vary"},
+           {{"pad.thickness", "--until", "hic15 <= -7"}, "never below 0"},
            {{"pad.material", "--until", "hic15 <= 700"}, "pad.material"},
            {{"impactor.gravity", "--until", "hic15 <= 700"}, "--between"}}) {
     std::vector<std::string> all{"solve-for", arguments.front(), nine};

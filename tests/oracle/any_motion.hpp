@@ -187,7 +187,7 @@ class AnyMotion : public OdeSystem {
 
   /// dY/dt; on a massless support from d(F - Fs)/dt = 0.
   [[nodiscard]] double closing_speed(const double* state, const Now& now) {
-    const double approach = this->approach(state);
+    const double approach = AnyMotion::approach(state);
     if (creeps_ && !stands_ && (kind_ == Kind::at_once || is_in_balance(state)))
       return pace_.balanced(gain(state, now), support_slope());
     if (kind_ != Kind::at_once || stands_) return approach - now.rate;

@@ -42,9 +42,9 @@ class FoamFormulas {
   [[nodiscard]] double base(double strain, double complement) const;
   [[nodiscard]] double work(double strain, double complement) const;
   /// `ahead`: of the largest strain, over the strain; not cut off at zero.
-  [[nodiscard]] double stress(double strain, double complement, double ahead, double slip_rate) const;
+  [[nodiscard]] double stress(double strain, double complement, double ahead, double u) const;
   /// The same, but below zero where crushed foam has come back all the way: by how much it is left.
-  [[nodiscard]] double signed_stress(double strain, double complement, double ahead, double slip_rate) const;
+  [[nodiscard]] double signed_stress(double strain, double complement, double ahead, double u) const;
   /// u, 1/s.
   [[nodiscard]] double slip_rate(double g) const;
 

@@ -56,8 +56,7 @@ TEST_F(ProfileCsvTest, ReadsUnitsFromTheHeader) {
        {"depth_mm,radius_mm\n0,10\n5,20\n", "depth [mm];radius [cm]\n0;1\n5;2\n",
         "Depth (m)\tRadius (m)\n0\t0.01\n0.005\t0.02\n", "depth,radius\n[mm],[mm]\n0,10\n5,20\n",
         "# of a headform\nnote,radius_mm,depth_mm\ntip,10,0\nend,20,5\n",
-        "\xef\xbb\xbf"
-        "depth_mm;radius_mm\r\n0;10\r\n5,0;20\r\n"}) {
+        "\357\273\277depth_mm;radius_mm\r\n0;10\r\n5,0;20\r\n"}) {
     const Profile profile = read(text);
     ASSERT_EQ(profile.points.size(), 2) << text;
     EXPECT_EQ(profile.of, Profile::Of::radius) << text;

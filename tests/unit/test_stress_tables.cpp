@@ -62,8 +62,7 @@ TEST_F(StressTableTest, EveryNotationIsTheSameTest) {
        {"strain,stress_kPa\n0.1,20\n0.5,40\n", "strain_percent,stress [MPa]\n10,0.02\n50,0.04\n",
         "Dehnung [%];Spannung [kPa]\n10,0;20,0\n50,0;40,0\n",
         "Stauchung;Druckspannung\n%;kPa\n10;20\n50;40\n",
-        "d\xe9"
-        "formation (%);contrainte (kPa)\n10;20\n50;40\n",
+        "d\351formation (%);contrainte (kPa)\n10;20\n50;40\n",
         "deformaci\xc3\xb3n [mm/mm];esfuerzo [kPa]\n0,1;20\n0,5;40\n",
         "stress_kPa,strain\n-20,-0.1\n-40,-0.5\n", "strain,stress_kPa\n0.1,-20\n0.5,-40\n",
         "\"Time\",\"Compressive extension\",\"Compressive "

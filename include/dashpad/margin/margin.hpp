@@ -111,10 +111,11 @@ struct Contributor {
 struct Answer {
   Question question;
   std::vector<Limit> limits;
-  std::vector<Place> places;                   ///< looked at, by value
-  std::vector<Turn> turns;                     ///< by value
-  std::vector<Stretch> stretches;              ///< of the whole range
-  std::optional<std::size_t> nearest = {};     ///< of places: the least excess; absent if all are unknown
+  std::vector<Place> places;                ///< looked at, by value
+  std::vector<Turn> turns;                  ///< by value
+  std::vector<Stretch> stretches;           ///< of the whole range, by the verdict
+  std::vector<Stretch> kept;                ///< the same by the figures themselves, without their intervals
+  std::optional<std::size_t> nearest = {};  ///< of places: the least excess; absent if all are unknown
   std::vector<Contributor> contributors = {};  ///< largest first; with a chance
   std::vector<Flag> reservations = {};  ///< about the impacts at the first turn, or at the nearest place
   std::size_t doubtful = 0;             ///< places at which the tolerance was missed

@@ -41,6 +41,8 @@ std::vector<std::string> subject_of(const margin::Answer& answer, const std::str
     if (judged.standard)
       lines.push_back(
           fmt::format("Standard: {} ({})", one_line(judged.standard->title), judged.standard->name));
+  if (const auto& blows = question.impacts.front().impact.blows)
+    lines.push_back(fmt::format("Figures of the last of {} blows", blows->count));
   lines.push_back(fmt::format("{}: {}; looked at from {} to {}", is_aim(answer) ? "Aim" : "Limits",
                               limits_text(answer, units), key_text(answer, question.low, units),
                               key_text(answer, question.high, units)));
@@ -122,7 +124,10 @@ std::vector<std::size_t> chosen_places(const margin::Answer& answer, std::size_t
 }
 
 Table places_table(const margin::Answer& answer, const UnitSystem& units, std::size_t max) {
-  Table table{.columns = {capitalised(factor_words(answer.question.key))}};
+  Table table{.caption = answer.question.chance ? fmt::format("Figures that {} of the draws keep",
+                                                              per_cent(answer.question.chance->probability))
+                                                : "",
+              .columns = {capitalised(factor_words(answer.question.key))}};
   for (std::size_t i = 0; i < answer.limits.size(); ++i)
     table.columns.push_back(capitalised(limit_title(answer, i)));
   table.columns.insert(table.columns.end(), {"Of the limit", "95 % interval"});
@@ -132,12 +137,15 @@ Table places_table(const margin::Answer& answer, const UnitSystem& units, std::s
     std::vector<std::string> row{key_text(answer, place.value, units)};
     for (std::size_t j = 0; j < answer.limits.size(); ++j)
       row.push_back(figure_text(answer.limits[j], place.figures[j], units));
-    const auto share = [](double excess) {
-      return std::isfinite(excess) ? fmt::format("{:.4g} %", 100 * share_of_limit(excess)) : std::string("-");
+    const auto share = [&](double excess) {
+      return std::isfinite(excess)
+                 ? fmt::format("{:.4g} %", 100 * share_of_limit(answer.limits[place.worst], excess))
+                 : std::string("-");
     };
     row.push_back(share(place.excess));
-    row.push_back(place.low == place.high || !std::isfinite(place.low)
-                      ? "-"
+    row.push_back(place.low == place.high || !std::isfinite(place.low) ? "-"
+                  : answer.limits[place.worst].at_least
+                      ? fmt::format("{} to {}", share(place.high), share(place.low))
                       : fmt::format("{} to {}", share(place.low), share(place.high)));
     if (answer.question.chance) row.push_back(per_cent(place.share));
     table.rows.push_back(std::move(row));

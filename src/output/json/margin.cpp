@@ -64,9 +64,9 @@ std::string margin_json(const margin::Answer& answer) {
     for (std::size_t i = 0; i < place.figures.size(); ++i)
       figures.push_back(number(shown(answer.limits[i], place.figures[i])));
     json["figures"] = figures;
-    json["share_of_limit"] = number(share_of_limit(place.excess));
-    json["share_low"] = number(share_of_limit(place.low));
-    json["share_high"] = number(share_of_limit(place.high));
+    json["share_of_limit"] = number(share_of_limit(answer.limits[place.worst], place.excess));
+    json["share_low"] = number(share_of_limit(answer.limits[place.worst], place.low));
+    json["share_high"] = number(share_of_limit(answer.limits[place.worst], place.high));
     json["worst"] = name_of(answer.limits[place.worst]);
     if (answer.question.chance) json["passing_draws"] = place.share;
     json["why_unknown"] = text_if_any(place.why_unknown);
@@ -114,7 +114,8 @@ std::string margin_csv(const margin::Answer& answer) {
     text += fmt::format("{}", key.scale * place.value);
     for (std::size_t i = 0; i < place.figures.size(); ++i)
       text += field(shown(answer.limits[i], place.figures[i]));
-    for (const double excess : {place.excess, place.low, place.high}) text += field(share_of_limit(excess));
+    for (const double excess : {place.excess, place.low, place.high})
+      text += field(share_of_limit(answer.limits[place.worst], excess));
     text += (answer.question.chance ? field(place.share) : ",") + "\n";
   }
   return text;

@@ -45,8 +45,8 @@ Panel margin_panel(const margin::Answer& answer, const UnitSystem& units) {
   for (const margin::Place& place : answer.places) {
     if (!std::isfinite(place.low) || !(place.high > place.low)) continue;
     band.x.push_back(scale * place.value);
-    band.y.push_back(in_axis(100 * share_of_limit(place.low)));
-    band.y2.push_back(std::min(100 * share_of_limit(place.high), max_share));
+    band.y.push_back(in_axis(100 * share_of_limit(answer.limits[place.worst], place.low)));
+    band.y2.push_back(std::min(100 * share_of_limit(answer.limits[place.worst], place.high), max_share));
   }
   if (band.x.size() > 1) panel.add(std::move(band));
   for (std::size_t i = 0; i < answer.limits.size(); ++i) {

@@ -23,9 +23,35 @@ std::string joined(const std::vector<std::string>& parts, const char* word) {
   return text;
 }
 
-/// A turn in the sentence that answers: with its interval where that is due to the number of draws alone.
-std::string turn_in_answer(const margin::Answer& answer, const margin::Turn& turn, const UnitSystem& units) {
-  return answer.question.chance ? turn_text(answer, turn, units) : key_text(answer, turn.value, units);
+/// " (95 % interval 28.1 to 31 mm)"; "" without one.
+std::string interval_text(const margin::Answer& answer, const margin::Turn& turn, const UnitSystem& units) {
+  if (!turn.interval) return "";
+  const auto& [low, high] = *turn.interval;
+  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
+  const std::string from = key_text(answer, low, units), to = key_text(answer, high, units);
+  if (!has_low && !has_high) return " (95 % interval: all of the range)";
+  if (!has_low) return fmt::format(" (95 % interval: at most {})", to);
+  if (!has_high) return fmt::format(" (95 % interval: at least {})", from);
+  if (from == to) return "";
+  const std::string unit = shown_as(answer.question.unit, units).unit;
+  const bool same_unit = !unit.empty() && from.ends_with(" " + unit);
+  return fmt::format(" (95 % interval {} to {})",
+                     same_unit ? from.substr(0, from.size() - unit.size() - 1) : from, to);
+}
+
+/// A bound of what passes, rounded into it: with the interval of its turn where that is due to the number of
+/// draws alone.
+std::string bound_text(const margin::Answer& answer, double bound, bool up, const UnitSystem& units) {
+  const ScaledUnit shown = shown_as(answer.question.unit, units);
+  const double value = shown.scale * bound;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - key_digits);
+  double inside = value;
+  if (value != 0) inside = step * (up ? std::ceil(value / step - 1e-6) : std::floor(value / step + 1e-6));
+  const std::string text = with_unit(brief(rounded_to(inside, key_digits), key_digits), shown.unit);
+  if (!answer.question.chance) return text;
+  for (const margin::Turn& turn : answer.turns)
+    if (turn.value == bound) return text + interval_text(answer, turn, units);
+  return text;
 }
 
 /// ", and for certain from 31 mm on": where the whole interval keeps the limits; "" without intervals.
@@ -37,28 +63,25 @@ std::string certain_text(const margin::Answer& answer, const UnitSystem& units) 
     if (zone != margin::Zone::pass) continue;
     const bool from_begin = from <= answer.question.low, to_end = to >= answer.question.high;
     is_everywhere = is_everywhere || (from_begin && to_end);
-    parts.push_back(
-        from_begin ? "up to " + key_text(answer, to, units)
-        : to_end   ? fmt::format("from {} on", key_text(answer, from, units))
-                 : fmt::format("from {} to {}", key_text(answer, from, units), key_text(answer, to, units)));
+    parts.push_back(from_begin ? "up to " + bound_text(answer, to, false, units)
+                    : to_end   ? fmt::format("from {} on", bound_text(answer, from, true, units))
+                               : fmt::format("from {} to {}", bound_text(answer, from, true, units),
+                                             bound_text(answer, to, false, units)));
   }
   if (is_everywhere) return ", and that for certain";
   return parts.empty() ? ", but nowhere for certain" : ", and for certain " + joined(parts, " and ");
 }
 
-/// "is at least 29.4 mm", "is 21 to 44 mm": the stretches between turns in which the limits are kept.
+/// "is at least 29.4 mm", "is between 21 and 44 mm": where the limits are kept, within the range.
 std::vector<std::string> kept_stretches(const margin::Answer& answer, const UnitSystem& units) {
   std::vector<std::string> parts;
-  const std::vector<margin::Turn>& turns = answer.turns;
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    const std::string here = turn_in_answer(answer, turns[i], units);
-    if (!turns[i].passes_above) {
-      if (i == 0) parts.push_back("is at most " + here);
-    } else if (i + 1 < turns.size()) {
-      parts.push_back(fmt::format("is between {} and {}", here, turn_in_answer(answer, turns[i + 1], units)));
-    } else {
-      parts.push_back("is at least " + here);
-    }
+  for (const auto& [from, to, zone] : answer.kept) {
+    if (zone != margin::Zone::pass) continue;
+    const std::string low = bound_text(answer, from, true, units),
+                      high = bound_text(answer, to, false, units);
+    parts.push_back(from <= answer.question.low  ? "is at most " + high
+                    : to >= answer.question.high ? "is at least " + low
+                                                 : fmt::format("is between {} and {}", low, high));
   }
   return parts;
 }
@@ -114,19 +137,7 @@ std::string key_text(const margin::Answer& answer, double value, const UnitSyste
 }
 
 std::string turn_text(const margin::Answer& answer, const margin::Turn& turn, const UnitSystem& units) {
-  const std::string at = key_text(answer, turn.value, units);
-  if (!turn.interval) return at;
-  const auto& [low, high] = *turn.interval;
-  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
-  const std::string from = key_text(answer, low, units), to = key_text(answer, high, units);
-  if (!has_low && !has_high) return fmt::format("{} (95 % interval: all of the range)", at);
-  if (!has_low) return fmt::format("{} (95 % interval: at most {})", at, to);
-  if (!has_high) return fmt::format("{} (95 % interval: at least {})", at, from);
-  if (from == to) return at;
-  const std::string unit = shown_as(answer.question.unit, units).unit;
-  const bool same_unit = !unit.empty() && from.ends_with(" " + unit);
-  return fmt::format("{} (95 % interval {} to {})", at,
-                     same_unit ? from.substr(0, from.size() - unit.size() - 1) : from, to);
+  return key_text(answer, turn.value, units) + interval_text(answer, turn, units);
 }
 
 std::string limit_title(const margin::Answer& answer, std::size_t limit) {
@@ -147,7 +158,9 @@ std::string figure_text(const margin::Limit& limit, double figure, const UnitSys
   return brief_quantity(figure, limit.figure->si_unit, units, 4);
 }
 
-double share_of_limit(double excess) { return 1 + std::sinh(excess); }
+double share_of_limit(const margin::Limit& limit, double excess) {
+  return (limit.value > 0 ? 1 : -1) * (limit.at_least ? -1 : 1) * std::sinh(excess) + 1;
+}
 
 bool is_aim(const margin::Answer& answer) {
   return answer.limits.size() == 1 && answer.limits.front().is_aim;
@@ -156,14 +169,14 @@ bool is_aim(const margin::Answer& answer) {
 std::string margin_answer(const margin::Answer& answer, const UnitSystem& units) {
   if (is_aim(answer) && !answer.question.chance) return aim_answer(answer, units);
   const std::string key = factor_words(answer.question.key);
+  const bool is_everywhere = answer.kept.size() == 1 && answer.kept.front().zone == margin::Zone::pass;
   const std::vector<std::string> kept = kept_stretches(answer, units);
-  if (!kept.empty())
-    return fmt::format("Passes{} if the {} {}{}", chance_words(answer), key, joined(kept, " or "),
-                       certain_text(answer, units));
-  const bool passes = answer.nearest && answer.places[*answer.nearest].excess <= 0;
-  if (!passes)
+  if (kept.empty())
     return fmt::format("Passes{} at no {} {}: {}", chance_words(answer), key, range_text(answer, units),
                        nearest_text(answer, units));
+  if (!is_everywhere)
+    return fmt::format("Passes{} if the {} {}{}", chance_words(answer), key, joined(kept, " or "),
+                       certain_text(answer, units));
   const auto where = std::ranges::max_element(answer.places, {}, &margin::Place::excess);
   return fmt::format("Passes{} at every {} {}{}: next to its limit at {}, where {} is {} (limit: {})",
                      chance_words(answer), key, range_text(answer, units), certain_text(answer, units),

@@ -19,9 +19,9 @@ std::string limit_title(const margin::Answer& answer, std::size_t limit);
 std::string limit_text(const margin::Limit& limit, const UnitSystem& units);
 /// A figure as it is shown; "bottomed out" or "none" without one.
 std::string figure_text(const margin::Limit& limit, double figure, const UnitSystem& units);
-/// The worst figure over its limit, by an excess.
-double share_of_limit(double excess);
-/// The excess where an aim or a limit at all has been reached: 0 for a worst excess of 0.
+/// The figure over its limit that has this excess.
+double share_of_limit(const margin::Limit& limit, double excess);
+/// Whether the question is where a figure has a value, not where a limit is kept.
 bool is_aim(const margin::Answer& answer);
 
 }  // namespace dashpad::output
