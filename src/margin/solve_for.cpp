@@ -16,11 +16,13 @@ namespace dashpad::margin {
 namespace {
 
 /// An end of the intervals moved by less than this share of its value is found.
-constexpr double end_precision = 3e-3;
+constexpr double end_precision = 5e-3;
 constexpr int max_moves = 4;
 /// Excesses beyond it are not drawn across zero by any interval that was seen.
 constexpr double far_from_limit = 1.5;
 constexpr std::size_t spread_looks = 3;
+/// After so many impacts only what is unsettled is looked at again.
+constexpr std::uint64_t enough_impacts = 125;
 
 enum class Which { excess, low, high };
 
@@ -203,7 +205,8 @@ class Solving {
   /// The same, each looked at until it stays in its place.
   std::vector<End> settled_ends(Which which) {
     std::vector<End> ends = ends_of(which, false);
-    for (int move = 0; move < max_moves; ++move) {
+    const int moves = !answer_.question.chance && impacts_.solved() > enough_impacts ? 2 : max_moves;
+    for (int move = 0; move < moves; ++move) {
       for (const End& end : ends) look(end.value, true);
       const std::vector<End> next = ends_of(which, false);
       const bool is_settled = std::ranges::all_of(next, [&](const End& end) {
@@ -258,7 +261,7 @@ class Solving {
   /// Between places whose intervals are known, one may be wide and the other narrow: the middle tells.
   bool look_into_long_undecided() {
     constexpr double long_stretch = 0.1;
-    if (answer_.question.chance) return false;
+    if (answer_.question.chance || impacts_.solved() > 2 * enough_impacts) return false;
     std::vector<double> bounds{0, 1};
     for (const std::vector<End>* ends : {&high_ends_, &low_ends_})
       for (const End& end : *ends) bounds.push_back(range_.place_of(end.value));
