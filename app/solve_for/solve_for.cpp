@@ -45,8 +45,7 @@ int code_of(const margin::Answer& answer) {
     return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
   };
   if (!answer.is_complete || answer.doubtful > 0) return exit_not_trusted;
-  const bool is_aim = answer.limits.size() == 1 && answer.limits.front().is_aim && !answer.question.chance;
-  if (is_aim)
+  if (margin::is_aim(answer.question))
     return std::ranges::any_of(answer.turns, [](const margin::Turn& turn) { return !turn.jumps; })
                ? exit_done
                : exit_not_passed;

@@ -45,7 +45,6 @@ Draws draws_at(const Question& question, double value) {
   const std::vector<Limit> limits = limits_of(question);
   Draws draws;
   draws.excess.assign(question.chance->draws, -infinite);
-  std::vector<char> is_without(question.chance->draws, 0);
   std::size_t first_limit = 0;
   for (const Judged& judged : question.impacts) {
     const study::Study study = study_of(question, judged, {value});
@@ -71,10 +70,7 @@ Draws draws_at(const Question& question, double value) {
                 figure = known_part(limit, figure, true);
               draws.figures[first_limit + j][row.row] = figure;
               double excess = excess_of(limit, figure);
-              if (std::isnan(excess)) {
-                is_without[row.row] = 1;
-                excess = infinite;
-              }
+              if (std::isnan(excess)) excess = infinite;
               draws.excess[row.row] = std::max(draws.excess[row.row], excess);
             }
             if (is_first) draws.factors[row.row] = std::move(row.factors);
@@ -82,7 +78,6 @@ Draws draws_at(const Question& question, double value) {
         });
     first_limit += count;
   }
-  draws.without = static_cast<std::uint64_t>(std::ranges::count(is_without, 1));
   return draws;
 }
 
@@ -90,7 +85,7 @@ Place place_of(const Question& question, double value, const Draws& draws) {
   const std::vector<Limit> limits = limits_of(question);
   const std::size_t count = draws.excess.size();
   const double probability = question.chance->probability;
-  /// Of `count` sorted values that with the given number of them at or below it.
+  // Of `count` sorted values that with the given number of them at or below it.
   const auto ranked = [count](std::vector<double> values, double rank) {
     const auto place = static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(count)) - 1);
     std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(place));
@@ -100,8 +95,7 @@ Place place_of(const Question& question, double value, const Draws& draws) {
   const boost::math::binomial_distribution<> below(static_cast<double>(count), probability);
   Place place{.value = value};
   place.excess = ranked(draws.excess, rank);
-  // The ranks between which the quantile lies with 95 % (independent draws).
-  // Too few draws have no such rank.
+  // The ranks between which the quantile lies with 95 % (independent draws); too few draws have none.
   const double low_rank = std::floor(quantile(below, 0.025));
   const double high_rank = std::ceil(quantile(complement(below, 0.025))) + 1;
   place.low = low_rank < 1 ? -infinite : ranked(draws.excess, low_rank);

@@ -74,24 +74,7 @@ void add_reservations(const Judged& judged, const std::optional<injury::Assessme
       reservations.push_back(flag);
 }
 
-void add_limits(const Judged& judged, std::vector<Limit>& limits) {
-  if (judged.standard)
-    for (const injury::Criterion& criterion : judged.standard->criteria)
-      limits.push_back({.figure = &injury::quantity_of(criterion.metric),
-                        .level = criterion.metric == injury::Metric::dwell_time ? criterion.level : 0,
-                        .value = criterion.limit,
-                        .title = injury::title_of(criterion),
-                        .origin = judged.standard->name});
-  limits.insert(limits.end(), judged.limits.begin(), judged.limits.end());
-}
-
 }  // namespace
-
-std::vector<Limit> limits_of(const Question& question) {
-  std::vector<Limit> limits;
-  for (const Judged& judged : question.impacts) add_limits(judged, limits);
-  return limits;
-}
 
 double known_part(const Limit& limit, double value, bool is_lower_bound) {
   const bool is_decided = !limit.at_least && value > limit.value;
@@ -104,31 +87,6 @@ double excess_of(const Limit& limit, double figure) {
   constexpr double rounding = 1e-7;
   if (std::abs(share) < rounding) share = 0;
   return std::asinh(limit.at_least ? -share : share);
-}
-
-study::Study study_of(const Question& question, const Judged& judged, std::vector<double> values) {
-  study::Study study;
-  study.base = judged.impact;
-  study.options = question.options;
-  study.factors = {{.key = question.key,
-                    .unit = question.unit,
-                    .spread = study::Levels{std::move(values)},
-                    .lowest = {},
-                    .highest = {}}};
-  if (question.chance) {
-    study.options.tolerance = std::max(study.options.tolerance, 1e-3);
-    study.factors.insert(study.factors.end(), question.chance->factors.begin(),
-                         question.chance->factors.end());
-    for (const study::Correlation& correlation : question.chance->correlations)
-      study.correlations.push_back({correlation.first + 1, correlation.second + 1, correlation.value});
-    if (question.chance->foam) study::draw_foam_uncertainty(study);
-    study.samples = question.chance->draws;
-    study.seed = question.chance->seed;
-  }
-  std::vector<Limit> limits;
-  add_limits(judged, limits);
-  for (const Limit& limit : limits) study.responses.emplace_back(limit.figure->key);
-  return study;
 }
 
 Impacts::Impacts(const Question& question) : question_(question), limits_(limits_of(question)) {

@@ -44,7 +44,6 @@ struct Draws {
   std::vector<double> excess;                ///< infinite for a draw without a value, which keeps no limit
   std::vector<std::vector<double>> figures;  ///< of each limit, by draw
   std::vector<std::vector<double>> factors;  ///< of the first impact, by draw
-  std::uint64_t without = 0;                 ///< draws without a value
 };
 
 /// All draws at a value of the key, the same draws at every value. On all cores.

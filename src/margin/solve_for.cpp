@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
-#include "dashpad/study/responses.hpp"
 #include "margin/crossings.hpp"
 #include "margin/evaluation.hpp"
 
@@ -61,7 +59,6 @@ class Solving {
     search();
     if (has_intervals()) find_intervals();
     add_reservations();
-    std::ranges::sort(answer_.places, {}, &Place::value);
     add_kept();
     add_stretches();
     for (std::size_t i = 0; i < answer_.places.size(); ++i)
@@ -88,8 +85,9 @@ class Solving {
   const Place& look(double value, bool intervals = false) {
     tell();
     std::vector<Place>& places = answer_.places;
-    const auto same = std::ranges::find(places, value, &Place::value);
-    if (same != places.end() && (!intervals || has_interval(*same))) return *same;
+    const auto at = std::ranges::lower_bound(places, value, {}, &Place::value);
+    const bool is_known = at != places.end() && at->value == value;
+    if (is_known && (!intervals || has_interval(*at))) return *at;
     Place place;
     if (answer_.question.chance) {
       place = place_of(answer_.question, value, draws_at(answer_.question, value));
@@ -99,9 +97,8 @@ class Solving {
       if (intervals) with_interval_.push_back(value);
     }
     ++looks_;
-    if (same != places.end()) return *same = std::move(place);
-    places.push_back(std::move(place));
-    return places.back();
+    if (is_known) return *at = std::move(place);
+    return *places.insert(at, std::move(place));
   }
   [[nodiscard]] bool has_interval(const Place& place) const {
     return answer_.question.chance.has_value() ||
@@ -153,11 +150,11 @@ class Solving {
 
   /// The curve at a value: of the excess itself by a straight line between the places looked at, the ends of
   /// intervals from it by their distance, which changes less.
-  [[nodiscard]] double curve_at(const std::vector<Place>& sorted, Which which, double value) const {
-    const double excess = on_line(sorted, value, [](const Place& place) { return place.excess; });
+  [[nodiscard]] double curve_at(Which which, double value) const {
+    const double excess = on_line(answer_.places, value, [](const Place& place) { return place.excess; });
     if (which == Which::excess || !std::isfinite(excess)) return excess;
     std::vector<Place> ends;
-    for (const Place& place : sorted)
+    for (const Place& place : answer_.places)
       if (has_interval(place) && std::isfinite(place.excess)) ends.push_back(place);
     if (ends.empty()) return excess;
     return excess + on_line(ends, value, [which](const Place& place) {
@@ -176,11 +173,6 @@ class Solving {
     if (std::isfinite(at_before) && std::isfinite(at_after)) return std::lerp(at_before, at_after, share);
     return share < 0.5 ? at_before : at_after;
   }
-  [[nodiscard]] std::vector<Place> sorted_places() const {
-    std::vector<Place> sorted = answer_.places;
-    std::ranges::sort(sorted, {}, &Place::value);
-    return sorted;
-  }
 
   struct End {
     double value;
@@ -189,13 +181,13 @@ class Solving {
   /// Where a curve crosses zero, by the places looked at so far. Next to a place where it is infinite nothing
   /// tells how far: halfway, or, if that is to be the `last` word, where it is finite.
   [[nodiscard]] std::vector<End> ends_of(Which which, bool last) const {
-    const std::vector<Place> sorted = sorted_places();
+    const std::vector<Place>& places = answer_.places;
     std::vector<End> ends;
-    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
-      const double from = curve_at(sorted, which, sorted[i].value);
-      const double to = curve_at(sorted, which, sorted[i + 1].value);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double from = curve_at(which, places[i].value);
+      const double to = curve_at(which, places[i + 1].value);
       if (std::isnan(from) || std::isnan(to) || (from > 0) == (to > 0)) continue;
-      const double a = range_.place_of(sorted[i].value), b = range_.place_of(sorted[i + 1].value);
+      const double a = range_.place_of(places[i].value), b = range_.place_of(places[i + 1].value);
       double share = from / (from - to);
       if (!std::isfinite(from) || !std::isfinite(to)) share = !last ? 0.5 : std::isfinite(to) ? 1 : 0;
       ends.push_back({range_.value_at(std::lerp(a, b, share)), to > from});
@@ -227,9 +219,8 @@ class Solving {
   void find_intervals() {
     if (!answer_.question.chance) {
       for (const Turn& turn : answer_.turns) look(turn.value, true);
-      const std::vector<Place> sorted = sorted_places();
       std::vector<double> values;
-      for (const Place& place : sorted)
+      for (const Place& place : answer_.places)
         if (std::abs(place.excess) < far_from_limit) values.push_back(place.value);
       const std::size_t count = std::min(values.size(), spread_looks);
       for (std::size_t i = 0; i < count; ++i)
@@ -266,11 +257,12 @@ class Solving {
     for (const std::vector<End>* ends : {&high_ends_, &low_ends_})
       for (const End& end : *ends) bounds.push_back(range_.place_of(end.value));
     std::ranges::sort(bounds);
-    const std::vector<Place> sorted = sorted_places();
     bool has_looked = false;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
       const double middle = range_.value_at((bounds[i] + bounds[i + 1]) / 2);
-      if (bounds[i + 1] - bounds[i] < long_stretch || zone_at(sorted, middle) != Zone::undecided) continue;
+      if (bounds[i + 1] - bounds[i] < long_stretch ||
+          zone_at(middle, Which::low, Which::high) != Zone::undecided)
+        continue;
       look(middle, true);
       has_looked = true;
     }
@@ -300,26 +292,24 @@ class Solving {
       bounds.push_back(range_.value_at(gap.to));
     }
     std::ranges::sort(bounds);
-    const std::vector<Place> sorted = sorted_places();
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
       const double from = bounds[i], to = bounds[i + 1];
       if (!(to - from > 1e-9 * std::abs(to))) continue;
       const double middle = range_.value_at((range_.place_of(from) + range_.place_of(to)) / 2);
-      const Zone zone = zone_at(sorted, middle, low, high);
+      const Zone zone = zone_at(middle, low, high);
       if (!stretches.empty() && stretches.back().zone == zone)
         stretches.back().to = to;
       else
         stretches.push_back({from, to, zone});
     }
   }
-  [[nodiscard]] Zone zone_at(const std::vector<Place>& sorted, double value, Which low_end = Which::low,
-                             Which high_end = Which::high) const {
+  [[nodiscard]] Zone zone_at(double value, Which low_end, Which high_end) const {
     const double place = range_.place_of(value);
     if (std::ranges::any_of(gaps_, [&](const Gap& gap) { return place > gap.from && place < gap.to; }))
       return Zone::unknown;
     // Next to an infinite excess a line has no height: the side of that place counts.
-    const double high = curve_at(sorted, high_end, value);
-    const double low = curve_at(sorted, low_end, value);
+    const double high = curve_at(high_end, value);
+    const double low = curve_at(low_end, value);
     if (std::isnan(high) || std::isnan(low)) return Zone::fail;
     return high <= 0 ? Zone::pass : low > 0 ? Zone::fail : Zone::undecided;
   }
@@ -362,38 +352,6 @@ class Solving {
 };
 
 }  // namespace
-
-const char* to_string(Zone zone) {
-  constexpr const char* names[]{"pass", "fail", "undecided", "unknown"};
-  return names[static_cast<std::size_t>(zone)];
-}
-
-std::vector<Violation> violations(const Question& question) {
-  std::vector<Violation> broken;
-  if (!(question.low < question.high) || !std::isfinite(question.low) || !std::isfinite(question.high))
-    return {{"--between", question.low, "the range must begin below its end"}};
-  if (question.logarithmic && !(question.low > 0))
-    return {{"--between", question.low, "equal ratios need a range above 0"}};
-  for (const Limit& limit : limits_of(question))
-    if (limit.value == 0 || !std::isfinite(limit.value))
-      broken.push_back({"--until", limit.value, "the limit must be a finite number other than 0"});
-  if (limits_of(question).empty()) broken.push_back({"--standard", 0, "a limit is needed"});
-  if (const auto& chance = question.chance) {
-    if (!(chance->probability >= 0.5 && chance->probability <= 0.9991))
-      broken.push_back({"--probability", chance->probability, "must lie between 50 % and 99.9 %"});
-    for (const Limit& limit : limits_of(question))
-      if (study::find_response_kind(limit.figure->key) == nullptr)
-        broken.push_back({"--probability", chance->probability,
-                          "draws have no " + title_in_sentence(*limit.figure) + ", which is limited"});
-  }
-  if (!broken.empty()) return broken;
-  for (const Judged& judged : question.impacts) {
-    study::Study study = study_of(question, judged, {question.low, question.high});
-    if (study.responses.empty() || !question.chance) study.responses = study::default_responses();
-    for (const Violation& violation : study::violations(study)) broken.push_back(violation);
-  }
-  return broken;
-}
 
 Answer solve_for(const Question& question, const Progress& progress) {
   return Solving(question, progress).run();

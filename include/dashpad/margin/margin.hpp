@@ -62,6 +62,9 @@ struct Question {
 /// The limits of all impacts, in order.
 std::vector<Limit> limits_of(const Question& question);
 
+/// Whether the question is where one figure has a value, not where limits are kept.
+bool is_aim(const Question& question);
+
 /// The rules that the question breaks, under the options of the command: "--between", "--vary KEY".
 std::vector<Violation> violations(const Question& question);
 

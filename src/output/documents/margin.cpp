@@ -43,7 +43,7 @@ std::vector<std::string> subject_of(const margin::Answer& answer, const std::str
           fmt::format("Standard: {} ({})", one_line(judged.standard->title), judged.standard->name));
   if (const auto& blows = question.impacts.front().impact.blows)
     lines.push_back(fmt::format("Figures of the last of {} blows", blows->count));
-  lines.push_back(fmt::format("{}: {}; looked at from {} to {}", is_aim(answer) ? "Aim" : "Limits",
+  lines.push_back(fmt::format("{}: {}; looked at from {} to {}", is_aim(answer.question) ? "Aim" : "Limits",
                               limits_text(answer, units), key_text(answer, question.low, units),
                               key_text(answer, question.high, units)));
   if (const auto& chance = question.chance) {
@@ -76,7 +76,7 @@ std::vector<ValueRow> turn_rows(const margin::Answer& answer, const UnitSystem& 
     row.remark =
         fmt::format("{} {} {}; {} {}", limit_title(answer, turn.limit), turn.jumps ? "jumps over" : "is at",
                     brief_quantity(limit.value, limit.figure->si_unit, units),
-                    is_aim(answer) ? "lower" : "passes", turn.passes_above ? "above" : "below");
+                    is_aim(answer.question) ? "lower" : "passes", turn.passes_above ? "above" : "below");
     rows.push_back(std::move(row));
   }
   return rows;
@@ -172,7 +172,7 @@ std::vector<std::string> scatter_words(const margin::Answer& answer) {
 }
 
 Tone tone_of(const margin::Answer& answer) {
-  if (is_aim(answer)) return answer.turns.empty() ? Tone::doubtful : Tone::plain;
+  if (is_aim(answer.question)) return answer.turns.empty() ? Tone::doubtful : Tone::plain;
   const auto any = [&](margin::Zone zone) {
     return std::ranges::count(answer.stretches, zone, &margin::Stretch::zone) > 0;
   };
@@ -190,7 +190,7 @@ Document margin_document(const margin::Answer& answer, const std::string& file, 
                                  .figures = turn_rows(answer, units)}};
   document.warnings = by_severity(answer.reservations);
   std::vector<std::string> lines;
-  if (const std::string certain = certain_words(answer, units); !certain.empty() && !is_aim(answer))
+  if (const std::string certain = certain_words(answer, units); !certain.empty() && !is_aim(answer.question))
     lines.push_back(fmt::format("{}: {}.",
                                 answer.question.chance      ? "By the number of draws"
                                 : answer.question.intervals ? "Whatever of foam and model is uncertain"

@@ -162,12 +162,8 @@ double share_of_limit(const margin::Limit& limit, double excess) {
   return (limit.value > 0 ? 1 : -1) * (limit.at_least ? -1 : 1) * std::sinh(excess) + 1;
 }
 
-bool is_aim(const margin::Answer& answer) {
-  return answer.limits.size() == 1 && answer.limits.front().is_aim;
-}
-
 std::string margin_answer(const margin::Answer& answer, const UnitSystem& units) {
-  if (is_aim(answer) && !answer.question.chance) return aim_answer(answer, units);
+  if (margin::is_aim(answer.question)) return aim_answer(answer, units);
   const std::string key = factor_words(answer.question.key);
   const bool is_everywhere = answer.kept.size() == 1 && answer.kept.front().zone == margin::Zone::pass;
   const std::vector<std::string> kept = kept_stretches(answer, units);

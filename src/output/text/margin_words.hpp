@@ -21,7 +21,5 @@ std::string limit_text(const margin::Limit& limit, const UnitSystem& units);
 std::string figure_text(const margin::Limit& limit, double figure, const UnitSystem& units);
 /// The figure over its limit that has this excess.
 double share_of_limit(const margin::Limit& limit, double excess);
-/// Whether the question is where a figure has a value, not where a limit is kept.
-bool is_aim(const margin::Answer& answer);
 
 }  // namespace dashpad::output
