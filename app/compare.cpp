@@ -151,6 +151,7 @@ void add_pulse_options(CLI::App& sub, CompareRequest& request, CLI::Option* time
       ->check(CLI::IsMember(names));
   add_source_options(sub, request.pulse);
   add_processing_options(sub, request.pulse);
+  add_impact_options(sub, request.pulse);
   for (CLI::Option* option : sub.get_options())
     if (std::ranges::find(before, option) == before.end()) option->needs(pulse)->group("With --pulse");
 }

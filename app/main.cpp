@@ -33,6 +33,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case read as you intended?
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
   dashpad solve-for --help                       how thick, how high, how sure
+  dashpad fall-height --help                     the critical fall height of a surface
   dashpad materials                              list the foams
   dashpad material-test ensolite-aac-9           simulate a laboratory test of one of them
   dashpad material --help                        import and export other solvers' decks
@@ -50,8 +51,8 @@ Exit codes:
   0  success, even if the pad bottomed out or the time limit was reached
   1  a result could not be written (to a full disk, for example), or the program failed
   2  invalid input or command line; nothing was run or written
-  3  not reliable or no verdict: the results do not meet the tolerance, or assess or solve-for cannot
-     decide
+  3  not reliable or no verdict: the results do not meet the tolerance, assess or solve-for cannot decide,
+     or the drops of fall-height do not enclose the limit
   4  assess: a limit of the standard is exceeded, even if other results are missing;
      solve-for: nothing in the range passes; validate --strict: a rule is not met)";
 
@@ -67,6 +68,7 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Everyday use", "check", add_check, true},
                              {"Everyday use", "assess", add_assess},
                              {"Everyday use", "solve-for", add_solve_for},
+                             {"Everyday use", "fall-height", add_fall_height},
                              {"Everyday use", "standards", add_standards, true},
                              {"Everyday use", "pulse", add_pulse},
                              {"Everyday use", "export", add_export},

@@ -175,6 +175,7 @@ void add_pulse(CLI::App& app, Action& action) {
   add_source_options(sub, each);
   CLI::Option* list = add_flag(sub, "--list", each.list, "List the columns or channels, and exit");
   add_processing_options(sub, each);
+  add_impact_options(sub, each);
   add_figure_options(sub, each);
   add_option(sub, "--standard NAME[:VARIANT]", request.standard,
              "Compare the figures with the limits of this standard (see dashpad standards)")

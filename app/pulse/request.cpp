@@ -170,16 +170,23 @@ void add_processing_options(CLI::App& sub, PulseRequest& request) {
       ->check(CLI::IsMember({"mirrored", "held", "mirrored-from-mean", "negated-before"}));
   add_option(sub, "--resample INTERVAL", request.resample,
              "Interval, such as \"0.1 ms\", at which the pulse is first resampled");
+}
+
+void add_impact_options(CLI::App& sub, PulseRequest& request) {
   add_option(sub, "--speed SPEED", request.speed,
              "Impact speed, such as \"5 m/s\", for the restitution and a check of the pulse");
   add_option(sub, "--drop-height LENGTH", request.drop_height,
              "Free-fall height, such as \"1.5 m\", instead of the speed");
 }
 
-void add_figure_options(CLI::App& sub, PulseRequest& request) {
+void add_calibration(CLI::App& sub, PulseRequest& request) {
   add_option(sub, "--calibration SHARE", request.calibration,
              "Calibration uncertainty of the sensor (k = 2), such as \"2 %\"; included in the uncertainty of "
              "the figures");
+}
+
+void add_figure_options(CLI::App& sub, PulseRequest& request) {
+  add_calibration(sub, request);
   add_option(sub, "--position TEXT", request.position, "Location of the impact on the pad, as free text");
   add_option(sub, "--date TEXT", request.date, "Date of the measurement, as free text");
   add_option(sub, "--note TEXT", request.note,

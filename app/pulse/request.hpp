@@ -63,8 +63,11 @@ std::vector<std::string> out_of_place(const PulseRequest& request, bool is_test)
 
 /// Adds the options for columns or channels.
 void add_source_options(CLI::App& sub, PulseRequest& request);
-/// Adds the options for processing and impact speed.
+/// Adds the options for processing.
 void add_processing_options(CLI::App& sub, PulseRequest& request);
+/// Adds the options for the impact speed.
+void add_impact_options(CLI::App& sub, PulseRequest& request);
+void add_calibration(CLI::App& sub, PulseRequest& request);
 /// Adds the options for further figures.
 void add_figure_options(CLI::App& sub, PulseRequest& request);
 

@@ -36,6 +36,12 @@ constexpr std::array all_flags{
     FlagKind{"IMPOSSIBLE VELOCITY CHANGE", Severity::unusable},
     FlagKind{"DROP HEIGHT IN DOUBT", Severity::doubtful},
     FlagKind{"UNLIKE SPEEDS", Severity::doubtful},
+    // Flags of critical fall heights
+    FlagKind{"LIMIT NOT ENCLOSED", Severity::doubtful},
+    FlagKind{"FEW DROPS", Severity::doubtful},
+    FlagKind{"FIGURE MISSING", Severity::doubtful},
+    FlagKind{"DROPS NOT COUNTED", Severity::doubtful},
+    FlagKind{"NO CALIBRATION", Severity::note},
     // Flags of assessments
     FlagKind{"REPLACED", Severity::note},
     FlagKind{"NO INTERVALS", Severity::doubtful},

@@ -103,8 +103,10 @@ class RowReader {
       headers_.push_back(std::move(header));
     }
     if (rows_.columns.empty() && faults_.none())
-      faults_.refuse(row.line, "", "",
-                     "names no number of a case: the first line must have keys such as impactor.speed [m/s]");
+      faults_.refuse(
+          row.line, "", "",
+          fmt::format("has no column that is known: the first line must have names such as {} [{}]",
+                      keys_.front().key, keys_.front().unit));
   }
 
   void read_row(const CsvRow& row) {

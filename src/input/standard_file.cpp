@@ -123,6 +123,33 @@ std::vector<injury::Criterion> read_criteria(TableReader& top) {
   return criteria;
 }
 
+/// Numbers of drops: whole, increasing, from 1 to 20; empty after a fault.
+std::vector<int> read_counted(TableReader& table) {
+  const auto read = read_numbers(table, "counted");
+  std::vector<int> counted;
+  if (!read || std::ranges::any_of(*read, [](double value) { return std::isnan(value); })) return counted;
+  for (const double value : *read) {
+    const int number = value >= 1 && value <= 20 ? static_cast<int>(value) : 0;
+    if (number != value || (!counted.empty() && number <= counted.back())) {
+      table.fault("counted", "must be increasing numbers of drops, such as [2, 3], from 1 to 20");
+      return {};
+    }
+    counted.push_back(number);
+  }
+  if (counted.empty()) table.fault("counted", "must have at least one number");
+  return counted;
+}
+
+std::optional<injury::DropSeries> read_drop_series(TableReader& top) {
+  auto table = top.table("drop_series", Presence::optional);
+  if (!table) return std::nullopt;
+  injury::DropSeries series{.counted = read_counted(*table),
+                            .step = positive(*table, "step", table->quantity("step", "m")),
+                            .origin = read_origin(*table)};
+  table->refuse_others();
+  return series;
+}
+
 /// Names need no quotes on a command line and have no colon, which separates variants.
 bool is_variant_name(const std::string& name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) {
@@ -175,6 +202,7 @@ Reading<injury::Standard> read_standard(const fs::path& file) {
   standard.radius = read_value(top, "radius", "m", Presence::required).value_or(injury::StandardValue{});
   standard.speed = read_value(top, "speed", "m/s", Presence::required).value_or(injury::StandardValue{});
   standard.criteria = read_criteria(top);
+  standard.drop_series = read_drop_series(top);
   standard.variants = read_variants(top);
   top.refuse_others();
   return faults.reading(std::move(standard));

@@ -179,6 +179,13 @@ std::string wrapped(std::string_view line, std::size_t indent) {
   return text + rest;
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = text;
+  replace_all(quoted, "\"", "\"\"");
+  return '"' + quoted + '"';
+}
+
 std::string fingerprint(const std::vector<std::string>& texts) {
   std::uint64_t hash = 14695981039346656037U;
   const auto add = [&hash](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U; };

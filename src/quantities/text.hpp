@@ -67,6 +67,9 @@ void replace_all(std::string& text, std::string_view old, std::string_view fresh
 /// Breaks a line at blanks into lines of at most 100 columns, if possible, and indents all but the first.
 std::string wrapped(std::string_view line, std::size_t indent);
 
+/// A field of a table separated by commas, in quotes if it needs them.
+std::string csv_field(const std::string& text);
+
 /// A fingerprint of texts and of where each ends, 16 hexadecimal digits: FNV-1a.
 std::string fingerprint(const std::vector<std::string>& texts);
 

@@ -9,6 +9,7 @@
 
 #include "dashpad/result/result_quantity.hpp"
 #include "dashpad/study/study_file.hpp"
+#include "quantities/text.hpp"
 #include "study/store_file.hpp"
 
 namespace dashpad::study {
@@ -108,11 +109,6 @@ bool has_column(const StoreHeading& heading, const std::string& name) {
     if (std::any_of(list->begin(), list->end(), [&](const auto& column) { return column.name == name; }))
       return true;
   return false;
-}
-
-/// A field of CSV, in quotes where it needs them.
-std::string csv_field(const std::string& text) {
-  return text.find_first_of(",\"\n\r") == std::string::npos ? text : sql_name(text);  // the same quotes
 }
 
 void append(fmt::memory_buffer& text, const StoredRow& row, const std::vector<ExportedColumn>& columns,

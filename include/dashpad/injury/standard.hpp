@@ -79,6 +79,13 @@ struct StandardVariant {
   std::optional<StandardValue> mass, radius, speed;
 };
 
+/// How a standard counts several drops from one height on one place.
+struct DropSeries {
+  std::vector<int> counted;  ///< numbers of the drops whose mean counts, from 1, increasing
+  double step = 0;  ///< m, by which heights increase, and to whose multiples a result is rounded down
+  Origin origin;
+};
+
 struct Standard {
   std::string name;  ///< as on the command line
   std::string title;
@@ -88,8 +95,9 @@ struct Standard {
   std::string note;
   StandardValue mass, radius, speed;
   std::vector<Criterion> criteria;
-  std::vector<StandardVariant> variants;  ///< available variants
-  std::vector<std::string> chosen;        ///< variants in force
+  std::optional<DropSeries> drop_series = {};  ///< absent if each drop counts by itself
+  std::vector<StandardVariant> variants;       ///< available variants
+  std::vector<std::string> chosen;             ///< variants in force
 };
 
 /// The standard with these variants in force. Throws std::invalid_argument for an unknown variant, or for two
