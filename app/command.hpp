@@ -73,6 +73,7 @@ void add_assess(CLI::App& app, Action& action);
 void add_standards(CLI::App& app, Action& action);
 void add_solve_for(CLI::App& app, Action& action);
 void add_fall_height(CLI::App& app, Action& action);
+void add_sensitivity(CLI::App& app, Action& action);
 void add_pulse(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_post_impact(CLI::App& app, Action& action);

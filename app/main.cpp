@@ -34,6 +34,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
   dashpad solve-for --help                       how thick, how high, how sure
   dashpad fall-height --help                     the critical fall height of a surface
+  dashpad sensitivity --help                     which number of a case matters most
   dashpad materials                              list the foams
   dashpad material-test ensolite-aac-9           simulate a laboratory test of one of them
   dashpad material --help                        import and export other solvers' decks
@@ -69,6 +70,7 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Everyday use", "assess", add_assess},
                              {"Everyday use", "solve-for", add_solve_for},
                              {"Everyday use", "fall-height", add_fall_height},
+                             {"Everyday use", "sensitivity", add_sensitivity},
                              {"Everyday use", "standards", add_standards, true},
                              {"Everyday use", "pulse", add_pulse},
                              {"Everyday use", "export", add_export},

@@ -133,9 +133,10 @@ TEST_F(GuidanceTest, WithoutACommandTheCommandsAreListed) {
 /// examples; that of validate, which takes half a minute, in test_validate.cpp.
 TEST_F(GuidanceTest, TheExamplesOfTheHelpWork) {
   fs::create_directory_symlink(fs::path{DASHPAD_SOURCE_DIR} / "examples", file("examples"));
-  for (const char* subcommand : {"run", "check", "materials", "material-test", "fit", "assess", "solve-for",
-                                 "fall-height", "standards", "post-impact", "export", "compare", "spit1984",
-                                 "study", "study summary", "study replay", "study export"}) {
+  for (const char* subcommand :
+       {"run", "check", "materials", "material-test", "fit", "assess", "solve-for", "fall-height",
+        "sensitivity", "standards", "post-impact", "export", "compare", "spit1984", "study", "study summary",
+        "study replay", "study export"}) {
     std::istringstream help(shell(std::string{"$DASHPAD "} + subcommand + " --help").out);
     for (std::string line; std::getline(help, line);) {
       if (!line.starts_with("  dashpad ")) continue;

@@ -58,15 +58,19 @@ const TableCurve& base_of(const input::DeckMaterial& made) {
 
 TEST_F(StressTableTest, EveryNotationIsTheSameTest) {
   const input::StressStrainColumns specimen{.thickness = 0.025, .area = 25e-4};
+  const char* const in_quotes =
+      R"table("Time","Compressive extension","Compressive load"
+"(s)","(mm)","(N)"
+"0.000","2.5","50"
+"1","12.5","100"
+)table";
   for (const std::string text :
        {"strain,stress_kPa\n0.1,20\n0.5,40\n", "strain_percent,stress [MPa]\n10,0.02\n50,0.04\n",
         "Dehnung [%];Spannung [kPa]\n10,0;20,0\n50,0;40,0\n",
         "Stauchung;Druckspannung\n%;kPa\n10;20\n50;40\n",
         "d\351formation (%);contrainte (kPa)\n10;20\n50;40\n",
         "deformaci\xc3\xb3n [mm/mm];esfuerzo [kPa]\n0,1;20\n0,5;40\n",
-        "stress_kPa,strain\n-20,-0.1\n-40,-0.5\n", "strain,stress_kPa\n0.1,-20\n0.5,-40\n",
-        "\"Time\",\"Compressive extension\",\"Compressive "
-        "load\"\n\"(s)\",\"(mm)\",\"(N)\"\n\"0.000\",\"2.5\",\"50\"\n\"1\",\"12.5\",\"100\"\n",
+        "stress_kPa,strain\n-20,-0.1\n-40,-0.5\n", "strain,stress_kPa\n0.1,-20\n0.5,-40\n", in_quotes,
         "Weg / mm;Kraft / N\n2,5;50\n12,5;100\n", "Verformung [mm];Standardkraft [kN]\n2,5;0,05\n12,5;0,1\n",
         "No.,Crosshead displacement (mm),Load (N),true strain\n1,2.5,50,0.11\n2,12.5,100,0.7\n"}) {
     SCOPED_TRACE(text);

@@ -1,0 +1,108 @@
+// dashpad sensitivity: what each number of a case does to the figures of its impact.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "dashpad/output/sensitivity.hpp"
+#include "dashpad/sensitivity/sensitivity.hpp"
+#include "dashpad/study/responses.hpp"
+#include "input/spelling.hpp"
+#include "output_files.hpp"
+#include "progress_line.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr const char* sensitivity_footer = R"(Examples:
+  dashpad sensitivity examples/dashboard-20mph.toml
+  dashpad sensitivity examples/dashboard-20mph.toml --figure hic15 --report ./what-matters.html
+  dashpad sensitivity examples/head-on-door-panel.toml --picture ./tornado.svg
+  dashpad sensitivity examples/dashboard-20mph.toml --set pad.thickness="1 in" --csv - | sort
+
+Of every number of the case, what 1 % more of it does to every figure, in per cent (an elasticity, d ln f / d ln p), with
+its numerical error, and the derivative itself; beside it what is uncertain of foam and model does. A number at its bound
+is moved to one side; one that is 0 is left out, since there is no per cent of it. Where a figure bends or leaps at the
+value of the case, kink or jump is said. It is what a small change does; for large ones vary them in a study.
+
+Exit codes: 0 success, 1 a result could not be written, 2 invalid input or command line (nothing was run), 3 the tolerance
+was not met, so that the figures are not reliable, or the impact does not have the figure.)";
+
+struct SensitivityRequest {
+  GivenCase given;
+  std::string figure = "peak_acceleration";
+  std::optional<std::string> tolerance;
+  bool no_intervals = false;
+  OutputFiles files;
+};
+
+std::vector<std::string> figure_names() {
+  std::vector<std::string> names;
+  for (const ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
+  return names;
+}
+
+int run_sensitivity(const SensitivityRequest& request) {
+  std::vector<std::string> errors;
+  const std::vector<std::string> names = figure_names();
+  if (std::ranges::find(names, request.figure) == names.end())
+    errors.push_back(fmt::format("--figure {}: no such figure{}", request.figure,
+                                 input::meant_or_listed(request.figure, names)));
+  judge_picture(request.files, errors);
+  const input::CaseFile input = case_to_solve(
+      request.given, request.tolerance, std::move(errors),
+      [&](const auto& files, auto& complaints) { judge_files(request.files, files, complaints); });
+  const sensitivity::Answer answer = [&] {
+    ProgressLine line{"Varying the numbers of the case"};
+    constexpr std::size_t all = 1000;
+    return sensitivity::sensitivities(input.impact, input.options, !request.no_intervals, [&](double share) {
+      line.show(static_cast<std::size_t>(share * static_cast<double>(all)), all);
+    });
+  }();
+  const auto found = std::ranges::find(answer.figures, request.figure,
+                                       [](const ResultQuantity* figure) { return std::string(figure->key); });
+  if (found == answer.figures.end()) {
+    write_error(fmt::format("{}: the impact does not have this figure, or it is 0; --figure names another\n",
+                            request.figure));
+    return exit_not_trusted;
+  }
+  const auto figure = static_cast<std::size_t>(found - answer.figures.begin());
+  const UnitSystem& units = unit_system(request.files.units);
+  publish(request.files,
+          [&](output::Pictures pictures) {
+            return output::sensitivity_document(answer, figure, request.given.file, units, pictures);
+          },
+          {{"--json", [&](const Target&) { return output::sensitivity_json(answer, request.given.file); }},
+           {"--csv", [&](const Target&) { return output::sensitivity_csv(answer); }},
+           {"--picture", [&](const Target& target) {
+              return picture_text(output::sensitivity_plot(answer, figure), target);
+            }}});
+  const bool is_unusable = std::ranges::any_of(
+      answer.flags, [](const Flag& flag) { return severity_of(flag.name) == Severity::unusable; });
+  return is_unusable ? exit_not_trusted : exit_done;
+}
+
+}  // namespace
+
+void add_sensitivity(CLI::App& app, Action& action) {
+  const auto [sub, request] =
+      add_subcommand<SensitivityRequest>(app, action, "sensitivity", "Show what each number of a case does",
+                                         sensitivity_footer, run_sensitivity);
+  add_case(sub, request.given);
+  add_option(sub, "--figure NAME", request.figure, "The figure to answer about (default: peak_acceleration)");
+  add_file(sub, request.files, "--json",
+           "Write all derivatives as JSON, in SI units (- for standard output)");
+  add_file(sub, request.files, "--csv", "Write a row for each number and figure");
+  add_file(sub, request.files, "--picture", "Draw what 1 % of each number does: .svg, .png or .pdf");
+  add_documents(sub, request.files);
+  add_units(sub, request.files.units);
+  add_all(sub, request.files.detail);
+  add_tolerance(sub, request.tolerance);
+  add_no_intervals(sub, request.no_intervals);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
+}
+
+}  // namespace dashpad::app
