@@ -10,7 +10,7 @@
 
 namespace dashpad::output {
 
-/// "Peak acceleration depends most on the impact speed: 1 % more changes it by +1.1 %; then ...".
+/// "Peak acceleration depends most on the impact speed (1 % more: +1.12 %), then on ...".
 /// `figure` is one of the answer's.
 std::string sensitivity_answer(const sensitivity::Answer& answer, std::size_t figure);
 

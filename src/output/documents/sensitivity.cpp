@@ -78,8 +78,7 @@ Table doubts_table(const sensitivity::Answer& answer, const std::vector<std::siz
 std::vector<ValueRow> rows_of(const sensitivity::Answer& answer, std::size_t figure,
                               const UnitSystem& units) {
   std::vector<ValueRow> rows;
-  for (const std::size_t k : by_effect(answer, figure)) {
-    if (rows.size() == max_rows) break;
+  for (const std::size_t k : seen_effects(answer, figure, max_rows)) {
     const sensitivity::Input& input = answer.inputs[k];
     rows.push_back({.label = factor_title(input.key),
                     .value = effect_words(input.elasticities[figure]),

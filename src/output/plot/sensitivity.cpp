@@ -15,22 +15,12 @@ namespace dashpad::output {
 
 namespace {
 
-constexpr std::size_t max_drawn = 16;
-/// Shorter bars are left out, as a share of the longest.
-constexpr double min_share = 1e-3;
+constexpr std::size_t max_drawn = 8;
 
 }  // namespace
 
 Plot sensitivity_plot(const sensitivity::Answer& answer, std::size_t figure) {
-  std::vector<std::size_t> drawn;
-  for (const std::size_t k : by_effect(answer, figure)) {
-    const double value = answer.inputs[k].elasticities[figure].value;
-    if (!std::isfinite(value) || drawn.size() == max_drawn) break;
-    if (!drawn.empty() &&
-        std::abs(value) < min_share * std::abs(answer.inputs[drawn.front()].elasticities[figure].value))
-      break;
-    drawn.push_back(k);
-  }
+  const std::vector<std::size_t> drawn = seen_effects(answer, figure, max_drawn);
   Panel panel{.title = fmt::format("What 1 % more of each number does to the {}",
                                    title_in_sentence(*answer.figures[figure])),
               .x = {.label = "Change (%)"},
@@ -44,7 +34,7 @@ Plot sensitivity_plot(const sensitivity::Answer& answer, std::size_t figure) {
          .x = {0, elasticity.value},
          .y = {height, height},
          .palette_index = elasticity.value < 0 ? 1 : 0,
-         .end_label = fmt::format("{}: {}", factor_words(input.key), effect_words(elasticity))});
+         .end_label = fmt::format("{:+.2f} {}", elasticity.value, factor_words(input.key))});
   }
   panel.add(Series{.label = "", .style = SeriesStyle::vertical_line, .x = {0}, .y = {0}});
   return {.title = sensitivity_answer(answer, figure),

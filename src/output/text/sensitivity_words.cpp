@@ -28,6 +28,21 @@ std::vector<std::size_t> by_effect(const sensitivity::Answer& answer, std::size_
   return order;
 }
 
+std::vector<std::size_t> seen_effects(const sensitivity::Answer& answer, std::size_t figure,
+                                      std::size_t max) {
+  constexpr double same = 1e-6;
+  std::vector<std::size_t> seen;
+  const auto effect = [&](std::size_t k) { return answer.inputs[k].elasticities[figure].value; };
+  for (const std::size_t k : by_effect(answer, figure)) {
+    if (seen.size() == max || !(std::abs(effect(k)) > unseen)) break;
+    const bool is_other_name =
+        decided_by(answer.inputs[k].key) != answer.inputs[k].key ||
+        std::ranges::any_of(seen, [&](std::size_t one) { return std::abs(effect(one) - effect(k)) < same; });
+    if (!is_other_name) seen.push_back(k);
+  }
+  return seen;
+}
+
 std::string effect_words(const sensitivity::Elasticity& elasticity) {
   using sensitivity::Course;
   if (elasticity.course == Course::jump) return "jump";
@@ -45,20 +60,16 @@ std::string interval_of_foam(const FigureInterval& interval) {
 }
 
 std::string sensitivity_answer(const sensitivity::Answer& answer, std::size_t figure) {
-  // A speed and the drop height that gives it are one thing.
-  std::vector<std::size_t> order = by_effect(answer, figure);
-  std::erase_if(order,
-                [&](std::size_t k) { return decided_by(answer.inputs[k].key) != answer.inputs[k].key; });
   const std::string title = answer.figures[figure]->title;
   std::string text;
-  for (std::size_t place = 0; place < std::min<std::size_t>(order.size(), 3); ++place) {
-    const sensitivity::Input& input = answer.inputs[order[place]];
-    const sensitivity::Elasticity& effect = input.elasticities[figure];
-    if (!(std::abs(effect.value) > unseen)) break;
-    text += place == 0 ? fmt::format("{} depends most on the {}: 1 % more changes it by {}", title,
-                                     factor_words(input.key), effect_words(effect))
-                       : fmt::format("{}{} by {}", place == 1 ? "; then on the " : ", the ",
-                                     factor_words(input.key), effect_words(effect));
+  std::size_t place = 0;
+  for (const std::size_t k : seen_effects(answer, figure, 3)) {
+    const std::string name = factor_words(answer.inputs[k].key);
+    const double effect = answer.inputs[k].elasticities[figure].value;
+    text += place == 0   ? fmt::format("{} depends most on the {} (1 % more: {:+.3g} %)", title, name, effect)
+            : place == 1 ? fmt::format(", then on the {} ({:+.3g} %)", name, effect)
+                         : fmt::format(" and the {} ({:+.3g} %)", name, effect);
+    ++place;
   }
   return text.empty() ? title + " depends on no number of the case" : text;
 }
