@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "command.hpp"
 #include "dashpad/impact/solution.hpp"
 #include "dashpad/output/study.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/responses.hpp"
+#include "dashpad/study/study_file.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
 #include "output_files.hpp"
@@ -31,10 +33,12 @@ constexpr const char* study_summary_footer = R"(Examples:
   dashpad study examples/studies/cushion-curves.toml --out cushions.db
   dashpad study summary cushions.db
   dashpad study summary cushions.db --response peak_acceleration --limit "peak_acceleration > 80 g"
+  dashpad study summary cushions.db --standard en-1078
   dashpad study summary cushions.db --report cushions.html --picture cushions.svg
   dashpad study summary cushions.db --json - | jq .cushion_curves
 
-Gives means, quantiles and the probability of exceeding a limit, all with 95 % intervals; Sobol' indices if the
+Gives means, quantiles and the probability of exceeding a limit, or, with several limits or those of a --standard, any of
+them, all with 95 % intervals; Sobol' indices if the
 study has indices = true; cushion curves if it varies mass, speed and thickness. Combinations of levels are kept
 separate. Rows in which the pad bottomed out on a rigid support are treated as exceeding every limit on force,
 clips and HIC. The summary of an interrupted study covers the rows computed so far. docs/studies.md explains how
@@ -46,6 +50,8 @@ struct StudySummaryRequest {
   std::string store_file;
   std::vector<std::string> responses;
   std::vector<std::string> limits;
+  std::vector<std::string> standards;
+  std::string standard_folder;
   OutputFiles files;
 };
 
@@ -94,6 +100,31 @@ study::StudyQuestions questions_of(const StudySummaryRequest& request, const stu
   return questions;
 }
 
+/// Adds the limits of a standard, which the study must keep, and what is to be said about them.
+void add_standard(const std::string& name, const std::string& folder, const study::Store& store,
+                  study::StudyQuestions& questions, std::vector<std::string>& errors) {
+  std::vector<input::InputFile> files;
+  const auto standard = standard_of(name, chosen_standards(folder), files, errors);
+  if (!standard) return;
+  for (const injury::Criterion& criterion : standard->criteria) {
+    const std::string key = injury::quantity_of(criterion.metric).key;
+    if (response_of(key, store) == nullptr)
+      errors.push_back(fmt::format(
+          "--standard {}: limits {}, which this study did not keep; add it to the responses", name, key));
+    else
+      questions.limits.push_back({key, criterion.limit});
+  }
+  for (Flag& flag : injury::reservations_about_limits(*standard))
+    questions.reservations.push_back(std::move(flag));
+  const Impactor own = study::stored_study(store).base.impactor;
+  const auto differs = [](const injury::StandardValue& value, double used) {
+    return value.value && injury::differ(*value.value, used);
+  };
+  if (differs(standard->mass, own.mass) || differs(standard->speed, own.speed))
+    questions.reservations.push_back(
+        flag_of("REPLACED", fmt::format("the study's case does not have the mass or the speed of {}", name)));
+}
+
 /// Drawn before anything is written, since one row, or rows that all bottomed out, give no picture.
 std::string picture_of(const OutputFiles& files, const study::StudyAnswers& answers) {
   const std::string& file = files.of("--picture");
@@ -112,7 +143,9 @@ int summarise(const StudySummaryRequest& request) {
   std::vector<std::string> errors;
   judge_files(request.files, files_of_store(request.store_file), errors);
   judge_picture(request.files, errors);
-  const study::StudyQuestions questions = questions_of(request, store, errors);
+  study::StudyQuestions questions = questions_of(request, store, errors);
+  for (const std::string& name : request.standards)
+    add_standard(name, request.standard_folder, store, questions, errors);
   if (errors.empty() && store.rows_done() == 0)
     errors.push_back(request.store_file + ": has no rows yet; run dashpad study first");
   if (!errors.empty()) throw Refused(std::move(errors));
@@ -139,6 +172,10 @@ void add_study_summary(CLI::App& study, Action& action) {
   add_option(sub, "--limit LIMIT", request.limits,
              "Give the probability of exceeding this limit, \"hic15 > 1000\" or hic15=1000; may be repeated")
       ->take_all();
+  add_option(sub, "--standard NAME[:VARIANT]", request.standards,
+             "Give the probability of exceeding the limits of this standard; may be repeated")
+      ->take_all();
+  add_standard_folder(sub, request.standard_folder);
   add_documents(sub, request.files);
   add_file(sub, request.files, "--json",
            "Write all results as JSON, in SI units and g (- for standard output)");

@@ -56,11 +56,17 @@ StudyAnswers::OfGroup of_group(const StudyAnswers& answers, const Design& design
         distribution(values_of(answers.study, answers.records, of.group, response), of.group.drawn));
     of.sensitivities.push_back(sensitivity(answers.study, design, answers.records, combination, response));
   }
+  std::vector<Reading> largest(of.group.places.size(), {-infinite, -infinite});
   for (const StudyLimit& limit : answers.limits) {
     const std::size_t response = number_of(answers.study, limit.response);
-    of.exceedances.push_back(exceedance(readings_of(answers.study, answers.records, of.group, response),
-                                        limit.value, of.group.drawn));
+    const std::vector<Reading> rows = readings_of(answers.study, answers.records, of.group, response);
+    of.exceedances.push_back(exceedance(rows, limit.value, of.group.drawn));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      largest[i].low = std::max(largest[i].low, rows[i].low / limit.value);
+      largest[i].high = std::max(largest[i].high, rows[i].high / limit.value);
+    }
   }
+  if (answers.limits.size() > 1) of.any = exceedance(largest, 1, of.group.drawn);
   return of;
 }
 
@@ -135,6 +141,7 @@ StudyAnswers study_answers(const Store& store, const StudyQuestions& questions) 
   answers.program = store.program();
   answers.rows = store.rows();
   answers.limits = questions.limits;
+  answers.reservations = questions.reservations;
   for (const std::string& name : questions.responses.empty() ? answers.study.responses : questions.responses)
     answers.responses.push_back(number_of(answers.study, name));
   answers.records = read_records(answers.study, store);

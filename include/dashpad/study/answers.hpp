@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "dashpad/impact/flags.hpp"
 #include "dashpad/study/store.hpp"
 #include "dashpad/study/study.hpp"
 
@@ -180,6 +181,7 @@ struct StudyLimit {
 struct StudyQuestions {
   std::vector<std::string> responses = {};  ///< names; empty: all that the study keeps
   std::vector<StudyLimit> limits = {};
+  std::vector<Flag> reservations = {};  ///< about the limits
 };
 
 struct StudyAnswers {
@@ -189,12 +191,17 @@ struct StudyAnswers {
   Records records;
   std::vector<std::size_t> responses;  ///< asked for: numbers in Study::responses
   std::vector<StudyLimit> limits;
+  std::vector<Flag> reservations;
 
   /// The answers for one combination of levels.
   struct OfGroup {
     Group group;
-    std::vector<Distribution> distributions;                ///< for each response asked for
-    std::vector<Exceedance> exceedances;                    ///< for each limit
+    std::vector<Distribution> distributions;  ///< for each response asked for
+    std::vector<Exceedance> exceedances;      ///< for each limit
+    /// Rows that exceed one limit or more, of two or more limits: of the largest ratio to its limit, the
+    /// limit
+    /// 1. A row is undecided if no limit is surely exceeded and one is undecided.
+    std::optional<Exceedance> any = {};
     std::vector<std::optional<Sensitivity>> sensitivities;  ///< for each response asked for
   };
   std::vector<OfGroup> groups;

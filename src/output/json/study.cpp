@@ -33,16 +33,19 @@ Json distribution_json(const std::string& response, const study::Distribution& d
           {"quantiles", array_of(distribution.quantiles, quantile)}};
 }
 
-Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& exceedance) {
-  const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
-  return {{"response", limit.response},
-          {"unit", unit},
-          {"limit", number(scale * limit.value)},
-          {"probability", estimate_json(exceedance.probability)},
+Json counts_json(const study::Exceedance& exceedance) {
+  return {{"probability", estimate_json(exceedance.probability)},
           {"rows_above", exceedance.exceeding},
           {"rows_struck_through", exceedance.struck_through},
           {"rows", exceedance.rows},
           {"rows_undecided", exceedance.undecided}};
+}
+
+Json exceedance_json(const study::StudyLimit& limit, const study::Exceedance& exceedance) {
+  const auto [scale, unit] = scaled_unit(si_unit_of(limit.response), plain_si());
+  Json json{{"response", limit.response}, {"unit", unit}, {"limit", number(scale * limit.value)}};
+  json.update(counts_json(exceedance));
+  return json;
 }
 
 Json sensitivity_json(const std::string& response, const study::Sensitivity& sensitivity) {
@@ -82,6 +85,7 @@ Json group_json(const study::StudyAnswers& answers, const study::StudyAnswers::O
   return {{"levels", levels_json(answers, group.group)},
           {"distributions", distributions},
           {"exceedances", exceedances},
+          {"any_limit_exceeded", made_of(group.any, counts_json)},
           {"sobol_indices", sensitivities}};
 }
 

@@ -51,8 +51,32 @@ std::string best_and_worst(const study::StudyAnswers& answers, std::size_t limit
                      share_of_draws(*worst, limit), words_of_levels(answers, worst->group, units));
 }
 
-/// The answer about the limit that is exceeded most often.
+/// "all limits are kept in 93.1 % of the draws".
+std::string kept_words(const study::StudyAnswers::OfGroup& group) {
+  const double exceeding = group.any->probability.value;
+  return std::isfinite(exceeding) ? fmt::format("in {} of the draws", per_cent(1 - exceeding)) : "undecided";
+}
+
+/// The answer about all limits together, over draws.
+std::string all_limits_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
+  if (answers.groups.size() == 1) {
+    const study::Estimate& any = answers.groups.front().any->probability;
+    if (!std::isfinite(any.value)) return "Whether all limits are kept is undecided";
+    return fmt::format("All limits are kept in {} of the draws (95 % interval {} to {})",
+                       per_cent(1 - any.value), per_cent(1 - any.high), per_cent(1 - any.low));
+  }
+  const auto [best, worst] = extreme_groups(
+      answers, [](const study::StudyAnswers::OfGroup& group) { return group.any->probability.value; });
+  if (best == nullptr) return "Whether all limits are kept is undecided";
+  return fmt::format("All limits are kept {} at {}, and {} at {}", kept_words(*best),
+                     words_of_levels(answers, best->group, units), kept_words(*worst),
+                     words_of_levels(answers, worst->group, units));
+}
+
+/// The answer about all limits together or, over a grid, the one that is exceeded most often.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
+  if (answers.groups.front().any && answers.groups.front().group.drawn)
+    return all_limits_answer(answers, units);
   const std::size_t number = strictest_limit(answers);
   const study::StudyLimit& limit = answers.limits[number];
   const std::string exceeded = exceeds(limit, units);

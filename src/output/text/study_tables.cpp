@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/study/responses.hpp"
+#include "output/layout.hpp"
 #include "output/text/study_words.hpp"
 #include "uncertainty/foam_factors.hpp"
 
@@ -75,6 +76,13 @@ void add_exceedances(Table& table, const study::StudyAnswers& answers,
                       : fmt::format("{} ({} undecided)", exceedance.rows, exceedance.undecided));
     table.rows.push_back(std::move(row));
   }
+  if (!group.any) return;
+  Row row{"One limit or more", "", share_above(*group.any), std::to_string(group.any->exceeding)};
+  if (answers.records.struck_through > 0) row.push_back(std::to_string(group.any->struck_through));
+  row.push_back(group.any->undecided == 0
+                    ? std::to_string(group.any->rows)
+                    : fmt::format("{} ({} undecided)", group.any->rows, group.any->undecided));
+  table.rows.push_back(std::move(row));
 }
 
 void add_indices(Table& table, const study::StudyAnswers& answers, const study::StudyAnswers::OfGroup& group,
@@ -248,6 +256,7 @@ std::vector<std::string> study_warnings(const study::StudyAnswers& answers) {
     texts.push_back(
         fmt::format("CUT: only the first {} of {} combinations of levels are shown; --json has all.",
                     max_groups_shown, answers.groups.size()));
+  for (const std::string& text : by_severity(answers.reservations)) texts.push_back(text);
   return texts;
 }
 
