@@ -149,6 +149,8 @@ StudyAnswers study_answers(const Store& store, const StudyQuestions& questions) 
   std::vector<Group> groups = study::groups(answers.study, design, answers.records);
   for (std::size_t i = 0; i < groups.size(); ++i)
     answers.groups.push_back(of_group(answers, design, std::move(groups[i]), i));
+  for (std::size_t i = 0; i < answers.responses.size(); ++i)
+    answers.rankings.push_back(ranking(answers, design, i));
   answers.cushion_curves = cushion_curves(answers.study, answers.records);
   return answers;
 }

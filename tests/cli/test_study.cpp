@@ -157,6 +157,38 @@ high = "6 kg"
                  "which this study did not keep");
 }
 
+TEST_F(StudyTest, CombinationsAreRankedDrawByDraw) {
+  write_file(file("rank.toml"), R"(title = "Rank"
+case = "case.toml"
+samples = 100
+responses = ["peak_acceleration"]
+[factors."pad.thickness"]
+values = ["60 mm", "50 mm", "51 mm"]
+[factors."impactor.speed"]
+distribution = "normal"
+mean = "3 m/s"
+deviation = "0.2 m/s"
+)");
+  EXPECT_EQ(compute("rank").exit_code, 0);
+  const Outcome summary = dashpad({"study", "summary", file("rank.db"), "--json", file("answers.json")});
+  EXPECT_THAT(summary.out, HasSubstr("Ranking by peak acceleration"));
+  const json ranking = json::parse(read_file(file("answers.json"))).at("rankings").at(0);
+  const json& ranks = ranking.at("ranks");
+  ASSERT_EQ(ranks.size(), 3u);
+  EXPECT_EQ(ranks[0].at("group"), 0);
+  EXPECT_EQ(ranks[1].at("group"), 2);  // 51 mm
+  EXPECT_EQ(ranks[2].at("group"), 1);
+  EXPECT_TRUE(ranks[0].at("difference").is_null());
+  // Every draw is higher on the thinner pad, and the interval is far narrower than the scatter of the draws.
+  for (const std::size_t k : {1u, 2u}) {
+    EXPECT_EQ(ranks[k].at("higher").at("rows_above"), 100);
+    EXPECT_GT(ranks[k].at("difference").at("low"), 0);
+  }
+  const double width =
+      ranks[2].at("difference").at("high").get<double>() - ranks[2].at("difference").at("low").get<double>();
+  EXPECT_LT(width, 0.05 * ranks[2].at("median").get<double>());
+}
+
 TEST_F(StudyTest, AShortOneSaysNothingOnTheWay) {
   const auto err = said_within(10, [&] {
     fs::remove(file("drawn.db"));

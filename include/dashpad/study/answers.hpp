@@ -178,6 +178,16 @@ struct StudyLimit {
   double value = 0;  ///< SI
 };
 
+/// A combination of levels in the order of a response, compared with the first draw by draw.
+struct Ranked {
+  std::size_t group = 0;  ///< in StudyAnswers::groups
+  double median = 0;      ///< SI; infinite where the pad bottoms out
+  /// Mean of its value less that of the first, over the same draws, with Student's interval; NaN if one of
+  /// them bottoms out. Unused for the first.
+  Estimate difference = {};
+  Exceedance higher = {};  ///< draws in which it is above the first
+};
+
 struct StudyQuestions {
   std::vector<std::string> responses = {};  ///< names; empty: all that the study keeps
   std::vector<StudyLimit> limits = {};
@@ -205,8 +215,13 @@ struct StudyAnswers {
     std::vector<std::optional<Sensitivity>> sensitivities;  ///< for each response asked for
   };
   std::vector<OfGroup> groups;
+  std::vector<std::vector<Ranked>> rankings;  ///< of each response asked for; empty with one combination
   std::optional<CushionCurves> cushion_curves;
 };
+
+/// The combinations of drawn rows by the median of a response (index in StudyAnswers::responses), the least
+/// first, compared over the draws that both have. Empty for fewer than two.
+std::vector<Ranked> ranking(const StudyAnswers& answers, const Design& design, std::size_t response);
 
 /// Throws std::invalid_argument for names that the study does not keep.
 StudyAnswers study_answers(const Store& store, const StudyQuestions& questions);

@@ -108,6 +108,25 @@ Json cushion_json(const study::CushionCurves& curves) {
       {"curves", drops}};
 }
 
+/// A ranking with the places of its combinations in "groups".
+Json ranking_json(const study::StudyAnswers& answers, std::size_t response) {
+  const std::string& name = answers.study.responses[answers.responses[response]];
+  const auto [scale, unit] = scaled_unit(si_unit_of(name), plain_si());
+  Json ranks = Json::array();
+  for (const study::Ranked& ranked : answers.rankings[response]) {
+    const study::Estimate& difference = ranked.difference;
+    const bool is_first = ranks.empty();
+    ranks.push_back(
+        {{"group", ranked.group},
+         {"median", number(scale * ranked.median)},
+         {"difference", is_first ? Json(nullptr)
+                                 : estimate_json({scale * difference.value, scale * difference.low,
+                                                  scale * difference.high})},
+         {"higher", is_first ? Json(nullptr) : counts_json(ranked.higher)}});
+  }
+  return {{"response", name}, {"unit", unit}, {"ranks", ranks}};
+}
+
 }  // namespace
 
 std::string study_json(const study::StudyAnswers& answers) {
@@ -127,6 +146,10 @@ std::string study_json(const study::StudyAnswers& answers) {
                {"are_draws", answers.groups.front().group.drawn},
                {"interval", 0.95},
                {"groups", array_of(answers.groups, group)}};
+  Json rankings = Json::array();
+  for (std::size_t i = 0; i < answers.rankings.size(); ++i)
+    if (!answers.rankings[i].empty()) rankings.push_back(ranking_json(answers, i));
+  json["rankings"] = rankings;
   if (answers.cushion_curves) json["cushion_curves"] = cushion_json(*answers.cushion_curves);
   return result_json_text(json);
 }

@@ -1,11 +1,13 @@
 #include "output/text/study_answer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "dashpad/study/responses.hpp"
 #include "output/layout.hpp"
+#include "output/text/capitals.hpp"
 #include "output/text/study_words.hpp"
 #include "uncertainty/foam_factors.hpp"
 
@@ -94,6 +96,26 @@ void add_indices(Table& table, const study::StudyAnswers& answers, const study::
                             share_with_interval(index.first), share_with_interval(index.total),
                             std::to_string(group.sensitivities[i]->draws)});
   }
+}
+
+/// The combinations by a response, the least first, each compared with it over the same draws.
+Table ranking_table(const study::StudyAnswers& answers, std::size_t response, const UnitSystem& units) {
+  const std::string& name = response_name(answers, response);
+  const ScaledUnit shown = shown_as(si_unit_of(name), units);
+  Table table{.caption = "Ranking by " + uncapitalised(label(name, units)) + ", over the same draws",
+              .columns = {"At", "Median", "Mean difference to the first", "Higher than the first (%)"}};
+  for (const study::Ranked& ranked : answers.rankings[response]) {
+    if (table.rows.size() == max_groups_shown) break;
+    const bool is_first = table.rows.empty();
+    table.rows.push_back({words_of_levels(answers, answers.groups[ranked.group].group, units),
+                          four_digits_or_struck(shown.scale * ranked.median),
+                          is_first ? "-"
+                          : std::isfinite(ranked.difference.value)
+                              ? with_interval(ranked.difference, shown.scale)
+                              : "-",
+                          is_first ? "-" : share_above(ranked.higher)});
+  }
+  return table;
 }
 
 /// The columns, and where pads bottomed out on a rigid support a column for them before the last.
@@ -197,6 +219,13 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
          .columns = with_struck_through(
              answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
         answers, units, add_exceedances));
+  // Of what is limited, or of the first response: each would be a table.
+  for (std::size_t i = 0; i < answers.rankings.size(); ++i) {
+    const bool is_limited = std::ranges::find(answers.limits, response_name(answers, i),
+                                              &study::StudyLimit::response) != answers.limits.end();
+    if (!answers.rankings[i].empty() && (is_limited || (answers.limits.empty() && i == 0)))
+      tables.push_back(ranking_table(answers, i, units));
+  }
   if (answers.study.indices)
     tables.push_back(
         over_groups({.caption = "Sobol' indices: share of the variance that each factor explains",
