@@ -42,10 +42,10 @@ limits and places the lowest height counts. The interval (95 %) has the scatter 
 the instrument adds to all of them alike. Where no drop exceeds a limit, or all do, the answer says so and is no height.
 docs/fall-height.md has the method, and what of the standards was read where.
 
-CASE is a case file (.toml, .json): the lowest fall height from which a limit is exceeded, as solve-for finds it.
+CASE is a case file (.toml): the lowest fall height from which a limit is exceeded, as solve-for finds it.
 
-Exit codes: 0 drops on both sides of the limit give a height with its interval, or the case gives one; 3 they do not;
-1 a result could not be written; 2 invalid input or command line (nothing was run).)";
+Exit codes: 0 drops on both sides of the limit give a height with its interval, or the case gives one, and nothing is in
+doubt; 3 otherwise; 1 a result could not be written; 2 invalid input or command line (nothing was run).)";
 
 struct FallHeightRequest {
   std::vector<std::string> inputs;
@@ -56,7 +56,42 @@ struct FallHeightRequest {
   OutputFiles files;
 };
 
-bool is_case(const std::string& file) { return file.ends_with(".toml") || file.ends_with(".json"); }
+bool is_case(const std::string& file) { return file.ends_with(".toml"); }
+
+/// Options that would do nothing with these inputs.
+void refuse_unused(const FallHeightRequest& request, bool has_table, bool has_case,
+                   std::vector<std::string>& errors) {
+  const PulseRequest& pulse = request.pulse;
+  const input::PulseOptions& source = pulse.source;
+  const SolveForRequest& computed = request.computed;
+  const auto say = [&](bool is_given, bool is_used, const char* option, const char* needs) {
+    if (is_given && !is_used) errors.push_back(fmt::format("{}: applies only with {}", option, needs));
+  };
+  for (const auto& [is_given, option] : {std::pair{pulse.calibration.has_value(), "--calibration"},
+                                         {pulse.zero.has_value(), "--zero"},
+                                         {pulse.filter.has_value(), "--filter"},
+                                         {pulse.corner.has_value(), "--corner"},
+                                         {pulse.ends.has_value(), "--ends"},
+                                         {pulse.resample.has_value(), "--resample"},
+                                         {pulse.interval.has_value(), "--interval"},
+                                         {pulse.from.has_value(), "--from"},
+                                         {pulse.to.has_value(), "--to"},
+                                         {!pulse.sensitivities.empty(), "--sensitivity"},
+                                         {!source.time.empty(), "--time"},
+                                         {!source.acceleration.empty(), "--acceleration"},
+                                         {!source.time_unit.empty(), "--time-unit"},
+                                         {!source.acceleration_unit.empty(), "--acceleration-unit"},
+                                         {source.resultant, "--resultant"},
+                                         {source.bridge_gaps, "--bridge-gaps"},
+                                         {!source.test.empty(), "--test"},
+                                         {!source.channel.empty(), "--channel"}})
+    say(is_given, has_table, option, "a table of drops");
+  for (const auto& [is_given, option] : {std::pair{computed.between.has_value(), "--between"},
+                                         {!computed.given.settings.empty(), "--set"},
+                                         {computed.tolerance.has_value(), "--tolerance"},
+                                         {computed.no_intervals, "--no-intervals"}})
+    say(is_given, has_case, option, "a case");
+}
 
 /// The figures of the pulses that the table names, read beside it.
 void add_pulses(const FallHeightRequest& request, const std::filesystem::path& table_file,
@@ -81,8 +116,12 @@ void add_pulses(const FallHeightRequest& request, const std::filesystem::path& t
       }
       drop.flags = report.flags;
     } catch (const Refused& refused) {
-      for (const std::string& complaint : refused.complaints())
-        if (std::ranges::find(errors, complaint) == errors.end()) errors.push_back(complaint);
+      for (std::string complaint : refused.complaints()) {
+        // A complaint with an excerpt says where it is itself.
+        if (complaint.starts_with(each.file) && complaint.find('\n') == std::string::npos)
+          complaint += fmt::format(" ({}, line {})", table_file.string(), drop.line);
+        if (std::ranges::find(errors, complaint) == errors.end()) errors.push_back(std::move(complaint));
+      }
     }
   }
 }
@@ -124,10 +163,7 @@ margin::Answer computed_by(const margin::Question& question) {
 }
 
 int code_of(const output::FallHeightReport& report) {
-  if (report.measured) {
-    const fall_height::Crossing& decides = report.measured->decides();
-    if (!decides.is_enclosed() || !decides.interval) return exit_not_trusted;
-  }
+  if (report.measured && !report.measured->is_sure()) return exit_not_trusted;
   if (!report.computed) return exit_done;
   return output::critical_turn(*report.computed) && report.computed->is_complete &&
                  report.computed->doubtful == 0
@@ -148,6 +184,7 @@ int run_fall_height(const FallHeightRequest& request) {
   }
   if (report.table_file.empty() && !request.files.of("--csv").empty())
     errors.emplace_back("--csv: has a row for each drop; give a table of drops");
+  refuse_unused(request, !report.table_file.empty(), !report.case_file.empty(), errors);
   const auto standard =
       standard_of(request.standard, chosen_standards(request.computed.standard_folder), files, errors);
   if (!errors.empty()) throw Refused(std::move(errors));

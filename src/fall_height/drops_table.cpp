@@ -27,13 +27,19 @@ std::string capitalised(std::string word) {
   return word;
 }
 
+std::string in_capitals(std::string word) {
+  for (char& c : word)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return word;
+}
+
 /// The headers of the table, each with what it means. A g-max is a number of g by its name.
 class Headers {
  public:
   explicit Headers(const injury::Standard& standard) {
     add(height_key, "m", {"drop_height", "drop height", "fall_height", "fall height", "height"}, false);
     add(pulse_key, "", {"file", "pulse"});
-    add(number_key, "1", {"drop", "drop number", "drop_number", "drop no."});
+    add(number_key, "1", {"drop", "drop number", "drop_number", "drop no", "drop no."});
     for (const injury::Criterion& criterion : standard.criteria) {
       const ResultQuantity& quantity = injury::quantity_of(criterion.metric);
       add(quantity.key, quantity.si_unit, {quantity.key});
@@ -49,7 +55,9 @@ class Headers {
   /// What a header of the table means.
   [[nodiscard]] const std::string& meaning(const std::string& header) const { return meanings_.at(header); }
   [[nodiscard]] double scale(const std::string& header) const {
-    const auto same = [&](const std::string& name) { return header == name || header == capitalised(name); };
+    const auto same = [&](const std::string& name) {
+      return header == name || header == capitalised(name) || header == in_capitals(name);
+    };
     return std::ranges::any_of(in_g_, same) ? standard_gravity : 1;
   }
 
@@ -57,9 +65,9 @@ class Headers {
   void add(const std::string& meaning, const std::string& unit, const std::vector<std::string>& names,
            bool may_be_empty = true) {
     for (const std::string& name : names)
-      for (const std::string& shown : {name, capitalised(name)})
+      for (const std::string& shown : {name, capitalised(name), in_capitals(name)})
         if (meanings_.try_emplace(shown, meaning).second)
-          keys_.push_back({.key = shown, .unit = unit, .may_be_empty = may_be_empty});
+          keys_.push_back({.key = shown, .unit = unit, .may_be_empty = may_be_empty, .is_whole = true});
   }
 
   std::vector<input::RowKey> keys_;
@@ -78,6 +86,7 @@ class Reader {
     DropTable table;
     if (faults_.empty())
       for (std::size_t i = 0; i < rows_.lines.size(); ++i) table.drops.push_back(drop_in(i));
+    if (faults_.empty()) check_places();
     if (!faults_.empty()) return std::move(faults_);
     return table;
   }
@@ -111,13 +120,25 @@ class Reader {
     }
   }
 
+  /// A drop without a place, where others have one, belongs to none.
+  void check_places() {
+    for (const input::RowColumn& remark : rows_.labels) {
+      if (!tells_places_apart(remark.key) || std::ranges::all_of(remark.texts, &std::string::empty)) continue;
+      for (std::size_t i = 0; i < remark.texts.size(); ++i)
+        if (remark.texts[i].empty())
+          fault(rows_.lines[i], remark.key,
+                "is empty, so that it is not known to which place this drop belongs");
+    }
+  }
+
   Drop drop_in(std::size_t row) {
     Drop drop{.height = column(height_key)->values[row],
               .figures = {},
               .doubts = std::vector<double>(standard_.criteria.size(), 0),
               .line = rows_.lines[row]};
     if (!(drop.height > 0 && drop.height <= max_height))
-      fault(drop.line, column(height_key)->key, fmt::format("must be more than 0, up to {:g} m", max_height));
+      fault(drop.line, column(height_key)->key,
+            fmt::format("is {:g} m; must be more than 0, up to {:g} m", drop.height, max_height));
     if (const input::RowColumn* const numbers = column(number_key);
         numbers && std::isfinite(numbers->values[row])) {
       const double number = numbers->values[row];

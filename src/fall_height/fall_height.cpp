@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "input/measurement/csv_table.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::fall_height {
@@ -47,7 +49,7 @@ std::vector<Point> points_of(Place& place, std::size_t criterion, const std::vec
       continue;
     }
     if (values.empty()) continue;
-    if (chosen.size() < counted.size()) {
+    if (chosen.size() != counted.size()) {
       uncounted += fmt::format("{}{:.4g} m", uncounted.empty() ? "" : ", ", height);
       chosen = values;
     }
@@ -59,8 +61,8 @@ std::vector<Point> points_of(Place& place, std::size_t criterion, const std::vec
       std::ranges::find(place.flags, "DROPS NOT COUNTED", &Flag::name) == place.flags.end())
     place.flags.push_back(flag_of(
         "DROPS NOT COUNTED",
-        fmt::format("the mean of drops {} counts; where one of them is missing, the mean of all drops is "
-                    "used: at {}",
+        fmt::format("the mean of drops {} counts; where they are not there, once each, the mean of all "
+                    "drops is used: at {}",
                     fmt::join(counted, " and "), uncounted)));
   return points;
 }
@@ -149,12 +151,8 @@ Crossing crossing_of(Place& place, std::size_t which, const injury::Standard& st
   for (const Drop& drop : place.drops)
     if (std::isfinite(drop.figures[which])) squares += drop.doubts[which] * drop.doubts[which], ++count;
   if (count > 0) crossing.doubt = std::sqrt(squares / count);
-  for (const Point& point : crossing.points) {
-    const bool is_kept = keeps(criterion, point.value);
-    if (!is_kept && (!crossing.failed || point.height < *crossing.failed)) crossing.failed = point.height;
-  }
   for (const Point& point : crossing.points)
-    if (!crossing.failed || point.height < *crossing.failed) crossing.passed = point.height;
+    (keeps(criterion, point.value) ? crossing.is_kept : crossing.is_exceeded) = true;
   crossing.near = crossing.points;
   crossing.curve = fitted(crossing.near);
   if (!crossing.curve) return crossing;
@@ -166,63 +164,98 @@ Crossing crossing_of(Place& place, std::size_t which, const injury::Standard& st
       crossing.near = std::move(nearest);
     }
   }
-  if (crossing.height && crossing.curve->freedom > 0)
-    crossing.interval = interval_about(crossing, criterion.limit);
+  if (!crossing.height) return crossing;
+  for (const Point& point : crossing.points) {
+    const bool is_kept = keeps(criterion, point.value);
+    if (is_kept && point.height <= *crossing.height) crossing.below = point.height;
+    if (!is_kept && point.height >= *crossing.height && !crossing.above) crossing.above = point.height;
+  }
+  if (crossing.curve->freedom > 0) crossing.interval = interval_about(crossing, criterion.limit);
   return crossing;
 }
 
-void add_flags(Place& place, const injury::Standard& standard) {
-  for (const Crossing& crossing : place.crossings) {
-    const std::string limit = injury::limit_of(standard.criteria[crossing.criterion]);
-    if (crossing.points.empty())
-      place.flags.push_back(flag_of("FIGURE MISSING", "no drop has a figure for the " + limit));
-    else if (&crossing == &place.decides() && crossing.height && !crossing.interval)
-      place.flags.push_back(flag_of(
-          "FEW DROPS",
-          fmt::format("{} for the {} leave no scatter to see: no interval; four heights are usual, two on "
-                      "either side of the limit",
-                      plural(crossing.points.size(), "point"), limit)));
+/// Points that exceed the limit far below the height, or keep it far above: beyond its interval, or by a
+/// tenth.
+std::string scattered(const Crossing& crossing, const injury::Criterion& criterion) {
+  const auto [low, high] = crossing.interval.value_or(std::pair{*crossing.height, *crossing.height});
+  std::string text;
+  for (const Point& point : crossing.points) {
+    const bool is_kept = keeps(criterion, point.value);
+    if (is_kept ? point.height <= std::min(high, 1.1 * *crossing.height)
+                : point.height >= std::max(low, 0.9 * *crossing.height))
+      continue;
+    text +=
+        fmt::format("{}{:.4g} m ({})", text.empty() ? "" : ", ", point.height, is_kept ? "kept" : "exceeded");
+    if (text.size() > 120) return text + ", ...";
   }
-  const Crossing& decides = place.decides();
-  if (!decides.points.empty() && !decides.is_enclosed())
-    place.flags.push_back(flag_of(
-        "LIMIT NOT ENCLOSED",
-        fmt::format("{} drop exceeds the {}: any height is a continuation of the curve, and drops from {} "
-                    "heights would decide",
-                    decides.failed ? "every" : "no", injury::limit_of(standard.criteria[decides.criterion]),
-                    decides.failed ? "lower" : "greater")));
+  return text;
 }
 
-/// "Position", "position of impact", "Surface".
-bool tells_places_apart(std::string_view header) {
-  std::string lower(header);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  for (const char* name : {"position", "surface", "temperature", "sample", "specimen", "spot"})
-    if (lower.starts_with(name)) return true;
-  return false;
+/// What is in doubt about each limit at a place, beside the height of the answer.
+void add_flags(Place& place, const injury::Standard& standard, const Crossing& answer) {
+  const double height = order_of(answer).first;
+  for (const Crossing& crossing : place.crossings) {
+    const injury::Criterion& criterion = standard.criteria[crossing.criterion];
+    const std::string limit = injury::limit_of(criterion);
+    const auto add = [&](const char* name, const std::string& words) {
+      place.flags.push_back(flag_of(name, words));
+    };
+    if (crossing.points.empty()) {
+      add("FIGURE MISSING", "no drop has a figure for the " + limit);
+    } else if (crossing.is_enclosed()) {
+      if (&crossing == &answer && !crossing.interval)
+        add("FEW DROPS",
+            fmt::format("{} for the {} leave no scatter to see: no interval; four heights are usual, two on "
+                        "either side of the limit",
+                        plural(crossing.points.size(), "point"), limit));
+      if (const std::string points = scattered(crossing, criterion); !points.empty())
+        add("SCATTERED DROPS",
+            fmt::format("the {} is exceeded below the height that the curve gives, {:.3g} m, or "
+                        "kept above it: {}",
+                        limit, *crossing.height, points));
+    } else if (!crossing.is_exceeded) {
+      if (&crossing == &answer || crossing.points.back().height < height)
+        add("LIMIT NOT ENCLOSED",
+            fmt::format("the {} is kept up to {:.4g} m, the greatest height tested: drops "
+                        "from greater heights would decide",
+                        limit, crossing.points.back().height));
+    } else if (!crossing.is_kept) {
+      add("LIMIT NOT ENCLOSED",
+          fmt::format("the {} is exceeded from {:.4g} m on, the least height tested: drops from "
+                      "lower heights would decide",
+                      limit, crossing.points.front().height));
+    } else {
+      add("LIMIT NOT ENCLOSED",
+          fmt::format("no curve meets the {} between drops that keep it and drops that exceed it", limit));
+    }
+  }
+}
+
+/// A number as numbers are written, so that 23 and 23.0 are one temperature; other text as it is.
+std::string normal(const std::string& text) {
+  const input::ReadNumber number = input::read_csv_number(text);
+  return number.kind == input::NumberKind::number ? fmt::format("{}", number.value) : text;
 }
 
 std::vector<Remark> remarks_of_place(const Drop& drop) {
   std::vector<Remark> remarks;
-  for (const Remark& remark : drop.remarks)
-    if (tells_places_apart(remark.first)) remarks.push_back(remark);
+  for (const auto& [header, words] : drop.remarks)
+    if (tells_places_apart(header)) remarks.emplace_back(header, normal(words));
   return remarks;
 }
 
 std::vector<Place> places_of(const DropTable& table) {
   std::vector<Place> places;
+  std::map<std::vector<Remark>, std::size_t> known;
   for (const Drop& drop : table.drops) {
-    const std::vector<Remark> remarks = remarks_of_place(drop);
-    auto place = std::ranges::find(places, remarks, &Place::remarks);
-    if (place == places.end()) {
-      places.push_back({.remarks = remarks, .drops = {}, .crossings = {}});
-      place = places.end() - 1;
-    }
-    place->drops.push_back(drop);
+    std::vector<Remark> remarks = remarks_of_place(drop);
+    const auto [found, is_new] = known.try_emplace(remarks, places.size());
+    if (is_new) places.push_back({.remarks = std::move(remarks), .drops = {}, .crossings = {}});
+    places[found->second].drops.push_back(drop);
   }
   for (Place& place : places) {
-    std::ranges::stable_sort(place.drops, {}, &Drop::height);
+    std::ranges::stable_sort(place.drops, {},
+                             [](const Drop& drop) { return std::pair(drop.height, drop.number); });
     // In the order of the table, where it does not number them.
     for (std::size_t i = 0; i < place.drops.size(); ++i) {
       Drop& drop = place.drops[i];
@@ -235,9 +268,32 @@ std::vector<Place> places_of(const DropTable& table) {
 
 }  // namespace
 
-double order_of(const Crossing& crossing) {
-  if (crossing.height) return *crossing.height;
-  return crossing.points.empty() || !crossing.failed ? infinite : 0;
+bool tells_places_apart(std::string_view header) {
+  std::string lower(header);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  for (const char* name : {"position", "surface", "temperature", "sample", "specimen", "spot"})
+    if (lower.starts_with(name)) return true;
+  return false;
+}
+
+std::pair<double, double> order_of(const Crossing& crossing) {
+  if (crossing.points.empty()) return {infinite, infinite};
+  const double lowest = crossing.points.front().height, highest = crossing.points.back().height;
+  if (crossing.is_enclosed()) return {*crossing.height, highest};
+  return {crossing.is_exceeded ? lowest : infinite, highest};
+}
+
+bool Answer::is_sure() const {
+  const auto is_doubt = [](const Flag& flag) { return severity_of(flag.name) != Severity::note; };
+  const auto& interval = decides().interval;
+  return decides().is_enclosed() && interval && interval->first > 0 && std::isfinite(interval->second) &&
+         std::ranges::none_of(places, [&](const Place& place) {
+           return std::ranges::any_of(place.flags, is_doubt) ||
+                  std::ranges::any_of(place.drops, [&](const Drop& drop) {
+                    return std::ranges::any_of(drop.flags, is_doubt);
+                  });
+         });
 }
 
 const Place& lowest_for(const Answer& answer, std::size_t criterion) {
@@ -252,11 +308,11 @@ Answer evaluated(const DropTable& table, const injury::Standard& standard) {
       place.crossings.push_back(crossing_of(place, i, standard));
     const auto lowest = std::ranges::min_element(place.crossings, {}, order_of);
     place.lowest = static_cast<std::size_t>(lowest - place.crossings.begin());
-    add_flags(place, standard);
   }
   const auto lowest = std::ranges::min_element(answer.places, {},
                                                [](const Place& place) { return order_of(place.decides()); });
   answer.lowest = static_cast<std::size_t>(lowest - answer.places.begin());
+  for (Place& place : answer.places) add_flags(place, standard, answer.decides());
   const std::vector<Drop>& drops = table.drops;
   for (const Remark& remark : drops.front().remarks)
     if (std::ranges::all_of(drops, [&](const Drop& drop) {

@@ -39,6 +39,7 @@ constexpr std::array all_flags{
     // Flags of critical fall heights
     FlagKind{"LIMIT NOT ENCLOSED", Severity::doubtful},
     FlagKind{"FEW DROPS", Severity::doubtful},
+    FlagKind{"SCATTERED DROPS", Severity::doubtful},
     FlagKind{"FIGURE MISSING", Severity::doubtful},
     FlagKind{"DROPS NOT COUNTED", Severity::doubtful},
     FlagKind{"NO CALIBRATION", Severity::note},

@@ -45,6 +45,13 @@ const RowKey* key_in(std::string_view text, std::span<const RowKey> keys) {
   for (const RowKey& each : keys) {
     if (!text.starts_with(each.key) || (found && found->key.size() > each.key.size())) continue;
     const char next = text.size() > each.key.size() ? text[each.key.size()] : ' ';
+    if (const std::string_view rest = without_blanks(text.substr(each.key.size()));
+        each.is_whole && !rest.empty()) {
+      const bool has_unit = each.unit != "1" && !each.unit.empty();
+      if (rest.front() != '[' && rest.front() != '(' &&
+          !(has_unit && (rest.front() == ',' || rest.front() == '_' || rest.front() == '/')))
+        continue;
+    }
     if (!std::isalnum(static_cast<unsigned char>(next)) && next != '.') found = &each;
   }
   return found;

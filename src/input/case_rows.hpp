@@ -17,6 +17,7 @@ struct RowKey {
   std::string key;            ///< key in case files: "impactor.speed"
   std::string unit;           ///< SI; "1" for a pure number, "" for a text such as the name of a material
   bool may_be_empty = false;  ///< a cell then has no value (NaN), or no text
+  bool is_whole = false;      ///< nothing but a unit may follow it in a header: "drop date" is no drop
 };
 
 /// A column of a table of cases.

@@ -104,6 +104,24 @@ TEST_F(FallHeightTest, OfACaseIsWhereSolveForTurns) {
   EXPECT_LT(computed["low_m"], computed["height_m"]);
 }
 
+TEST_F(FallHeightTest, OfPulsesThatCannotBeIsInDoubt) {
+  // Drops from heights that the table makes four times as great.
+  const std::string table = table_of_pulses(0.05, {1.2, 1.8, 2.1, 2.3});
+  std::string text = read_file(table);
+  for (const auto& [height, wrong] :
+       {std::pair{",1.2,", ",4.8,"}, {",1.8,", ",7.2,"}, {",2.1,", ",8.4,"}, {",2.3,", ",9.2,"}})
+    text = with(text, height, wrong);
+  const Outcome outcome = dashpad({"fall-height", written("wrong.csv", text)});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.out, HasSubstr("IMPOSSIBLE VELOCITY CHANGE"));
+}
+
+TEST_F(FallHeightTest, OfPulsesWritesATableThatItReadsAgain) {
+  const std::string table = table_of_pulses(0.05, {1.2, 1.5, 1.8, 2.1, 2.3});
+  EXPECT_EQ(dashpad({"fall-height", table, "--csv", file("again.csv")}).exit_code, 0);
+  EXPECT_EQ(dashpad({"fall-height", file("again.csv")}).exit_code, 0);
+}
+
 TEST_F(FallHeightTest, WritesAPageAndATableThatItReadsAgain) {
   const std::string table = written("d.csv", figures);
   const Outcome outcome = dashpad({"fall-height", table, "--report", file("r.html"), "--csv",
@@ -122,6 +140,10 @@ TEST_F(FallHeightTest, RefusesWhatIsWrongAllAtOnce) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("--calibration"), HasSubstr("no-such.csv"),
                                  HasSubstr("neither.csv"), HasSubstr("3 errors")));
+  EXPECT_THAT(outcome.err, HasSubstr("line 2)"));
+  EXPECT_THAT(
+      dashpad({"fall-height", written("e.csv", figures), "--between", "1 m..2 m", "--no-intervals"}).err,
+      AllOf(HasSubstr("--between: applies only with a case"), HasSubstr("2 errors")));
   EXPECT_THAT(dashpad({"fall-height", "a.csv", "b.csv"}).err, HasSubstr("one table at a time"));
   EXPECT_THAT(dashpad({"fall-height", examples + "disc-on-mat.toml", "--csv", file("x.csv")}).err,
               HasSubstr("--csv: has a row for each drop"));

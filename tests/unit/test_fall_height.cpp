@@ -56,8 +56,8 @@ TEST(FallHeight, OfAPowerIsThatOfThePower) {
   EXPECT_NEAR(*crossing.height, std::pow(2.5, 1 / 1.4), 1e-9);
   EXPECT_EQ(crossing.curve->terms, 2);
   EXPECT_NEAR(crossing.curve->coefficients[1], 1.4, 1e-9);
-  EXPECT_DOUBLE_EQ(crossing.passed.value(), 1.5);
-  EXPECT_DOUBLE_EQ(crossing.failed.value(), 2);
+  EXPECT_DOUBLE_EQ(crossing.below.value(), 1.5);
+  EXPECT_DOUBLE_EQ(crossing.above.value(), 2);
   ASSERT_TRUE(crossing.interval);
   EXPECT_NEAR(crossing.interval->first, *crossing.height, 1e-6);
   EXPECT_NEAR(crossing.interval->second, *crossing.height, 1e-6);
@@ -120,7 +120,7 @@ TEST(FallHeight, IsNoneWhereNoDropExceedsTheLimit) {
   const Answer answer = evaluated(table, hic_of_1000());
   const Crossing& crossing = crossing_of(answer);
   EXPECT_FALSE(crossing.is_enclosed());
-  EXPECT_FALSE(crossing.failed);
+  EXPECT_FALSE(crossing.is_exceeded);
   EXPECT_NEAR(crossing.height.value(), std::pow(2, 1 / 1.4), 1e-9);  // by the curve
   EXPECT_TRUE(has_flag(answer.places.front().flags, "LIMIT NOT ENCLOSED"));
 }
@@ -173,7 +173,66 @@ TEST(FallHeight, OfAPlaceAboveTheLimitIsTheLowest) {
   }
   const Answer answer = evaluated(table, hic_of_1000());
   EXPECT_EQ(answer.lowest, 1u);
-  EXPECT_FALSE(answer.decides().passed);
+  EXPECT_FALSE(answer.decides().is_kept);
+}
+
+TEST(FallHeight, APlaceThatFailsEverywhereHidesNoLowerHeight) {
+  // At B all that is known is that its height is below 2 m, which may be below that of A: A's, with a doubt.
+  DropTable table;
+  for (const double height : {1.0, 1.2, 1.5, 1.8})
+    add_drop(table, height, 400 * std::pow(height, 2), 0, {{"position", "A"}});
+  add_drop(table, 2, 1100, 0, {{"position", "B"}});
+  const Answer answer = evaluated(table, hic_of_1000());
+  EXPECT_EQ(answer.lowest, 0u);
+  EXPECT_NEAR(answer.decides().height.value(), std::sqrt(2.5), 1e-9);
+  EXPECT_TRUE(has_flag(answer.places[1].flags, "LIMIT NOT ENCLOSED"));
+  EXPECT_FALSE(answer.is_sure());
+}
+
+TEST(FallHeight, IsInDoubtWhereAPlaceWasNotTestedSoHigh) {
+  DropTable table;
+  for (const double height : {1.0, 1.2, 1.5, 1.8})
+    add_drop(table, height, 400 * std::pow(height, 2), 0, {{"position", "A"}});
+  EXPECT_TRUE(evaluated(table, hic_of_1000()).is_sure());
+  add_drop(table, 1, 300, 0, {{"position", "B"}});
+  const Answer answer = evaluated(table, hic_of_1000());
+  EXPECT_EQ(answer.lowest, 0u);
+  EXPECT_TRUE(has_flag(answer.places[1].flags, "LIMIT NOT ENCLOSED"));
+  EXPECT_FALSE(answer.is_sure());
+  table.drops.back().height = 2;  // tested higher, and kept there
+  EXPECT_TRUE(evaluated(table, hic_of_1000()).is_sure());
+}
+
+TEST(FallHeight, SaysThatADropFailedFarBelow) {
+  DropTable table;
+  for (const double height : {1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4})
+    add_drop(table, height, 290 * std::pow(height, 2));
+  EXPECT_TRUE(evaluated(table, hic_of_1000()).is_sure());
+  add_drop(table, 1.4, 1010);
+  const Answer answer = evaluated(table, hic_of_1000());
+  EXPECT_TRUE(has_flag(answer.places.front().flags, "SCATTERED DROPS"));
+  EXPECT_FALSE(answer.is_sure());
+}
+
+TEST(FallHeight, ALimitWithoutFiguresDoesNotDecide) {
+  injury::Standard two = hic_of_1000();
+  two.criteria.insert(two.criteria.begin(), {.metric = injury::Metric::peak_acceleration,
+                                             .limit = 200 * standard_gravity,
+                                             .description = {},
+                                             .origin = {}});
+  DropTable table;
+  table.drops.push_back({.height = 1.5, .figures = {std::nan(""), 500}, .doubts = {0, 0}});
+  const Answer answer = evaluated(table, two);
+  EXPECT_EQ(answer.decides().criterion, 1u);
+  EXPECT_TRUE(has_flag(answer.places.front().flags, "FIGURE MISSING"));
+  EXPECT_TRUE(has_flag(answer.places.front().flags, "LIMIT NOT ENCLOSED"));
+}
+
+TEST(FallHeight, OneTemperatureWrittenInTwoWaysIsOnePlace) {
+  DropTable table;
+  add_drop(table, 1, 300, 0, {{"temperature [degC]", "23"}});
+  add_drop(table, 2, 1300, 0, {{"temperature [degC]", "23.0"}});
+  EXPECT_EQ(evaluated(table, hic_of_1000()).places.size(), 1u);
 }
 
 TEST(FallHeight, AsF1292CountsDropsTwoAndThree) {
@@ -194,8 +253,11 @@ TEST(FallHeight, AsF1292CountsDropsTwoAndThree) {
   EXPECT_EQ(crossing_of(answer).points.size(), 4u);
   EXPECT_NEAR(crossing_of(answer).height.value(), std::pow(2.5, 1 / 1.4), 1e-9);
   EXPECT_FALSE(has_flag(answer.places.front().flags, "DROPS NOT COUNTED"));
-  table.drops.erase(table.drops.begin() + 1);
-  EXPECT_TRUE(has_flag(evaluated(table, one).places.front().flags, "DROPS NOT COUNTED"));
+  DropTable missing = table, twice = table;
+  missing.drops.erase(missing.drops.begin() + 1);
+  EXPECT_TRUE(has_flag(evaluated(missing, one).places.front().flags, "DROPS NOT COUNTED"));
+  for (fall_height::Drop& drop : twice.drops) drop.number = 2;
+  EXPECT_TRUE(has_flag(evaluated(twice, one).places.front().flags, "DROPS NOT COUNTED"));
 }
 
 TEST(FallHeight, OverAWideRangeUsesTheDropsNearby) {
@@ -229,7 +291,8 @@ class FallHeightTable : public testing::Test {
 TEST_F(FallHeightTable, KnowsNamesAsLaboratoriesWriteThem) {
   for (const std::string header :
        {"Height [m],HIC,gmax", "drop_height [m],hic_unlimited,peak_acceleration [g]",
-        "Fall height [m],HIC,g-max [g]", "drop_height_m,hic,gmax_g"}) {
+        "Fall height [m],HIC,g-max [g]", "drop_height_m,hic,gmax_g", "HEIGHT [m],HIC,GMAX",
+        "height [m],HIC,Gmax (g)"}) {
     const auto table = read(header + ",Operator\n1.5,600,120,M\n");
     ASSERT_TRUE(table) << header << ": " << table.faults().front().rule;
     const fall_height::Drop& drop = table->drops.front();
@@ -241,7 +304,16 @@ TEST_F(FallHeightTable, KnowsNamesAsLaboratoriesWriteThem) {
   EXPECT_DOUBLE_EQ(read("drop_height [cm];hic\n150,5;600\n").value().drops.front().height, 1.505);
 }
 
+TEST_F(FallHeightTable, KeepsWhatOnlyBeginsLikeAName) {
+  const auto table = read("height [m],hic,drop date,file name,Drop ID,hic limit\n1.5,600,today,a,7,x\n");
+  ASSERT_TRUE(table) << table.faults().front().rule;
+  EXPECT_EQ(table->drops.front().remarks.size(), 4u);
+  EXPECT_EQ(table->drops.front().number, 0);
+}
+
 TEST_F(FallHeightTable, HasAFaultForEachThatIsWrong) {
+  EXPECT_THAT(faults("position,height [m],hic\nA,1,300\n,2,1300\n"),
+              ElementsAre(HasSubstr("3 position: is empty")));
   EXPECT_THAT(faults("hic,operator\n600,M\n"), ElementsAre(HasSubstr("drop_height: is missing")));
   EXPECT_THAT(faults("drop_height [m],operator\n1,M\n"),
               ElementsAre(HasSubstr("names neither files of pulses")));
@@ -249,7 +321,7 @@ TEST_F(FallHeightTable, HasAFaultForEachThatIsWrong) {
               ElementsAre(HasSubstr("the same as another")));
   EXPECT_THAT(faults("drop_height,hic\n1,600\n"), ElementsAre(HasSubstr("needs a unit")));
   EXPECT_THAT(faults("drop_height [m],hic,file\n-1,600,\n1,,\n1,600,a.csv\n1,-5,\n"),
-              ElementsAre(HasSubstr("2 drop_height: must be more than 0"),
+              ElementsAre(HasSubstr("2 drop_height: is -1 m; must be more than 0"),
                           HasSubstr("3 : has neither the file of a pulse nor a figure"),
                           HasSubstr("4 : has the file of a pulse and figures"),
                           HasSubstr("5 hic: must be more than 0")));

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,16 +83,22 @@ struct Crossing {
   /// 95 %, by drops and instrument; an end that no height near the drops has is 0 or infinite. Absent without
   /// degrees of freedom.
   std::optional<std::pair<double, double>> interval = {};
-  double doubt = 0;                   ///< of the instrument: relative, k = 2, common to all drops
-  std::optional<double> passed = {};  ///< m, the highest point up to which all keep the limit
-  std::optional<double> failed = {};  ///< m, the lowest point that does not
+  double doubt = 0;                  ///< of the instrument: relative, k = 2, common to all drops
+  bool is_kept = false;              ///< by some point
+  bool is_exceeded = false;          ///< by some point
+  std::optional<double> below = {};  ///< m, of the highest point up to the height that keeps the limit
+  std::optional<double> above = {};  ///< m, of the lowest point from the height on that exceeds it
 
-  /// Whether points on both sides of the limit enclose the height.
-  [[nodiscard]] bool is_enclosed() const { return passed && failed; }
+  /// Whether points that keep the limit and points that exceed it enclose the height.
+  [[nodiscard]] bool is_enclosed() const { return below && above; }
 };
 
-/// The height, to put crossings in order; 0 without one if drops exceed the limit, else infinite.
-double order_of(const Crossing& crossing);
+/// Whether a column of that header tells places apart: "Position", "surface", "temperature [degC]", ...
+bool tells_places_apart(std::string_view header);
+
+/// The order in which the lowest height is found: an enclosed height, the lowest point if all exceed the
+/// limit, else infinite; and the highest point, beyond which the last is.
+std::pair<double, double> order_of(const Crossing& crossing);
 
 /// Drops on one place: the same surface, position and temperature.
 struct Place {
@@ -114,6 +121,9 @@ struct Answer {
 
   /// The lowest height.
   [[nodiscard]] const Crossing& decides() const { return places[lowest].decides(); }
+  /// Whether the height is enclosed, has an interval with two ends, and nothing is in doubt about drops and
+  /// places.
+  [[nodiscard]] bool is_sure() const;
 };
 
 /// The place with the lowest height for a limit.

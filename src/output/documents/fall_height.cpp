@@ -70,10 +70,10 @@ ValueRow row_of(const fall_height::Answer& answer, std::size_t which, const Unit
                .value = height_words(crossing, units),
                .interval = interval_words(crossing, units),
                .limit = limit_words(criterion, units)};
-  if (crossing.is_enclosed() && crossing.curve)
-    row.remark = fmt::format("between drops from {} and {}", height_text(*crossing.passed, units),
-                             height_text(*crossing.failed, units));
-  else if (crossing.height && !crossing.is_enclosed())
+  if (crossing.is_enclosed())
+    row.remark = fmt::format("between drops from {} and {}", height_text(*crossing.below, units),
+                             height_text(*crossing.above, units));
+  else if (crossing.height)
     row.remark = "the curve goes on to " + height_result(*crossing.height, units);
   if (const std::string where = place_words(place); answer.places.size() > 1 && !where.empty())
     row.remark = where + (row.remark.empty() ? "" : ", ") + row.remark;
@@ -88,8 +88,7 @@ std::vector<ValueRow> rows_of(const FallHeightReport& report, const UnitSystem& 
     rows.push_back(row_of(answer, decides, units));
     for (std::size_t i = 0; i < answer.standard.criteria.size(); ++i)
       if (i != decides) rows.push_back(row_of(answer, i, units));
-    if (const auto& series = answer.standard.drop_series;
-        series && answer.decides().is_enclosed() && answer.decides().height) {
+    if (const auto& series = answer.standard.drop_series; series && answer.decides().is_enclosed()) {
       const double count = std::floor(*answer.decides().height / series->step + 1e-6);
       rows.push_back({.label = "Rounded down",
                       .value = height_result(count * series->step, units),
@@ -234,10 +233,7 @@ std::vector<std::string> method_words(const FallHeightReport& report) {
 }
 
 Tone tone_of(const FallHeightReport& report) {
-  if (report.measured) {
-    const fall_height::Crossing& decides = report.measured->decides();
-    return decides.is_enclosed() && decides.interval ? Tone::plain : Tone::doubtful;
-  }
+  if (report.measured) return report.measured->is_sure() ? Tone::plain : Tone::doubtful;
   return critical_turn(*report.computed) ? Tone::plain : Tone::doubtful;
 }
 

@@ -19,9 +19,9 @@ double shown(const injury::Criterion& criterion, double value) {
 }
 
 Json remarks_json(const std::vector<fall_height::Remark>& remarks) {
-  Json json = Json::object();
-  for (const auto& [header, words] : remarks) json[header] = words;
-  return json;
+  return array_of(remarks, [](const fall_height::Remark& remark) {
+    return Json{{"name", remark.first}, {"text", remark.second}};
+  });
 }
 
 /// Null if the end is open.
@@ -36,8 +36,8 @@ Json crossing_json(const injury::Standard& standard, const fall_height::Crossing
             {"low_m", crossing.interval ? end_json(crossing.interval->first) : Json(nullptr)},
             {"high_m", crossing.interval ? number(crossing.interval->second) : Json(nullptr)},
             {"enclosed", crossing.is_enclosed()},
-            {"kept_up_to_m", number(crossing.passed)},
-            {"exceeded_at_m", number(crossing.failed)},
+            {"kept_below_m", number(crossing.below)},
+            {"exceeded_above_m", number(crossing.above)},
             {"instrument_relative", crossing.doubt},
             {"points", crossing.points.size()},
             {"points_of_curve", crossing.near.size()},
@@ -128,14 +128,14 @@ std::string fall_height_csv(const FallHeightReport& report) {
     text += fmt::format(",{}{}", injury::quantity_of(criterion.metric).key,
                         unit == "1" || unit.empty() ? "" : fmt::format(" [{}]", unit));
   }
-  text += ",pulse\n";
+  text += ",from_pulse\n";
   for (const fall_height::Place& place : answer.places)
     for (const fall_height::Drop& drop : place.drops) {
       for (const auto& [header, words] : drop.remarks) text += csv_field(words) + ",";
       text += fmt::format("{},{}", drop.height, drop.number);
       for (std::size_t i = 0; i < answer.standard.criteria.size(); ++i)
         text += std::isfinite(drop.figures[i])
-                    ? fmt::format(",{}", shown(answer.standard.criteria[i], drop.figures[i]))
+                    ? fmt::format(",{:.12g}", shown(answer.standard.criteria[i], drop.figures[i]))
                     : ",";
       text += "," + csv_field(drop.pulse) + "\n";
     }

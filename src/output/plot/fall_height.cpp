@@ -88,8 +88,12 @@ Plot fall_height_plot(const FallHeightReport& report, const UnitSystem& units) {
         const fall_height::Crossing& crossing = place.crossings[i];
         const std::string name = place_words(place);
         const bool is_lowest = &place == &fall_height::lowest_for(*report.measured, i);
-        add_place(panel, crossing, is_lowest, colour++, name.empty() ? "drops" : name, scale);
-        if (crossing.height && is_lowest) height.add(scale.height * *crossing.height, 0);
+        add_place(panel, crossing, is_lowest, colour++,
+                  !name.empty()                           ? name
+                  : report.measured->standard.drop_series ? "means"
+                                                          : "drops",
+                  scale);
+        if (crossing.is_enclosed() && is_lowest) height.add(scale.height * *crossing.height, 0);
       }
     if (report.computed) {
       add_computed(panel, *report.computed, i, colour, scale);

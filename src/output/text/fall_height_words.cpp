@@ -25,13 +25,19 @@ std::string measured_words(const fall_height::Answer& answer, const UnitSystem& 
   const std::string limit =
       brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units);
   std::string text = "Critical fall height " + height_words(crossing, units);
-  if (!crossing.is_enclosed())
-    return text + fmt::format(": {} drop exceeds {}", crossing.failed ? "even the lowest" : "no",
-                              title + " " + limit);
-  if (!crossing.height) return text + fmt::format(": no curve meets {} {}", title, limit);
-  text += in_brackets(interval_words(crossing, units)) + fmt::format(", where {} reaches {}", title, limit);
   const std::string where = place_words(place);
-  return answer.places.size() > 1 && !where.empty() ? text + fmt::format(" ({})", where) : text;
+  const std::string at = answer.places.size() > 1 && !where.empty() ? fmt::format(" ({})", where) : "";
+  // A point of a series is a mean.
+  const std::string point = answer.standard.drop_series ? "mean" : "drop";
+  if (!crossing.is_enclosed())
+    return text +
+           (crossing.points.empty() ? ": no drop has a figure"
+            : !crossing.is_exceeded ? fmt::format(": no {} exceeds {} {}", point, title, limit)
+            : !crossing.is_kept     ? fmt::format(": even the lowest {} exceeds {} {}", point, title, limit)
+                                    : fmt::format(": no curve meets {} {} between the drops", title, limit)) +
+           at;
+  return text + in_brackets(interval_words(crossing, units)) +
+         fmt::format(", where {} reaches {}", title, limit) + at;
 }
 
 std::string computed_words(const margin::Answer& computed, bool is_alone, const UnitSystem& units) {
@@ -97,16 +103,17 @@ std::string place_words(const fall_height::Place& place) {
 }
 
 std::string height_words(const fall_height::Crossing& crossing, const UnitSystem& units) {
+  if (crossing.is_enclosed()) return height_result(*crossing.height, units);
   if (crossing.points.empty()) return "unknown";
-  if (!crossing.failed) return "more than " + height_text(crossing.points.back().height, units);
-  if (!crossing.passed) return "less than " + height_text(crossing.points.front().height, units);
-  return crossing.height ? height_result(*crossing.height, units)
-                         : fmt::format("between {} and {}", height_text(*crossing.passed, units),
-                                       height_text(*crossing.failed, units));
+  if (!crossing.is_exceeded) return "more than " + height_text(crossing.points.back().height, units);
+  if (!crossing.is_kept) return "less than " + height_text(crossing.points.front().height, units);
+  return "unknown";
 }
 
 std::string interval_words(const fall_height::Crossing& crossing, const UnitSystem& units) {
-  return crossing.interval ? height_range(crossing.interval->first, crossing.interval->second, units) : "";
+  return crossing.is_enclosed() && crossing.interval
+             ? height_range(crossing.interval->first, crossing.interval->second, units)
+             : "";
 }
 
 std::string fall_height_answer(const FallHeightReport& report, const UnitSystem& units) {
