@@ -11,7 +11,6 @@
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/output/fall_height.hpp"
 #include "output_files.hpp"
-#include "progress_line.hpp"
 #include "pulse/request.hpp"
 #include "solve_for/question.hpp"
 
@@ -153,15 +152,6 @@ std::string range_about(const fall_height::Answer& measured) {
   return fmt::format("{} m..{} m", low / 2, 2 * high);
 }
 
-margin::Answer computed_by(const margin::Question& question) {
-  ProgressLine line{"Searching"};
-  constexpr std::size_t all = 1000;
-  return margin::solve_for(question, [&line](double share) {
-    line.show(static_cast<std::size_t>(share * static_cast<double>(all)), all);
-    return true;
-  });
-}
-
 int code_of(const output::FallHeightReport& report) {
   if (report.measured && !report.measured->is_sure()) return exit_not_trusted;
   if (!report.computed) return exit_done;
@@ -200,7 +190,7 @@ int run_fall_height(const FallHeightRequest& request) {
     computed.standards = {request.standard};
     computed.files = request.files;
     if (!computed.between && report.measured) computed.between = range_about(*report.measured);
-    report.computed = computed_by(question_of(computed));
+    report.computed = solve_for_with_progress(question_of(computed));
   }
   const UnitSystem& units = unit_system(request.files.units);
   const auto document = [&](output::Pictures pictures) {

@@ -12,6 +12,7 @@
 #include "dashpad/study/study_file.hpp"
 #include "input/measurement/measurement_text.hpp"
 #include "input/spelling.hpp"
+#include "progress_line.hpp"
 
 namespace dashpad::app {
 
@@ -273,6 +274,15 @@ margin::Question question_of(const SolveForRequest& request) {
     }
   if (!errors.empty()) throw Refused(std::move(errors));
   return question;
+}
+
+margin::Answer solve_for_with_progress(const margin::Question& question) {
+  ProgressLine line{"Searching"};
+  constexpr std::size_t all = 1000;
+  return margin::solve_for(question, [&line](double share) {
+    line.show(static_cast<std::size_t>(share * static_cast<double>(all)), all);
+    return true;
+  });
 }
 
 }  // namespace dashpad::app

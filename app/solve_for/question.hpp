@@ -26,4 +26,7 @@ struct SolveForRequest {
 /// Reads the case, standards and limits. Throws Refused with all errors.
 margin::Question question_of(const SolveForRequest& request);
 
+/// Calls margin::solve_for() with a progress line on standard error.
+margin::Answer solve_for_with_progress(const margin::Question& question);
+
 }  // namespace dashpad::app

@@ -6,7 +6,6 @@
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/output/margin.hpp"
 #include "output_files.hpp"
-#include "progress_line.hpp"
 #include "solve_for/question.hpp"
 
 namespace dashpad::app {
@@ -54,15 +53,7 @@ int code_of(const margin::Answer& answer) {
 }
 
 int run_solve_for(const SolveForRequest& request) {
-  const margin::Question question = question_of(request);
-  const margin::Answer answer = [&] {
-    ProgressLine line{"Searching"};
-    constexpr std::size_t all = 1000;
-    return margin::solve_for(question, [&line](double share) {
-      line.show(static_cast<std::size_t>(share * static_cast<double>(all)), all);
-      return true;
-    });
-  }();
+  const margin::Answer answer = solve_for_with_progress(question_of(request));
   const UnitSystem& units = unit_system(request.files.units);
   const auto document = [&](output::Pictures pictures) {
     return output::margin_document(answer, request.given.file, units, pictures);
