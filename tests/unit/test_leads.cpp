@@ -303,7 +303,16 @@ TEST(StudyAnswer, OverTwoFactorsSaysUpToWhereTheLimitIsKept) {
   EXPECT_EQ(
       answer_to(answers),
       "Peak acceleration stays within the limit of 25 g nowhere at 10 mm, and up to somewhere between 2 m/s "
-      "and 3 m/s at 60 mm");
+      "and 3 m/s at 60 mm; best at 30 mm, everywhere");
+  // The optimum between the ends, as of density against thickness.
+  answers = answers_of({300, 300, 100, 300, 100, 100, 300, 300, 300}, false);
+  answers.study.factors.push_back({.key = "pad.thickness", .unit = "m"});
+  answers.records.factors = {{1, 2, 3, 1, 2, 3, 1, 2, 3}, {.01, .01, .01, .03, .03, .03, .06, .06, .06}};
+  ask_for(answers, 25);
+  EXPECT_EQ(answer_to(answers),
+            "Peak acceleration stays within the limit of 25 g from somewhere between 2 m/s and 3 m/s upwards "
+            "at 10 mm, "
+            "and nowhere at 60 mm; best at 30 mm, from somewhere between 1 m/s and 2 m/s upwards");
 }
 
 TEST(StudyAnswer, IndicesWithOverlappingIntervalsDecideNothing) {

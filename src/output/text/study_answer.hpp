@@ -44,8 +44,8 @@ std::size_t strictest_limit(const study::StudyAnswers& answers);
 std::string exceeds(const study::StudyLimit& limit, const UnitSystem& units);
 
 /// Where a limit is exceeded: over one factor, from which level on or with which names; over two, the range
-/// within which it is kept at both ends of the factor with fewer levels. Empty for other studies, for
-/// undecided rows, and if exceeding starts or ends more than once.
+/// within which it is kept at both ends of the factor with fewer levels, and where it is widest between them.
+/// Empty for other studies, for undecided rows, and if exceeding starts or ends more than once.
 std::string where_exceeded(const study::StudyAnswers& answers, const study::StudyLimit& limit,
                            const UnitSystem& units);
 

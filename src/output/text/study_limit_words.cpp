@@ -78,6 +78,20 @@ std::string where_kept(const study::Study& study, std::size_t factor, const std:
                               : fmt::format("from somewhere between {} and {} upwards", before, after);
 }
 
+using Lines = std::map<double, std::vector<LevelRow>>;
+
+/// The line on which the limit is kept in more rows than at both ends, of several the first; the end of the
+/// map if there is none, or if its range is not a single one. Rows by level.
+Lines::const_iterator widest_between_ends(const Lines& lines) {
+  const auto kept = [](const Lines::value_type& line) {
+    return std::ranges::count(line.second, false, &LevelRow::second);
+  };
+  const auto best = std::ranges::max_element(lines, {}, kept);
+  const bool is_better = kept(*best) > std::max(kept(*lines.begin()), kept(*lines.rbegin()));
+  const bool is_whole = kept(*best) == std::ssize(best->second) || only_change(best->second);
+  return is_better && is_whole ? best : lines.end();
+}
+
 /// The ranges along the factor with more levels, at the first and the last level of the other one.
 std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>& is_above,
                      const study::StudyLimit& limit, const UnitSystem& units) {
@@ -87,19 +101,22 @@ std::string over_two(const study::StudyAnswers& answers, const std::vector<bool>
   const auto level = [&](std::size_t factor, std::size_t row) {
     return answers.records.factors[factor][group.places[row]];
   };
-  std::map<double, std::vector<LevelRow>> lines[2];  // by factor: its levels, the rows along the other one
+  Lines lines[2];  // by factor: its levels, the rows along the other one
   for (std::size_t row = 0; row < is_above.size(); ++row)
     for (std::size_t given = 0; given < 2; ++given)
       lines[given][level(given, row)].emplace_back(level(1 - given, row), is_above[row]);
   const std::size_t of = lines[0].size() < lines[1].size() ? 0 : 1;
+  for (auto& line : lines[of]) std::ranges::sort(line.second);
   std::string text;
-  for (auto* line : {&*lines[of].begin(), &*lines[of].rbegin()}) {
-    std::ranges::sort(line->second);
+  for (const auto* line : {&*lines[of].begin(), &*lines[of].rbegin()}) {
     const std::string kept = where_kept(answers.study, 1 - of, line->second, units);
     if (kept.empty()) return "";
     text += fmt::format("{} {} at {}", text.empty() ? "" : ", and", kept,
                         level_words(answers.study, of, line->first, units));
   }
+  if (const auto best = widest_between_ends(lines[of]); best != lines[of].end())
+    text += fmt::format("; best at {}, {}", level_words(answers.study, of, best->first, units),
+                        where_kept(answers.study, 1 - of, best->second, units));
   return fmt::format("{} stays within the limit of {}{}", title_of(limit.response),
                      brief_quantity(limit.value, si_unit_of(limit.response), units), text);
 }
