@@ -64,8 +64,12 @@ int run_sensitivity(const SensitivityRequest& request) {
   const auto found = std::ranges::find(answer.figures, request.figure,
                                        [](const ResultQuantity* figure) { return std::string(figure->key); });
   if (found == answer.figures.end()) {
-    write_error(fmt::format("{}: the impact does not have this figure, or it is 0; --figure names another\n",
-                            request.figure));
+    std::string others;
+    for (const ResultQuantity* one : answer.figures)
+      others += std::string(others.empty() ? "" : ", ") + one->key;
+    for (const Flag& flag : answer.flags) write_error(flag.text + "\n");
+    write_error(fmt::format("{}: the impact does not have this figure, or it is 0; --figure may name {}\n",
+                            request.figure, others));
     return exit_not_trusted;
   }
   const auto figure = static_cast<std::size_t>(found - answer.figures.begin());

@@ -23,7 +23,8 @@ namespace {
 /// The largest step, as a share of the number: large enough for the noise of the last digits of a figure,
 /// small enough for the fourth order that extrapolation leaves.
 constexpr double first_step = 1.2e-2;
-/// Beyond the runs that the tolerance asks for.
+/// Beyond the runs that the tolerance asks for; none for pads of layers, each impact of which takes a hundred
+/// times as long.
 constexpr int more_runs = 2;
 constexpr int max_runs = 10;
 /// Leaps of a figure below this share of the solver's tolerance are not told from its error.
@@ -145,7 +146,7 @@ Answer sensitivities(const ImpactCase& impact, const Options& options, bool inte
   if (intervals) uncertainty::add_intervals(impact, options, nominal);
   answer.intervals = nominal.summary.intervals;
   answer.flags = flags(nominal.summary);
-  answer.runs = std::min(nominal.summary.runs + more_runs, max_runs);
+  answer.runs = std::min(nominal.summary.runs + (impact.pad.layers.empty() ? more_runs : 0), max_runs);
 
   std::vector<std::string> names;
   for (const ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
@@ -179,9 +180,9 @@ Answer sensitivities(const ImpactCase& impact, const Options& options, bool inte
     Beside beside;
     std::array<Figures, 2> coarse;
     for (std::size_t i = 0; i < 3; ++i)
-      for (const std::size_t side : {0, 1})
+      for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
         beside[i][side] = impacts.at(quantity, side == 1 ? 1 + step_of(i) : 1 - step_of(i), answer.runs);
-    for (const std::size_t side : {0, 1})
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
       coarse[side] = impacts.at(quantity, side == 1 ? 1 + step_of(1) : 1 - step_of(1), answer.runs - 1);
     const bool has_below = has_value(beside[0][0]), has_above = has_value(beside[0][1]);
     if (has_below || has_above) {
