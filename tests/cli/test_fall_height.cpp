@@ -94,7 +94,7 @@ TEST_F(FallHeightTest, WithoutADropAboveTheLimitIsNoHeight) {
 
 TEST_F(FallHeightTest, OfACaseIsWhereSolveForTurns) {
   const json answer = answer_of({examples + "playground-mat-in-layers.toml", "--between", "0.5 m..3 m"});
-  const json computed = answer["computed"];
+  const json& computed = answer["computed"];
   EXPECT_THAT(std::string(answer["answer"]), StartsWith("Critical fall height by computation "));
   const json turns =
       json::parse(dashpad({"solve-for", "impactor.drop_height", examples + "playground-mat-in-layers.toml",
