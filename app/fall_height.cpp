@@ -145,10 +145,7 @@ std::optional<fall_height::Answer> measured_by(const FallHeightRequest& request,
 
 /// The heights that are searched where drops are measured, too: half the lowest to twice the highest.
 std::string range_about(const fall_height::Answer& measured) {
-  double low = measured.places.front().drops.front().height, high = low;
-  for (const fall_height::Place& place : measured.places)
-    for (const fall_height::Drop& drop : place.drops)
-      low = std::min(low, drop.height), high = std::max(high, drop.height);
+  const auto [low, high] = fall_height::heights_of(measured);
   return fmt::format("{} m..{} m", low / 2, 2 * high);
 }
 

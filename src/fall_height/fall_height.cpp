@@ -97,14 +97,11 @@ std::optional<double> first_rise(const std::vector<Point>& points, const Curve& 
 /// From the height at which the curve meets the limit down and up to where it differs from the limit by half
 /// its width and the doubt of the instrument, together.
 std::pair<double, double> interval_about(const Crossing& crossing, double limit) {
-  const auto width = [&](double height) {
-    return std::hypot(crossing.curve->half_width(height), std::log1p(crossing.doubt));
-  };
   const auto may_be_above = [&](double height) {
-    return std::log(crossing.curve->at(height) / limit) + width(height) > 0;
+    return std::log(crossing.curve->at(height) / limit) + crossing.half_width(height) > 0;
   };
   const auto is_surely_above = [&](double height) {
-    return std::log(crossing.curve->at(height) / limit) - width(height) > 0;
+    return std::log(crossing.curve->at(height) / limit) - crossing.half_width(height) > 0;
   };
   std::pair<double, double> ends{0, infinite};
   double inner = *crossing.height;
@@ -268,10 +265,10 @@ std::vector<Place> places_of(const DropTable& table) {
 
 }  // namespace
 
+double Crossing::half_width(double at) const { return std::hypot(curve->half_width(at), std::log1p(doubt)); }
+
 bool tells_places_apart(std::string_view header) {
-  std::string lower(header);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string lower = input::lower_case(header);
   for (const char* name : {"position", "surface", "temperature", "sample", "specimen", "spot"})
     if (lower.starts_with(name)) return true;
   return false;
@@ -294,6 +291,15 @@ bool Answer::is_sure() const {
                     return std::ranges::any_of(drop.flags, is_doubt);
                   });
          });
+}
+
+std::pair<double, double> heights_of(const Answer& answer) {
+  std::pair<double, double> heights{infinite, 0};
+  for (const Place& place : answer.places) {
+    heights.first = std::min(heights.first, place.drops.front().height);
+    heights.second = std::max(heights.second, place.drops.back().height);
+  }
+  return heights;
 }
 
 const Place& lowest_for(const Answer& answer, std::size_t criterion) {

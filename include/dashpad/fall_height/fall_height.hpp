@@ -91,6 +91,8 @@ struct Crossing {
 
   /// Whether points that keep the limit and points that exceed it enclose the height.
   [[nodiscard]] bool is_enclosed() const { return below && above; }
+  /// Half the width of the 95 % interval of ln f at a height, by curve and instrument. Needs a curve.
+  [[nodiscard]] double half_width(double at) const;
 };
 
 /// Whether a column of that header tells places apart: "Position", "surface", "temperature [degC]", ...
@@ -125,6 +127,9 @@ struct Answer {
   /// places.
   [[nodiscard]] bool is_sure() const;
 };
+
+/// The lowest and the greatest height of all drops, m.
+std::pair<double, double> heights_of(const Answer& answer);
 
 /// The place with the lowest height for a limit.
 const Place& lowest_for(const Answer& answer, std::size_t criterion);

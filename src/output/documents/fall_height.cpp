@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,10 +18,6 @@ namespace dashpad::output {
 
 namespace {
 
-const injury::Standard& standard_of(const FallHeightReport& report) {
-  return report.measured ? report.measured->standard : *report.computed->question.impacts.front().standard;
-}
-
 std::string limit_words(const injury::Criterion& criterion, const UnitSystem& units) {
   return (criterion.strict ? "below " : "at most ") +
          brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units);
@@ -31,12 +26,8 @@ std::string limit_words(const injury::Criterion& criterion, const UnitSystem& un
 /// How many drops on how many places, between which heights.
 std::string drops_words(const fall_height::Answer& answer, const UnitSystem& units) {
   std::size_t drops = 0;
-  double low = answer.places.front().drops.front().height, high = low;
-  for (const fall_height::Place& place : answer.places) {
-    drops += place.drops.size();
-    low = std::min(low, place.drops.front().height);
-    high = std::max(high, place.drops.back().height);
-  }
+  for (const fall_height::Place& place : answer.places) drops += place.drops.size();
+  const auto [low, high] = fall_height::heights_of(answer);
   return fmt::format("{} from {} to {}{}", plural(drops, "drop"), height_text(low, units),
                      height_text(high, units),
                      answer.places.size() > 1 ? " on " + plural(answer.places.size(), "place") : "");

@@ -7,6 +7,7 @@
 #include "dashpad/output/fall_height.hpp"
 #include "json/json_values.hpp"
 #include "output/json/parts.hpp"
+#include "output/text/fall_height_words.hpp"
 #include "output/text/standard_words.hpp"
 #include "quantities/text.hpp"
 
@@ -106,8 +107,7 @@ Json computed_json(const FallHeightReport& report) {
 }  // namespace
 
 std::string fall_height_json(const FallHeightReport& report, const UnitSystem& units) {
-  const injury::Standard& standard =
-      report.measured ? report.measured->standard : *report.computed->question.impacts.front().standard;
+  const injury::Standard& standard = standard_of(report);
   return result_json_text(
       {{"program", program_json()},
        {"answer", fall_height_answer(report, units)},

@@ -42,7 +42,7 @@ void add_place(Panel& panel, const fall_height::Crossing& crossing, bool is_lowe
       const double height = std::lerp(low, high, static_cast<double>(i) / curve_steps);
       const double value = crossing.curve->at(height);
       line.add(scale.height * height, in_panel(scale, value));
-      const double width = std::hypot(crossing.curve->half_width(height), std::log1p(crossing.doubt));
+      const double width = crossing.half_width(height);
       if (!std::isfinite(width)) continue;
       band.x.push_back(scale.height * height);
       band.y.push_back(in_panel(scale, value * std::exp(-width)));
@@ -65,8 +65,7 @@ void add_computed(Panel& panel, const margin::Answer& computed, std::size_t limi
 }  // namespace
 
 Plot fall_height_plot(const FallHeightReport& report, const UnitSystem& units) {
-  const injury::Standard& standard =
-      report.measured ? report.measured->standard : *report.computed->question.impacts.front().standard;
+  const injury::Standard& standard = standard_of(report);
   Plot plot{.title = fall_height_answer(report, units),
             .source = fmt::format("dashpad {}; {}", version(),
                                   one_line(report.measured ? report.table_file : report.case_file))};

@@ -59,6 +59,10 @@ std::string computed_words(const margin::Answer& computed, bool is_alone, const 
 
 }  // namespace
 
+const injury::Standard& standard_of(const FallHeightReport& report) {
+  return report.measured ? report.measured->standard : *report.computed->question.impacts.front().standard;
+}
+
 ScaledUnit unit_of_heights(const UnitSystem& units) {
   constexpr double foot = 0.3048;  // m
   return units.length == "in" ? ScaledUnit{1 / foot, "ft"} : ScaledUnit{1, "m"};

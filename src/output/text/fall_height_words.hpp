@@ -8,6 +8,9 @@
 
 namespace dashpad::output {
 
+/// The standard by which the drops, or the case, are judged.
+const injury::Standard& standard_of(const FallHeightReport& report);
+
 /// Metres, or feet where lengths are in inches.
 ScaledUnit unit_of_heights(const UnitSystem& units);
 
