@@ -97,8 +97,9 @@ class Solving {
       if (intervals) with_interval_.push_back(value);
     }
     ++looks_;
-    if (is_known) return *at = std::move(place);
-    return *places.insert(at, std::move(place));
+    if (!is_known) return *places.insert(at, std::move(place));
+    *at = std::move(place);
+    return *at;
   }
   [[nodiscard]] bool has_interval(const Place& place) const {
     return answer_.question.chance.has_value() ||

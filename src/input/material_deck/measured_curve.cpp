@@ -103,7 +103,7 @@ double kpa(double stress) { return stress / 1000; }
 std::size_t falls_of(const std::vector<double>& stress) {
   std::size_t falls = 0;
   for (std::size_t i = 1; i < stress.size(); ++i)
-    if (stress[i] < stress[i - 1] && (i < 2 || stress[i - 1] >= stress[i - 2])) ++falls;
+    if (stress[i] < stress[i - 1] && (i == 1 || stress[i - 1] >= stress[i - 2])) ++falls;
   return falls;
 }
 

@@ -268,8 +268,10 @@ class FoamContact {
     }
     // One or more rings may still press where the axis no longer does, or beside the axis with a gap between.
     const double width = (high - low) / looks;
-    std::array<double, looks + 1> places{first};
-    std::array<double, looks + 1> found{f_first};
+    // cppcheck loses the + 1 in std::array<double, looks + 1>.
+    constexpr std::size_t ends = looks + 1;
+    std::array<double, ends> places{first};
+    std::array<double, ends> found{f_first};
     std::size_t most = 0;
     for (std::size_t i = 1; i <= looks; ++i) {
       places[i] = low + width * double(i);

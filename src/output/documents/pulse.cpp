@@ -154,14 +154,11 @@ std::vector<std::string> subject_of(const injury::PulseReport& report, const Uni
 /// The criteria, then the figures that are none of them.
 std::vector<ValueRow> rows_with_limits(const injury::PulseReport& report, const UnitSystem& units,
                                        Detail detail) {
-  std::vector<ValueRow> rows;
-  if (report.limits) rows = criterion_rows(report.limits->results, units, detail);
-  const std::size_t limited = rows.size();
-  for (ValueRow& row : rows_of(report, units, detail)) {
-    const auto is_it = [&](const ValueRow& other) { return other.label == row.label; };
-    if (std::none_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(limited), is_it))
-      rows.push_back(std::move(row));
-  }
+  std::vector<ValueRow> limited;
+  if (report.limits) limited = criterion_rows(report.limits->results, units, detail);
+  std::vector<ValueRow> rows = limited;
+  for (ValueRow& row : rows_of(report, units, detail))
+    if (!std::ranges::count(limited, row.label, &ValueRow::label)) rows.push_back(std::move(row));
   if (detail == Detail::all)
     for (ValueRow& row : rows) {
       row.error.reset();
