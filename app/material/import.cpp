@@ -13,6 +13,7 @@
 #include "input/measurement/measurement_text.hpp"
 #include "output.hpp"
 #include "quantities/text.hpp"
+#include "test_columns.hpp"
 
 namespace dashpad::app {
 
@@ -62,9 +63,9 @@ Exit codes: 0 success, 1 the card could not be written, 2 invalid input (nothing
 struct ImportRequest {
   std::vector<std::string> files;
   std::string units;
-  std::vector<std::string> rates, temperatures;
-  std::optional<std::string> thickness, area, material;
-  input::StressStrainColumns columns;  ///< as given
+  TestColumnsRequest tests;
+  std::vector<std::string> temperatures;
+  std::optional<std::string> material;
   std::string out = "-";
   bool force = false;
   bool allows_includes = false;
@@ -91,20 +92,14 @@ double temperature_of(const std::string& text, Wrong& errors) {
 }
 
 TableSettings table_settings(const ImportRequest& request, Wrong& errors) {
-  TableSettings settings{.conditions = {}, .columns = request.columns};
-  auto& [rates, temperatures] = settings.conditions;
-  for (const std::string& text : request.rates)
-    rates.push_back(positive_quantity_of("--rate", text, "1/s", errors).value_or(1));
-  if (rates.size() > request.files.size())
-    errors.push_back(
-        fmt::format("--rate: more rates ({}) than files ({})", rates.size(), request.files.size()));
+  TableSettings settings{.conditions = {.rates = rates_of(request.tests, request.files.size(), errors)},
+                         .columns = columns_of(request.tests, errors)};
+  std::vector<double>& temperatures = settings.conditions.temperatures;
   for (const std::string& text : request.temperatures) temperatures.push_back(temperature_of(text, errors));
   if (!temperatures.empty() && temperatures.size() != request.files.size())
     errors.push_back(fmt::format("--temperature: give one for each file; {} {} given for {}",
                                  temperatures.size(), temperatures.size() == 1 ? "was" : "were",
                                  plural(request.files.size(), "file")));
-  settings.columns.thickness = positive_quantity_of("--thickness", request.thickness, "m", errors);
-  settings.columns.area = positive_quantity_of("--area", request.area, "m2", errors);
   return settings;
 }
 
@@ -116,12 +111,10 @@ std::optional<UnitSystem> judge_import(const ImportRequest& request, bool are_ta
       errors.emplace_back("--units: applies only to decks; a table states its units");
     return std::nullopt;
   }
-  const input::StressStrainColumns& columns = request.columns;
-  const bool has_columns =
-      !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit).empty();
-  if (!request.rates.empty()) errors.emplace_back("--rate: applies only to tables; a deck states its rates");
   if (!request.temperatures.empty()) errors.emplace_back("--temperature: applies only to tables");
-  if (has_columns || request.thickness || request.area)
+  if (!request.tests.rates.empty())
+    errors.emplace_back("--rate: applies only to tables; a deck states its rates");
+  if (request.tests.has_columns())
     errors.emplace_back(
         "--strain, --stress, --strain-unit, --stress-unit, --thickness, --area: apply only to tables");
   if (request.files.size() > 1)
@@ -268,19 +261,10 @@ void add_material_import(CLI::App& material, Action& action) {
   add_option(sub, "FILE", request.files, "LS-DYNA, Radioss or Abaqus deck, or tables of compression tests")
       ->required();
   add_deck_units(sub, request.units);
-  add_option(sub, "--rate RATE", request.rates,
-             "Strain rate, such as \"0.01 1/s\", of a table with one test; one for each of several tables");
+  add_test_columns(sub, request.tests);
   add_option(sub, "--temperature TEMPERATURE", request.temperatures,
              "Temperature of a table's specimen, such as \"-20 degC\", one for each table; that of the first "
              "is the temperature of the card, the others give factors on its stresses");
-  add_option(sub, "--strain COLUMN", request.columns.strain, "Strain or displacement column of a table");
-  add_option(sub, "--stress COLUMN", request.columns.stress, "Stress or force column of a table");
-  add_option(sub, "--strain-unit UNIT", request.columns.strain_unit,
-             "Strain or displacement unit, such as fraction, percent, microstrain or mm");
-  add_option(sub, "--stress-unit UNIT", request.columns.stress_unit,
-             "Stress or force unit, such as kPa or N");
-  add_option(sub, "--thickness LENGTH", request.thickness, "Specimen thickness, needed for displacements");
-  add_option(sub, "--area AREA", request.area, "Specimen area, such as \"25 cm2\", needed for forces");
   add_flag(sub, "--allow-includes", request.allows_includes,
            "Also read the files that a deck includes from its own folder");
   add_option(sub, "--material NAME", request.material, "Only this foam of a deck, by number or name");

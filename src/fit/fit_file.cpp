@@ -80,7 +80,8 @@ Unknown read_unknown(TableReader& table, const CaseQuantity& quantity, const Imp
   return unknown;
 }
 
-/// An impact of which only the material matters.
+}  // namespace
+
 ImpactCase made_up_case() {
   ImpactCase impact;
   impact.impactor.mass = 1;
@@ -89,6 +90,9 @@ ImpactCase made_up_case() {
   impact.pad.thickness = 0.05;
   return impact;
 }
+
+namespace {
+
 /// Reads each table of [[key]].
 void read_each(TableReader& top, const std::string& key, Lines& lines,
                const std::function<void(TableReader&)>& read) {

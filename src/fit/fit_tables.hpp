@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "dashpad/fit/fit.hpp"
+#include "dashpad/input/measurement/tables.hpp"
 #include "dashpad/input/reading.hpp"
 #include "input/table_reader.hpp"
 
 namespace dashpad::fit {
 
+/// An impact of which only the material matters.
+ImpactCase made_up_case();
+
 /// Reads one of [[tests]], and adds the files that it names to `files`.
 MaterialMeasurement read_test(input::TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files);
+/// The points of a table as those of a test, at a rate in 1/s or at the times of the table.
+void take_points(input::StressStrainTable read, std::optional<double> rate, MaterialMeasurement& test);
 /// Reads the pulse of an impact, {file = ..., deviation = ...}; none after a fault.
 std::optional<MeasuredDeceleration> read_pulse(input::TableReader& table, const input::Folders& folders,
                                                std::vector<input::InputFile>& files);

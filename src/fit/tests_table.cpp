@@ -66,6 +66,13 @@ std::vector<double> times_at(double rate, const std::vector<double>& strain) {
 
 }  // namespace
 
+void take_points(input::StressStrainTable read, std::optional<double> rate, MaterialMeasurement& test) {
+  test.strain = std::move(read.strain);
+  test.stress = std::move(read.stress);
+  test.time = rate ? times_at(*rate, test.strain) : std::move(read.time);
+  test.remarks = std::move(read.remarks);
+}
+
 MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
                               std::vector<input::InputFile>& files) {
   MaterialMeasurement test;
@@ -93,11 +100,8 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
     const std::filesystem::path file = folders.of_file / test.file;
     files.push_back({"the measurements", file});
     if (auto read = taken_with_keys(input::read_stress_strain_csv(file, columns), table.faults())) {
-      test.strain = std::move(read->strain);
-      test.stress = std::move(read->stress);
-      test.time = std::move(read->time);
-      test.remarks = std::move(read->remarks);
-      if (rate && *rate > 0) test.time = times_at(*rate, test.strain);
+      if (rate && !(*rate > 0)) rate.reset();  // a fault
+      take_points(*std::move(read), rate, test);
     }
   }
   if (table.has("noise")) {

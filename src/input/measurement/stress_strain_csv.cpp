@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "input/measurement/test_columns.hpp"
+#include "input/measurement/test_names.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::input {
@@ -86,6 +87,23 @@ void judge_test(StressStrainTable& table, const TestColumns& columns, Measuremen
 }
 
 }  // namespace
+
+Reading<TestHeader> read_test_header(const std::filesystem::path& file, const StressStrainColumns& wanted) {
+  return reading_of([&]() -> TestHeader {
+    MeasurementFaults faults(file.string());
+    const std::string content = read_measurement(file);
+    const CsvTable csv = csv_table_in(content, faults);
+    TestHeader header;
+    for (const StressColumn& stress :
+         find_test_columns(csv.header, wanted, Beside::stresses, faults).stresses)
+      header.stresses.push_back({stress.of.name, stress.rate});
+    std::size_t line = 0;
+    std::vector<TestColumn> columns = named_test_columns(csv.header, line);
+    std::erase_if(columns, [](const TestColumn& column) { return column.kind != TestKind::time; });
+    if (columns.size() == 1) header.time = columns.front().of.name;
+    return header;
+  });
+}
 
 Reading<StressStrainTable> read_stress_strain_csv(const std::filesystem::path& file,
                                                   const StressStrainColumns& wanted) {

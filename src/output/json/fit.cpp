@@ -1,6 +1,7 @@
 // A fit for programs.
 
 #include "dashpad/output/fit.hpp"
+#include "dashpad/output/proposal.hpp"
 
 #include <cmath>
 
@@ -108,37 +109,67 @@ Json left_open_json(const fit::FitReport& report) {
           {"flat_directions", report.flat_directions}};
 }
 
+Json evidence_json(const fit::Evidence& shown) {
+  return {{"file", shown.file},
+          {"rate_per_s", number(shown.rate)},
+          {"highest_strain", number(shown.highest_strain)},
+          {"largest_stress_Pa", number(shown.largest_stress)},
+          {"loading_points", shown.loading_points},
+          {"returned", number(shown.returned)},
+          {"lost_while_held", number(shown.lost_held)},
+          {"loaded_again", shown.has_cycles}};
+}
+
+Json tried_json(const fit::Tried& tried) {
+  return {{"law", tried.law},           {"base", tried.base},
+          {"rate", tried.rate},         {"misfit", number(tried.misfit)},
+          {"unknowns", tried.unknowns}, {"open", tried.open}};
+}
+
+Json whole(const fit::FitReport& report) {
+  return {{"title", report.title},
+          {"converged", report.converged},
+          {"why_not", report.why_not},
+          {"unknowns", array_of(report.unknowns, unknown_json)},
+          {"left_open", left_open_json(report)},
+          {"misfit",
+           {{"points", report.points},
+            {"priors", report.priors},
+            {"degrees_of_freedom", number(report.degrees_of_freedom)},
+            {"sum_of_squares", number(report.misfit)},
+            {"per_degree_of_freedom", number_if(report.degrees_of_freedom > 0, report.misfit_per_degree())},
+            {"noise_stated", report.noise_is_stated},
+            {"error_factor", number(std::sqrt(report.variance_scale))},
+            {"largest_widening", number(report.largest_widening)}}},
+          {"tests", array_of(report.tests, met_test_json)},
+          {"impacts", array_of(report.figures, met_figure_json)},
+          {"pulses", array_of(report.pulses, met_pulse_json)},
+          {"comparison", array_of(report.comparison, comparison_json)},
+          {"search",
+           {{"starts", report.starts},
+            {"starts_at_best", report.starts_at_best},
+            {"starts_failed", report.starts_failed},
+            {"solver_runs", report.solver_runs},
+            {"evaluations", report.evaluations},
+            {"wall_time_s", number(report.wall_time)}}},
+          {"material", report.converged ? material_json(report.material) : Json(nullptr)},
+          {"proposal", nullptr},
+          {"program", program_json()}};
+}
+
 }  // namespace
 
-std::string fit_json(const fit::FitReport& report) {
-  return result_json_text(
-      {{"title", report.title},
-       {"converged", report.converged},
-       {"why_not", report.why_not},
-       {"unknowns", array_of(report.unknowns, unknown_json)},
-       {"left_open", left_open_json(report)},
-       {"misfit",
-        {{"points", report.points},
-         {"priors", report.priors},
-         {"degrees_of_freedom", number(report.degrees_of_freedom)},
-         {"sum_of_squares", number(report.misfit)},
-         {"per_degree_of_freedom", number_if(report.degrees_of_freedom > 0, report.misfit_per_degree())},
-         {"noise_stated", report.noise_is_stated},
-         {"error_factor", number(std::sqrt(report.variance_scale))},
-         {"largest_widening", number(report.largest_widening)}}},
-       {"tests", array_of(report.tests, met_test_json)},
-       {"impacts", array_of(report.figures, met_figure_json)},
-       {"pulses", array_of(report.pulses, met_pulse_json)},
-       {"comparison", array_of(report.comparison, comparison_json)},
-       {"search",
-        {{"starts", report.starts},
-         {"starts_at_best", report.starts_at_best},
-         {"starts_failed", report.starts_failed},
-         {"solver_runs", report.solver_runs},
-         {"evaluations", report.evaluations},
-         {"wall_time_s", number(report.wall_time)}}},
-       {"material", report.converged ? material_json(report.material) : Json(nullptr)},
-       {"program", program_json()}});
+std::string fit_json(const fit::FitReport& report) { return result_json_text(whole(report)); }
+
+std::string proposal_json(const fit::AutoFit& result) {
+  Json json = whole(result.report);
+  json["proposal"] = {{"tests", array_of(result.proposal.tests, evidence_json)},
+                      {"tried", array_of(result.tried, tried_json)},
+                      {"chosen", result.chosen},
+                      {"reasons", result.proposal.reasons},
+                      {"left_open", result.open},
+                      {"measure_next", result.next}};
+  return result_json_text(std::move(json));
 }
 
 }  // namespace dashpad::output

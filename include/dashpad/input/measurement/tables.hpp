@@ -94,6 +94,19 @@ struct StressStrainTable {
   std::vector<std::string> remarks = {};  ///< interpretations, a sentence each
 };
 
+/// The header of a table of compression tests.
+struct TestHeader {
+  struct Stress {
+    std::string name;
+    double rate = 0;  ///< 1/s; 0: not stated
+  };
+  std::vector<Stress> stresses;  ///< several only if each has its rate
+  std::string time = {};         ///< the only column of times; empty without one
+};
+
+/// Reads the header alone. Faults as in read_stress_strain_csv().
+Reading<TestHeader> read_test_header(const std::filesystem::path& file, const StressStrainColumns& wanted);
+
 /// Reads a compression test with a header and 2 to 10,000 rows. Compression that is negative in the file is
 /// turned positive, with a remark. Reports all faults with their lines, or the first 200: missing columns or
 /// units, times that do not increase, strains of 1 or more (per cent taken for a fraction).

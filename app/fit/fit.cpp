@@ -10,8 +10,8 @@
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
 #include "dashpad/version.hpp"
+#include "fit/request.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "output_files.hpp"
 #include "progress_line.hpp"
 #include "quantities/text.hpp"
 
@@ -26,6 +26,8 @@ constexpr const char* fit_footer = R"(Examples:
   dashpad fit my-fit.toml --report fit.html                    a page: model and data, intervals, unknowns left open
   dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
   dashpad fit my-fit.toml --state my-fit.state                 saves the fit's progress; repeat the command to resume
+  dashpad fit --auto examples/fits/vn600-quasi-static.csv --strain-unit fraction --rate "8.4e-5 1/s"   without a fit file
+  dashpad fit --auto slow.csv fast.csv --rate "0.01 1/s" --rate "100 1/s" --proposal my-fit.toml -o my-foam.toml
 
 A fit file states the law with its starting values, the unknowns with their bounds, and the measurements:
 
@@ -58,6 +60,11 @@ A fit file states the law with its starting values, the unknowns with their boun
   hic15 = {value = 640, deviation = "5 %"}          # also hic36, hic_unlimited, clip_3ms, rebound_speed, ...
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or relative to its peak, "5 %"
 
+With --auto, the files are compression tests (as for dashpad material import), one foam in all of them. The law, its
+base curve and the unknowns are proposed by what was measured (rates, way back, holds, highest strain), several are
+tried, and the answer says what the tests leave open and what to measure next. Rates follow from the times in the files,
+or from --rate, one for each. --proposal writes the fit file, to which [[impacts]] can be added.
+
 docs/fits.md describes every key and what the results mean.
 
 If the recoil of a foam is not given and the impacts depend on it, it is fitted too; to keep it fixed, give it in
@@ -71,37 +78,10 @@ written completely or not at all. If the fit does not converge, no card is writt
 If the fit is interrupted (Ctrl-C, SIGTERM), no result is written, but the file given with --state contains the
 finished searches and intervals, and the same command resumes from there. The state of a different fit is rejected.
 
-Exit codes: 0 success, 1 a result could not be written, 2 errors in the fit file or its data (nothing was written),
+Exit codes: 0 success, 1 a result could not be written, 2 errors in the fit file or the data (nothing was written),
 3 the fit did not converge, 130 or 143 stopped by Ctrl-C or SIGTERM.)";
 
-struct FitRequest {
-  std::string file;
-  OutputFiles files;
-  std::optional<std::string> state;
-  std::vector<std::string> posterior;  ///< N and FILE
-  std::string materials;
-};
-
 constexpr std::size_t max_draws = 1'000'000;
-
-/// 0 without --posterior, or after an error.
-std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors) {
-  if (request.posterior.empty()) return 0;
-  const std::string& text = request.posterior.front();
-  const bool digits =
-      !text.empty() && text.size() < 8 && text.find_first_not_of("0123456789") == std::string::npos;
-  const std::size_t count = digits ? std::stoul(text) : 0;
-  if (count >= 1 && count <= max_draws) return count;
-  errors.push_back(fmt::format(
-      "--posterior {}: must be a whole number of draws from 1 to {}, followed by a file", text, max_draws));
-  return 0;
-}
-
-std::vector<Target> fit_targets(const FitRequest& request) {
-  std::vector<Target> targets = request.files.targets();
-  if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
-  return targets;
-}
 
 /// Depends on the contents of all input files, and on the version.
 std::string fingerprint_of(const std::vector<input::InputFile>& files) {
@@ -141,6 +121,109 @@ void judge_state(const FitRequest& request, const std::vector<Target>& targets,
   }
 }
 
+/// A note on numbers that no card holds, unless --case is given.
+std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
+  if (!request.files.of("--case").empty() || !report.fitted_case) return "";
+  std::string keys;
+  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
+    if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
+      keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
+  return "Fitted but not part of a card: " + keys + "; --case FILE writes the whole fitted case.\n";
+}
+
+int fit_material(const FitRequest& request) {
+  if (request.is_auto) return fit_automatically(request);
+  // Covers everything from reading to writing, so that neither is left half done.
+  const StopSignal signal;
+  std::vector<std::string> errors;
+  const std::size_t draws = draws_of(request, errors);
+  if (request.inputs.size() > 1)
+    errors.emplace_back("FILE: only one fit file can be given; to fit tests without one, give --auto");
+  if (!request.tests.rates.empty() || request.tests.has_columns() || !request.files.of("--proposal").empty())
+    errors.emplace_back(
+        "--rate, --strain, --stress, --time, --strain-unit, --stress-unit, --thickness, --area, --proposal: "
+        "need "
+        "--auto; a fit file has keys for them");
+  const std::string& file = request.inputs.front();
+  std::optional<fit::FitFile> input = taken(fit::read_fit(file, chosen_folder(request.materials)), errors);
+  std::vector<Target> targets = fit_targets(request);
+  const std::vector<input::InputFile> files =
+      input ? input->files : std::vector<input::InputFile>{{"the fit file", file}};
+  judge_targets(targets, files, request.files.force, errors);
+  if (const std::string& fitted_case = request.files.of("--case");
+      !fitted_case.empty() && input && !fit::finds_more_than_a_card(input->fit))
+    errors.push_back(
+        fmt::format("--case {}: this fit has no unknown outside the card "
+                    "(support.stiffness would be one); use --output, which writes all fitted values",
+                    fitted_case));
+  fit::RunOptions options{.posterior = draws};
+  if (request.state && input) {
+    options.state = *request.state;
+    options.fingerprint = fingerprint_of(files);
+    judge_state(request, targets, files, input->fit, options, errors);
+  }
+  if (!errors.empty()) throw Refused(std::move(errors));
+  fit::FitReport report;
+  try {
+    report = run_with_progress(input->fit, options);
+  } catch (const fit::Stopped& stop) {
+    return stopped(request, stop.kept());
+  }
+  // Without convergence there is neither card nor sample.
+  if (!report.converged) drop_results(targets);
+  const auto document = [&](output::Pictures pictures) {
+    return output::fit_document(report, unit_system(request.files.units), pictures);
+  };
+  const auto text_of = [&](const Target& target) {
+    if (target.option == "--json") return output::fit_json(report);
+    if (target.option == "--posterior") return output::posterior_csv(report);
+    if (target.option == "--case") return output::fitted_case_toml(report);
+    return is_document(target) ? document_text(target, document) : output::card_toml(report.material);
+  };
+  const std::string account =
+      output::to_terminal(document(output::Pictures::left_out), output::Detail::main) +
+      written_words(request, targets, report);
+  publish(targets, request.files.force, text_of, account);
+  return report.converged ? exit_done : exit_not_trusted;
+}
+
+}  // namespace
+
+std::size_t draws_of(const FitRequest& request, std::vector<std::string>& errors) {
+  if (request.posterior.empty()) return 0;
+  const std::string& text = request.posterior.front();
+  const bool digits =
+      !text.empty() && text.size() < 8 && text.find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t count = digits ? std::stoul(text) : 0;
+  if (count >= 1 && count <= max_draws) return count;
+  errors.push_back(fmt::format(
+      "--posterior {}: must be a whole number of draws from 1 to {}, followed by a file", text, max_draws));
+  return 0;
+}
+
+std::vector<Target> fit_targets(const FitRequest& request) {
+  std::vector<Target> targets = request.files.targets();
+  if (request.posterior.size() == 2) targets.push_back({"--posterior", request.posterior.back()});
+  return targets;
+}
+
+void drop_results(std::vector<Target>& targets) {
+  std::erase_if(targets, [](const Target& target) { return target.option != "--json"; });
+}
+
+std::string written_words(const FitRequest& request, const std::vector<Target>& targets,
+                          const fit::FitReport& report) {
+  std::string words;
+  for (const Target& target : targets)
+    if (!target.is_standard_output()) words += "written: " + target.file + "\n";
+  if (!request.is_auto) words += kept_by_case(request, report);
+  if (!report.posterior.empty())
+    words +=
+        "The draws are from the Laplace approximation: normal in the search coordinates, and truncated at "
+        "the bounds.\n";
+  return words;
+}
+
 int stopped(const FitRequest& request, std::size_t kept) {
   if (kept > 0) {
     write_error(
@@ -157,77 +240,19 @@ int stopped(const FitRequest& request, std::size_t kept) {
   return StopSignal::exit_code();
 }
 
-/// A note on numbers that no card holds, unless --case is given.
-std::string kept_by_case(const FitRequest& request, const fit::FitReport& report) {
-  if (!request.files.of("--case").empty() || !report.fitted_case) return "";
-  std::string keys;
-  for (const fit::FittedUnknown& fitted_unknown : report.unknowns)
-    if (!fitted_unknown.is_nuisance && !fit::is_of_card(fitted_unknown.key))
-      keys += (keys.empty() ? "" : ", ") + fitted_unknown.key;
-  return "Fitted but not part of a card: " + keys + "; --case FILE writes the whole fitted case.\n";
-}
-
-int fit_material(const FitRequest& request) {
-  // Covers everything from reading to writing, so that neither is left half done.
-  const StopSignal signal;
-  std::vector<std::string> errors;
-  const std::size_t draws = draws_of(request, errors);
-  std::optional<fit::FitFile> input =
-      taken(fit::read_fit(request.file, chosen_folder(request.materials)), errors);
-  std::vector<Target> targets = fit_targets(request);
-  const std::vector<input::InputFile> files =
-      input ? input->files : std::vector<input::InputFile>{{"the fit file", request.file}};
-  judge_targets(targets, files, request.files.force, errors);
-  if (const std::string& file = request.files.of("--case");
-      !file.empty() && input && !fit::finds_more_than_a_card(input->fit))
-    errors.push_back(
-        fmt::format("--case {}: this fit has no unknown outside the card "
-                    "(support.stiffness would be one); use --output, which writes all fitted values",
-                    file));
-  fit::RunOptions options{.posterior = draws};
-  if (request.state && input) {
-    options.state = *request.state;
-    options.fingerprint = fingerprint_of(files);
-    judge_state(request, targets, files, input->fit, options, errors);
-  }
-  if (!errors.empty()) throw Refused(std::move(errors));
-  fit::FitReport report;
-  try {
-    report = run_with_progress(input->fit, options);
-  } catch (const fit::Stopped& stop) {
-    return stopped(request, stop.kept());
-  }
-  // Without convergence there is neither card nor sample.
-  if (!report.converged)
-    std::erase_if(targets, [](const Target& target) { return target.option != "--json"; });
-  const auto document = [&](output::Pictures pictures) {
-    return output::fit_document(report, unit_system(request.files.units), pictures);
-  };
-  const auto text_of = [&](const Target& target) {
-    if (target.option == "--json") return output::fit_json(report);
-    if (target.option == "--posterior") return output::posterior_csv(report);
-    if (target.option == "--case") return output::fitted_case_toml(report);
-    return is_document(target) ? document_text(target, document) : output::card_toml(report.material);
-  };
-  std::string account = output::to_terminal(document(output::Pictures::left_out), output::Detail::main);
-  for (const Target& target : targets)
-    if (!target.is_standard_output()) account += "written: " + target.file + "\n";
-  account += kept_by_case(request, report);
-  if (!report.posterior.empty())
-    account +=
-        "The draws are from the Laplace approximation: normal in the search coordinates, and truncated at "
-        "the bounds.\n";
-  publish(targets, request.files.force, text_of, account);
-  return report.converged ? exit_done : exit_not_trusted;
-}
-
-}  // namespace
-
 void add_fit(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<FitRequest>(
       app, action, "fit", "Fit a material card to measurements, with uncertainties", fit_footer,
       fit_material);
-  add_option(sub, "FIT", request.file, "Fit file (TOML)")->required();
+  add_option(sub, "FILE", request.inputs, "Fit file (TOML), or with --auto tables of compression tests")
+      ->required();
+  add_flag(sub, "--auto", request.is_auto,
+           "Propose law, base curve and unknowns by what the tests measured, and fit them");
+  add_file(sub, request.files, "--proposal",
+           "Write the proposed fit file, to be edited (- for standard output)");
+  add_test_columns(sub, request.tests);
+  add_option(sub, "--time COLUMN", request.tests.columns.time,
+             "Column of times, from which the rates follow (default: the only one)");
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",
            "Write the case with the fitted foam and any other fitted values, such as the support stiffness "

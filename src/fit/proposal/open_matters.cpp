@@ -1,0 +1,114 @@
+// What tests leave open, and what would be worth measuring next.
+
+#include "fit/proposal/open_matters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "fit/proposal/candidates.hpp"
+#include "quantities/text.hpp"
+
+namespace dashpad::fit {
+
+namespace {
+
+constexpr double of_impacts = 10;     ///< 1/s: an impact at 1 m/s on 100 mm
+constexpr double full_strain = 0.75;  ///< up to which a test should go
+constexpr std::size_t fewest_samples = 3;
+constexpr double poor = 0.03;  ///< misfit, share of the largest stress
+
+}  // namespace
+
+void say_what_is_open(AutoFit& result) {
+  const std::vector<Evidence>& tests = result.proposal.tests;
+  const double highest_strain = std::ranges::max(tests, {}, &Evidence::highest_strain).highest_strain;
+  const double slowest = std::ranges::min(tests, {}, &Evidence::rate).rate;
+  const double fastest = std::ranges::max(tests, {}, &Evidence::rate).rate;
+  const bool has_rates = fastest >= one_rate * slowest;
+  const PadLaw& law = result.candidate().fit.base.pad.material.law;
+  const bool recovers = std::holds_alternative<Foam>(law);
+  const Tried& how = result.tried[result.chosen];
+  const auto returns_at = [&](double rate) {
+    return std::ranges::any_of(tests,
+                               [&](const Evidence& shown) { return shown.returned && shown.rate >= rate; });
+  };
+  std::vector<std::string>&open = result.open, &next = result.next;
+  if (how.misfit && *how.misfit > poor)
+    open.push_back(
+        fmt::format("The law itself: it misses the tests by {} % of their largest stress. dashpad material "
+                    "import takes the "
+                    "measured loadings as they are, a curve for each rate.",
+                    brief(100 * *how.misfit, 2)));
+  if (!recovers && std::holds_alternative<CrushableFoam>(law) &&
+      std::ranges::none_of(tests, &Evidence::has_cycles)) {
+    open.emplace_back("Whether it stays crushed or recovers before the next blow: no test loads it again.");
+    next.emplace_back("A second loading after the first, at once and after a day.");
+  }
+  if (std::holds_alternative<ViscoelasticFoam>(law)) {
+    if (!returns_at(0))
+      open.emplace_back("The way back: it follows from the relaxation, which no unloading has checked.");
+  } else if (!returns_at(0)) {
+    open.push_back(
+        "The way back: no test unloads, so rebound and loss are unknown; until they are measured, intervals "
+        "go from "
+        "no loss to all of it.");
+  } else if (recovers && !returns_at(of_impacts)) {
+    open.push_back(
+        "The way back at the rate of an impact: whether the stress that the rate adds is lost or comes back "
+        "(recoil, "
+        "0 to 1). For vinyl nitrile that is 0.13 or 0.73 of the energy.");
+  }
+  if (!returns_at(of_impacts))
+    next.push_back(
+        "A drop of a flat weight or a headform onto the pad at the speed of use, with the whole pulse or at "
+        "least peak "
+        "and rebound speed: it tells the loss that no slow test does. Add it to the proposed fit as "
+        "[[impacts]].");
+  if (!has_rates && std::holds_alternative<ViscoelasticFoam>(law)) {
+    open.push_back(
+        "Relaxation within milliseconds, which is that of an impact: it is faster than the loading of the "
+        "test.");
+  } else if (!has_rates) {
+    open.push_back(fmt::format(
+        "The rate: all tests are at about {} 1/s. An impact at 5 m/s strains a pad of 50 mm at 100 1/s; with "
+        "exponents "
+        "of 0.03 to 0.2, as among the foams of the cards, its stress is {} to {} times that of the test.",
+        brief(fastest, 2), brief(std::pow(100 / fastest, 0.03), 2), brief(std::pow(100 / fastest, 0.2), 2)));
+    next.push_back("Loading at a second rate, a hundred times the first or more, to the same strain.");
+  } else if (fastest < of_impacts) {
+    open.push_back(
+        fmt::format("Rates above {} 1/s: an impact at 5 m/s strains a pad of 50 mm at 100 1/s, to which the "
+                    "power of the rate is "
+                    "extrapolated.",
+                    brief(fastest, 2)));
+    next.push_back("Loading at 10 1/s or more, or a drop.");
+  }
+  open.push_back(
+      fmt::format("Strains above {}, the highest tested: beyond it the stress is a guess, on which every pad "
+                  "that comes near "
+                  "bottoming depends.",
+                  brief(highest_strain, 3)));
+  if (highest_strain < full_strain)
+    next.push_back(
+        fmt::format("A test to a strain of 0.8 or more; these end at {}.", brief(highest_strain, 3)));
+  std::map<long, std::size_t> samples;  // by the rate, as a power of the factor within which it is one
+  for (const Evidence& shown : tests) ++samples[std::lround(std::log(shown.rate) / std::log(one_rate))];
+  if (std::ranges::all_of(samples, [](const auto& group) { return group.second < fewest_samples; })) {
+    open.emplace_back(
+        "The scatter among samples: there are not three tests at any rate, so no interval contains it.");
+    next.emplace_back("The slow test on three samples of different lots; give their scatter to the card.");
+  }
+  if (std::ranges::any_of(tests, &Evidence::has_cycles))
+    open.emplace_back(
+        "Softening by earlier loading: the law has one curve for all cycles. Fresh and conditioned foam are "
+        "two cards; "
+        "cut the files after the first cycle, or before the last.");
+  open.emplace_back("Temperatures other than that of the tests.");
+  next.emplace_back(
+      "If the pad works in the cold or in the heat: the slow test there (material import --temperature).");
+}
+
+}  // namespace dashpad::fit

@@ -1,0 +1,11 @@
+#pragma once
+/// What the tests of a proposal leave open.
+
+#include "dashpad/fit/proposal.hpp"
+
+namespace dashpad::fit {
+
+/// Fills `open` and `next` by the tests and by the unknowns that the data do not determine.
+void say_what_is_open(AutoFit& result);
+
+}  // namespace dashpad::fit
