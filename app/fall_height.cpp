@@ -136,8 +136,8 @@ std::optional<fall_height::Answer> measured_by(const FallHeightRequest& request,
   table->calibration = calibration;
   for (fall_height::Drop& drop : table->drops)
     for (std::size_t i = 0; i < standard.criteria.size(); ++i)
-      drop.doubts[i] = calibration.value_or(0) *
-                       injury::acceleration_power(injury::quantity_of(standard.criteria[i].metric).key);
+      drop.doubts[i] =
+          calibration.value_or(0) * injury::acceleration_power(standard.criteria[i].quantity->key);
   add_pulses(request, file, standard, *table, files, errors);
   if (!errors.empty()) return std::nullopt;
   return fall_height::evaluated(*table, standard);
@@ -174,6 +174,13 @@ int run_fall_height(const FallHeightRequest& request) {
   refuse_unused(request, !report.table_file.empty(), !report.case_file.empty(), errors);
   const auto standard =
       standard_of(request.standard, chosen_standards(request.computed.standard_folder), files, errors);
+  if (standard)
+    for (const injury::Criterion& criterion : standard->criteria)
+      if (criterion.quantity->part != Part::pulse && !criterion.limits("peak_acceleration"))
+        errors.push_back(
+            fmt::format("--standard {}: limits the {}, to which no curve over the height is fitted here; "
+                        "for a case, use dashpad solve-for impactor.drop_height",
+                        request.standard, title_in_sentence(*criterion.quantity)));
   if (!errors.empty()) throw Refused(std::move(errors));
   if (!report.table_file.empty())
     report.measured = measured_by(request, report.table_file, *standard, files, errors);

@@ -107,7 +107,7 @@ void add_standard(const std::string& name, const std::string& folder, const stud
   const auto standard = standard_of(name, chosen_standards(folder), files, errors);
   if (!standard) return;
   for (const injury::Criterion& criterion : standard->criteria) {
-    const std::string key = injury::quantity_of(criterion.metric).key;
+    const std::string key = criterion.quantity->key;
     if (response_of(key, store) == nullptr)
       errors.push_back(fmt::format(
           "--standard {}: limits {}, which this study did not keep; add it to the responses", name, key));

@@ -41,10 +41,10 @@ class Headers {
     add(pulse_key, "", {"file", "pulse"});
     add(number_key, "1", {"drop", "drop number", "drop_number", "drop no", "drop no."});
     for (const injury::Criterion& criterion : standard.criteria) {
-      const ResultQuantity& quantity = injury::quantity_of(criterion.metric);
+      const ResultQuantity& quantity = *criterion.quantity;
       add(quantity.key, quantity.si_unit, {quantity.key});
-      if (criterion.metric == injury::Metric::hic_unlimited) add(quantity.key, "1", {"hic", "HIC"});
-      if (criterion.metric != injury::Metric::peak_acceleration) continue;
+      if (criterion.limits("hic_unlimited")) add(quantity.key, "1", {"hic", "HIC"});
+      if (!criterion.limits("peak_acceleration")) continue;
       for (const char* name : {"gmax", "g_max", "g-max", "g max"})
         for (const char* unit : {"", " [g]", " (g)", ", g", "_g"})
           add(quantity.key, "1", {std::string(name) + unit}), in_g_.push_back(std::string(name) + unit);
@@ -109,12 +109,12 @@ class Reader {
     if (column(height_key) == nullptr)
       fault(rows_.header_line, height_key, "is missing: a column such as drop_height [m]");
     const bool has_figures = std::ranges::any_of(standard_.criteria, [&](const injury::Criterion& criterion) {
-      return column(injury::quantity_of(criterion.metric).key) != nullptr;
+      return column(criterion.quantity->key) != nullptr;
     });
     if (column(pulse_key) == nullptr && !has_figures) {
       std::string figures;
       for (const injury::Criterion& criterion : standard_.criteria)
-        figures += std::string(", ") + injury::quantity_of(criterion.metric).key;
+        figures += std::string(", ") + criterion.quantity->key;
       fault(rows_.header_line, "",
             "names neither files of pulses nor a figure that the standard limits: file" + figures);
     }
@@ -150,7 +150,7 @@ class Reader {
     if (const input::RowColumn* const pulses = column(pulse_key)) drop.pulse = pulses->texts[row];
     bool has_figure = false;
     for (const injury::Criterion& criterion : standard_.criteria) {
-      const input::RowColumn* const figures = column(injury::quantity_of(criterion.metric).key);
+      const input::RowColumn* const figures = column(criterion.quantity->key);
       const double figure = figures ? headers_.scale(figures->key) * figures->values[row] : no_value;
       if (figure <= 0) fault(drop.line, figures->key, "must be more than 0");
       has_figure = has_figure || !std::isnan(figure);

@@ -160,6 +160,8 @@ std::string words_of(const std::string& key) {
   if (key.starts_with("hic_d")) return "HIC(d)";
   if (key.starts_with("hic")) return "HIC";
   if (key.ends_with("_3ms")) return "the clip";
+  if (key.ends_with("_height") || key.ends_with("_speed") || key == "restitution") return "the rebound";
+  if (key.ends_with("_penetration") || key.ends_with("_strain")) return "the penetration";
   return key == "severity_index" ? "the severity index" : "the peak";
 }
 

@@ -11,6 +11,7 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "injury/pulse_line.hpp"
+#include "result/summary_values.hpp"
 
 namespace dashpad::injury {
 
@@ -34,23 +35,46 @@ void set_dwell(const Solution& solution, const InjuryFigures& figures, Criterion
   result.error = std::max(time - shorter, longer - time) + of_steps + of_time;
 }
 
-/// Sets the value of a result and its error. The peak is the solver's own, which may lie between two steps.
+bool is_of_rebound(const ResultQuantity& quantity) {
+  return quantity.role.doubt == Doubt::of_rebound || quantity.role.doubt == Doubt::of_rebound_height;
+}
+
+/// The row of the summary with that quantity; null for one of the pulse.
+const SummaryQuantity* row_of(const ResultQuantity& quantity) {
+  const auto rows = summary_quantities();
+  const auto row = std::ranges::find(rows, &quantity, &SummaryQuantity::quantity);
+  return row == rows.end() ? nullptr : &*row;
+}
+
+/// Sets the value of a result and its error; no value if the impact has none. The peak is the solver's own,
+/// which may lie between two steps. An impactor that stays on the pad does not rebound.
 void set_value(const Solution& solution, const InjuryFigures& figures, CriterionResult& result) {
-  const Metric metric = result.criterion.metric;
-  if (metric == Metric::dwell_time) return set_dwell(solution, figures, result);
-  const std::optional<InjuryValue> of = injury_value(figures, quantity_of(metric));
-  if (!of) return;
-  const std::optional<double> solved =
-      metric == Metric::peak_acceleration ? solution.summary.peak_acceleration : std::nullopt;
-  result.value = solved.value_or(of->value);
-  result.error = std::abs(*result.value) * of->error;
+  const Criterion& criterion = result.criterion;
+  if (criterion.has_level()) return set_dwell(solution, figures, result);
+  const std::optional<InjuryValue> of = injury_value(figures, *criterion.quantity);
+  if (of) {
+    const std::optional<double> solved =
+        criterion.limits("peak_acceleration") ? solution.summary.peak_acceleration : std::nullopt;
+    result.value = solved.value_or(of->value);
+    result.error = std::abs(*result.value) * of->error;
+    return;
+  }
+  const SummaryQuantity* const row = row_of(*criterion.quantity);
+  if (row == nullptr) return;
+  const EstimatedValue value = row->of(solution.summary);
+  const bool stays = is_of_rebound(*criterion.quantity) && solution.summary.rest;
+  if (std::isnan(value.value) && !stays) return;
+  result.value = stays ? 0 : value.value;
+  result.error = stays ? 0 : std::abs(value.value) * value.error;
 }
 
 /// Whether the force has passed its maximum: the impactor came to rest or left the pad.
 bool peak_is_final(const Summary& summary) { return summary.release.has_value() || summary.rest.has_value(); }
 
-bool is_lower_bound(Metric metric, const Summary& summary) {
-  return metric == Metric::peak_acceleration ? !peak_is_final(summary) : !pulse_is_whole(summary);
+bool is_lower_bound(const ResultQuantity& quantity, const Summary& summary) {
+  const bool by_peak = row_of(quantity) != nullptr && quantity.role.growth != Growth::none;
+  if (is_of_rebound(quantity)) return false;
+  return by_peak ? !peak_is_final(summary) : !pulse_is_whole(summary);
 }
 
 CriterionResult struck_through(const Criterion& criterion) {
@@ -76,11 +100,15 @@ CriterionResult judge(const Criterion& criterion, const Solution& solution, cons
   CriterionResult result;
   result.criterion = criterion;
   set_value(solution, figures, result);
+  if (!result.value) {
+    result.reason = fmt::format("the impact has no {}", title_in_sentence(*criterion.quantity));
+    return result;
+  }
   if (const auto& intervals = solution.summary.intervals)
-    if (const FigureInterval* figure_interval = intervals->find(
-            quantity_of(criterion.metric).key, criterion.metric == Metric::dwell_time ? criterion.level : 0))
+    if (const FigureInterval* figure_interval =
+            intervals->find(criterion.quantity->key, criterion.has_level() ? criterion.level : 0))
       result.interval = *figure_interval;
-  result.lower_bound = is_lower_bound(criterion.metric, solution.summary);
+  result.lower_bound = is_lower_bound(*criterion.quantity, solution.summary);
   decide(result);
   result.reason = reason_of(result, solution.summary);
   return result;
@@ -164,7 +192,7 @@ void add_reservations_about(const Summary& summary, std::vector<Flag>& reservati
 /// The keys of the limited figures, which decide on flags.
 std::vector<std::string> decisive_figures(const Standard& standard) {
   std::vector<std::string> keys;
-  for (const Criterion& criterion : standard.criteria) keys.emplace_back(quantity_of(criterion.metric).key);
+  for (const Criterion& criterion : standard.criteria) keys.emplace_back(criterion.quantity->key);
   return keys;
 }
 
@@ -204,7 +232,7 @@ std::vector<Flag> reservations_about_limits(const Standard& standard) {
 std::vector<double> dwell_levels(const Standard& standard) {
   std::vector<double> levels;
   for (const Criterion& criterion : standard.criteria)
-    if (criterion.metric == Metric::dwell_time) levels.push_back(criterion.level);
+    if (criterion.has_level()) levels.push_back(criterion.level);
   return levels;
 }
 

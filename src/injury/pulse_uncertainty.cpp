@@ -152,19 +152,19 @@ std::optional<PulseFilter> next_filter(const PulseFilter& filter, const Pulse& p
 }
 
 std::optional<double> figure(const PulseReport& report, const Criterion& criterion) {
-  if (criterion.metric == Metric::dwell_time) {
+  if (criterion.has_level()) {
     const auto dwell = std::ranges::find(report.dwells, criterion.level, &DwellTime::level);
     return dwell == report.dwells.end() ? std::nullopt : std::optional{dwell->cumulative};
   }
-  const std::optional<InjuryValue> of = injury_value(report.figures, quantity_of(criterion.metric));
+  const std::optional<InjuryValue> of = injury_value(report.figures, *criterion.quantity);
   return of ? std::optional{of->value} : std::nullopt;
 }
 
 /// The absolute uncertainty; absent if unknown.
-std::optional<double> uncertainty_of(const PulseReport& report, Metric metric) {
+std::optional<double> uncertainty_of(const PulseReport& report, const Criterion& criterion) {
   // HIC(d) is linear in HIC36, so its uncertainty is that of HIC36 times the slope.
-  const bool is_hic_d = metric == Metric::hic_d;
-  const ResultQuantity& quantity = quantity_of(is_hic_d ? Metric::hic36 : metric);
+  const bool is_hic_d = criterion.limits("hic_d");
+  const ResultQuantity& quantity = is_hic_d ? result_quantity("hic36") : *criterion.quantity;
   const auto of = std::ranges::find(report.uncertainty.figures, &quantity, &FigureUncertainty::quantity);
   if (of == report.uncertainty.figures.end()) return std::nullopt;
   if (is_hic_d) return of->combined() * (report.figures.hic_d - hic_d(0));
@@ -217,10 +217,12 @@ PulseLimits within_limits(const PulseReport& report, const Standard& standard) {
     result.criterion = criterion;
     result.value = figure(report, criterion);
     result.lower_bound = std::ranges::find(report.flags, "PULSE CUT", &Flag::name) != report.flags.end();
-    const std::optional<double> uncertainty = uncertainty_of(report, criterion.metric);
+    const std::optional<double> uncertainty = uncertainty_of(report, criterion);
     result.error = uncertainty.value_or(0);
     if (result.value) decide(result);
-    if (result.verdict == Verdict::undecided && result.lower_bound)
+    if (!result.value)
+      result.reason = "the pulse does not give it";
+    else if (result.verdict == Verdict::undecided && result.lower_bound)
       result.reason = "the pulse is cut, so the value is a lower bound";
     else if (!uncertainty)
       result.reason = "the verdict is based on the value alone, since its uncertainty is not known";

@@ -23,12 +23,6 @@ constexpr Replaceable replaceable[]{{"mass", &Standard::mass, &StandardVariant::
                                     {"radius", &Standard::radius, &StandardVariant::radius},
                                     {"speed", &Standard::speed, &StandardVariant::speed}};
 
-/// Indexed by Metric.
-constexpr const char* keys_of_metrics[]{"peak_acceleration", "clip_3ms", "cumulative_3ms",
-                                        "dwell_time",        "hic15",    "hic36",
-                                        "hic_unlimited",     "hic_d",    "severity_index"};
-static_assert(std::size(keys_of_metrics) == std::size_t{1} + std::size_t(Metric::severity_index));
-
 const StandardVariant& find_variant(const Standard& standard, const std::string& name) {
   std::string names;
   for (const StandardVariant& variant : standard.variants) {
@@ -71,7 +65,7 @@ std::optional<OtherChoice> solved(const Standard& standard, const ImpactCase& gi
 }
 
 std::string above_level(const Criterion& criterion) {
-  if (criterion.metric != Metric::dwell_time) return "";
+  if (!criterion.has_level()) return "";
   return fmt::format(" above {:.5g} g", criterion.level / standard_gravity);
 }
 
@@ -82,25 +76,19 @@ std::string to_string(SourceKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-const std::vector<Metric>& metrics() {
-  static const std::vector<Metric> all = [] {
-    std::vector<Metric> list;
-    for (std::size_t i = 0; i < std::size(keys_of_metrics); ++i) list.push_back(static_cast<Metric>(i));
-    return list;
-  }();
+std::vector<const ResultQuantity*> limitable_quantities() {
+  std::vector<const ResultQuantity*> all;
+  for (const ResultQuantity& quantity : result_quantities())
+    if (quantity.role.in_studies || quantity.role.doubt == Doubt::of_level) all.push_back(&quantity);
   return all;
 }
 
-const ResultQuantity& quantity_of(Metric metric) {
-  return result_quantity(keys_of_metrics[static_cast<std::size_t>(metric)]);
-}
-
 std::string title_of(const Criterion& criterion) {
-  return quantity_of(criterion.metric).title + above_level(criterion);
+  return criterion.quantity->title + above_level(criterion);
 }
 
 std::string limit_of(const Criterion& criterion) {
-  return "limit on " + title_in_sentence(quantity_of(criterion.metric)) + above_level(criterion);
+  return "limit on " + title_in_sentence(*criterion.quantity) + above_level(criterion);
 }
 
 Standard with_variants(const Standard& standard, const std::vector<std::string>& names) {

@@ -77,13 +77,12 @@ std::optional<injury::StandardValue> read_value(TableReader& parent, const std::
   return table ? std::optional{read_value(*table, si_unit)} : std::nullopt;
 }
 
-std::optional<injury::Metric> read_metric(TableReader& table) {
+/// Null after a fault.
+const ResultQuantity* read_metric(TableReader& table) {
   std::vector<std::string> keys;
-  for (const injury::Metric metric : injury::metrics()) keys.emplace_back(injury::quantity_of(metric).key);
-  const std::string chosen = table.choice("metric", keys);
-  const auto found = std::ranges::find(keys, chosen);
-  if (found == keys.end()) return std::nullopt;
-  return injury::metrics()[static_cast<std::size_t>(found - keys.begin())];
+  for (const ResultQuantity* const quantity : injury::limitable_quantities())
+    keys.emplace_back(quantity->key);
+  return find_result_quantity(table.choice("metric", keys));
 }
 
 /// Accelerations are plain numbers in g, since "g" in files is a gram.
@@ -99,10 +98,10 @@ double read_limit(TableReader& table, const ResultQuantity& result_quantity) {
 
 injury::Criterion read_criterion(TableReader& table) {
   injury::Criterion criterion;
-  if (const auto metric = read_metric(table)) {
-    criterion.metric = *metric;
-    criterion.limit = read_limit(table, injury::quantity_of(*metric));
-    if (*metric == injury::Metric::dwell_time) criterion.level = read_acceleration(table, "level_g");
+  if (const ResultQuantity* const quantity = read_metric(table)) {
+    criterion.quantity = quantity;
+    criterion.limit = read_limit(table, *quantity);
+    if (criterion.has_level()) criterion.level = read_acceleration(table, "level_g");
   } else {
     for (const char* key : {"limit", "limit_g", "level_g"}) table.has(key);  // marks them as known
   }

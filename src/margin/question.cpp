@@ -14,8 +14,8 @@ namespace {
 void add_limits(const Judged& judged, std::vector<Limit>& limits) {
   if (judged.standard)
     for (const injury::Criterion& criterion : judged.standard->criteria)
-      limits.push_back({.figure = &injury::quantity_of(criterion.metric),
-                        .level = criterion.metric == injury::Metric::dwell_time ? criterion.level : 0,
+      limits.push_back({.figure = criterion.quantity,
+                        .level = criterion.has_level() ? criterion.level : 0,
                         .value = criterion.limit,
                         .title = injury::title_of(criterion),
                         .origin = judged.standard->name});

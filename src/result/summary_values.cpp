@@ -32,6 +32,14 @@ EstimatedValue support_figure_of(const Summary& summary) {
   return value ? EstimatedValue{.value = *value, .error = summary.errors.support} : EstimatedValue{};
 }
 
+/// v^2 / (2 g): the error of a square is twice that of its root.
+EstimatedValue rebound_height_of(const Summary& summary) {
+  const std::optional<double> speed = summary.rebound_speed;
+  return speed ? EstimatedValue{.value = *speed * *speed / (2 * standard_gravity),
+                                .error = 2 * summary.errors.rebound_speed}
+               : EstimatedValue{};
+}
+
 EstimatedValue energy_residual_of(const Summary& summary) {
   return {.value = summary.energy.residual / summary.energy.impact};
 }
@@ -51,6 +59,7 @@ std::span<const SummaryQuantity> summary_quantities() {
       {&result_quantity("peak_strain_rate"), figure_of<&Summary::peak_strain_rate>},
       {&result_quantity("rebound_speed"), figure_of<&Summary::rebound_speed, &Error::rebound_speed>},
       {&result_quantity("restitution"), figure_of<&Summary::restitution, &Error::rebound_speed>},
+      {&result_quantity("rebound_height"), rebound_height_of},
       {&result_quantity("contact_end"), moment_of<&Summary::contact_end, &Error::contact_end>},
       {&result_quantity("release"), moment_of<&Summary::release>},
       {&result_quantity("force_below_weight"),

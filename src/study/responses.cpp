@@ -227,9 +227,12 @@ bool has_response(const ResultQuantity& kind, Status status) {
 
 std::vector<std::string> default_responses() {
   std::vector<std::string> names;
-  // Only some supports have such figures, so that they are responses on request only.
+  // Only some supports have figures of their own, and the rebound height says again what the speed does:
+  // these are responses on request only.
   for (const ResultQuantity& kind : response_kinds())
-    if (kind.part != Part::pulse && kind.role.needs != Needs::support) names.emplace_back(kind.key);
+    if (kind.part != Part::pulse && kind.role.needs != Needs::support &&
+        kind.role.doubt != Doubt::of_rebound_height)
+      names.emplace_back(kind.key);
   return names;
 }
 

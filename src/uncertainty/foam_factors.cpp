@@ -16,6 +16,10 @@ double change_of(const ResultQuantity& quantity, double value, const Summary& su
     case Doubt::of_hic: return deviations * (shares.hic * value);
     case Doubt::of_hic_d: return deviations * (shares.hic * (value - injury::hic_d(0)));
     case Doubt::of_rebound: return deviations * (shares.rebound * value);
+    case Doubt::of_rebound_height: {
+      const double factor = std::max(1 + deviations * shares.rebound, 0.0);
+      return (factor * factor - 1) * value;
+    }
     case Doubt::of_penetration: {
       // The depth of the impact itself, or the strain, which is one over the thickness. Nothing goes deeper
       // than the pad.

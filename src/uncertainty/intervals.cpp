@@ -104,8 +104,7 @@ std::vector<double> solved_figures(const ImpactCase& impact, const Options& opti
   std::vector<double> values = figures_of(solution, asked);
   if (bottomed_on_rigid_support(summary)) {
     for (std::size_t i = 0; i < asked.size(); ++i)
-      if (std::isnan(values[i]))
-        values[i] = asked[i].quantity->role.doubt == Doubt::of_rebound ? 0 : infinite;
+      if (std::isnan(values[i])) values[i] = asked[i].quantity->role.needs == Needs::release ? 0 : infinite;
     return values;
   }
   if (summary.status == Status::not_run || is_cut(summary) || !(summary.errors.peak_force < largest_error))

@@ -104,6 +104,38 @@ TEST_F(AssessTest, SaysWhichOtherNoseACaseHas) {
               ContainsRegex("radius, 90 mm given by you instead of a flat disc[.]\n"));
 }
 
+/// As a sports mat is judged: deceleration, penetration and rebound side by side.
+TEST_F(AssessTest, LimitsPenetrationAndRebound) {
+  std::string text = peak_standard("1000");
+  const std::string criterion = text.substr(text.find("[[criteria]]"));
+  for (const auto& [metric, limit] :
+       {std::pair{"peak_penetration", "\"1 m\""}, {"rebound_height", "\"1 mm\""}, {"restitution", "2"}})
+    text +=
+        with(with(criterion, "peak_acceleration", metric), "limit_g = 1000", std::string("limit = ") + limit);
+  const std::string mat = standard("mat", text);
+  const Outcome outcome = assess({mat, "--json", file("mat.json")});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Fails: rebound height"), HasSubstr("Rebound height"),
+                                 HasSubstr("Peak penetration")));
+  const json criteria = json::parse(read_file(file("mat.json")))["criteria"];
+  ASSERT_EQ(criteria.size(), 4);
+  EXPECT_EQ(criteria[1]["verdict"], "pass");
+  EXPECT_EQ(criteria[2]["unit"], "m");
+  EXPECT_EQ(criteria[2]["verdict"], "fail");
+  EXPECT_EQ(criteria[3]["verdict"], "pass");
+  const double speed = json::parse(read_file(file("mat.json")))["result"]["rebound_speed_m_per_s"];
+  EXPECT_NEAR(criteria[2]["value"].get<double>(), speed * speed / (2 * 9.80665), 1e-9);
+  write_file(file("pulse.csv"), "time_s,acceleration_g\n0,0\n0.002,20\n0.004,40\n0.006,20\n0.008,0\n");
+  const Outcome pulse = dashpad({"pulse", file("pulse.csv"), "--standard", mat});
+  EXPECT_EQ(pulse.exit_code, 3) << pulse.err;
+  EXPECT_THAT(pulse.out, HasSubstr("the pulse does not give it"));
+  write_file(file("drops.csv"), "drop_height [m],peak_acceleration [g]\n1,50\n2,100\n3,150\n");
+  const Outcome heights = dashpad({"fall-height", file("drops.csv"), "--standard", mat});
+  EXPECT_EQ(heights.exit_code, 2);
+  EXPECT_THAT(heights.err,
+              AllOf(HasSubstr("limits the rebound height, to which no curve"), HasSubstr("3 errors")));
+}
+
 TEST_F(AssessTest, FailsWithExitCode4) {
   const Outcome outcome = assess({standard("harsh", peak_standard("1"))});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;

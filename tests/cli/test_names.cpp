@@ -256,7 +256,8 @@ TEST_F(NamesTest, OfAComparisonOfPulsesAreThoseOfTheTable) {
 
 TEST_F(NamesTest, OfStandardsAndTheirAssessmentsAreThoseOfTheTable) {
   std::set<std::string> metric_keys, used;
-  for (const injury::Metric metric : injury::metrics()) metric_keys.insert(injury::quantity_of(metric).key);
+  for (const ResultQuantity* const quantity : injury::limitable_quantities())
+    metric_keys.insert(quantity->key);
   static const std::regex line("\nmetric = \"([^\"]*)\"");
   for (const auto& entry : fs::directory_iterator(DASHPAD_SOURCE_DIR "/standards")) {
     const std::string text = read_file(entry.path());

@@ -27,7 +27,7 @@ void require_sound(const injury::Standard& standard) {
   require(!standard.criteria.empty(), "a standard has a criterion");
   for (const injury::Criterion& criterion : standard.criteria) {
     require_sound(std::optional{criterion.limit});
-    if (criterion.metric == injury::Metric::dwell_time) require_sound(std::optional{criterion.level});
+    if (criterion.has_level()) require_sound(std::optional{criterion.level});
   }
 }
 

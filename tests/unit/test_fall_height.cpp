@@ -31,7 +31,7 @@ injury::Standard preset_called(const std::string& name) {
 injury::Standard hic_of_1000() {
   injury::Standard standard;
   standard.criteria = {
-      {.metric = injury::Metric::hic_unlimited, .limit = 1000, .description = {}, .origin = {}}};
+      {.quantity = &result_quantity("hic_unlimited"), .limit = 1000, .description = {}, .origin = {}}};
   return standard;
 }
 
@@ -216,7 +216,7 @@ TEST(FallHeight, SaysThatADropFailedFarBelow) {
 
 TEST(FallHeight, ALimitWithoutFiguresDoesNotDecide) {
   injury::Standard two = hic_of_1000();
-  two.criteria.insert(two.criteria.begin(), {.metric = injury::Metric::peak_acceleration,
+  two.criteria.insert(two.criteria.begin(), {.quantity = &result_quantity("peak_acceleration"),
                                              .limit = 200 * standard_gravity,
                                              .description = {},
                                              .origin = {}});

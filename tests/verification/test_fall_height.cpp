@@ -50,7 +50,7 @@ KnownMat known_mat(TrueLaw law, std::uint64_t seed) {
 TEST(FallHeightOfKnownMats, IsInTheIntervalNineteenTimesOfTwenty) {
   injury::Standard standard;
   standard.criteria = {
-      {.metric = injury::Metric::hic_unlimited, .limit = 1000, .description = {}, .origin = {}}};
+      {.quantity = &result_quantity("hic_unlimited"), .limit = 1000, .description = {}, .origin = {}}};
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   std::vector<KnownMat> mats;

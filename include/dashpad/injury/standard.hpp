@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dashpad/impact/flags.hpp"
@@ -41,31 +42,20 @@ struct StandardValue {
   std::optional<double> instead;  ///< the standard's own value, if the user replaced it
 };
 
-enum class Metric {
-  peak_acceleration,
-  clip_3ms,
-  cumulative_3ms,
-  dwell_time,  ///< cumulative, above a level
-  hic15,
-  hic36,
-  hic_unlimited,
-  hic_d,
-  severity_index,
-};
+/// The quantities that a criterion may limit: the responses of studies, and times above a level.
+std::vector<const ResultQuantity*> limitable_quantities();
 
-/// All of them, in the order of the enumeration.
-const std::vector<Metric>& metrics();
-/// The quantity of a metric. Its key is that of files; its unit is "m/s2", "s" or "1".
-const ResultQuantity& quantity_of(Metric metric);
-
-/// The upper limit of a metric.
+/// The upper limit of a quantity.
 struct Criterion {
-  Metric metric = Metric::peak_acceleration;
-  double level = 0;     ///< m/s2; of dwell_time only
-  double limit = 0;     ///< in the unit of the metric
+  const ResultQuantity* quantity = &result_quantity("peak_acceleration");
+  double level = 0;     ///< m/s2; of a dwell time only
+  double limit = 0;     ///< in the SI unit of the quantity
   bool strict = false;  ///< the value must be below the limit
   std::string description;
   Origin origin;
+
+  [[nodiscard]] bool has_level() const { return quantity->role.doubt == Doubt::of_level; }
+  [[nodiscard]] bool limits(std::string_view key) const { return key == quantity->key; }
 };
 /// "Peak acceleration", or "Dwell time above 150 g" with the level of a dwell time.
 std::string title_of(const Criterion& criterion);

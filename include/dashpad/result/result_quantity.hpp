@@ -37,7 +37,8 @@ enum class Doubt {
   of_hic_d,  ///< the part of HIC(d) that is due to HIC36
   of_level,  ///< the acceleration, of which the quantity is a dwell time above a level
   of_penetration,
-  of_rebound
+  of_rebound,
+  of_rebound_height,  ///< the square of the rebound speed
 };
 
 /// The places where a quantity is shown, and its properties known beforehand.

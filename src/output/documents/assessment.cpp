@@ -149,8 +149,7 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   }
   const injury::CriterionResult& open = undecided_of(assessment, *next);
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
-  const std::string limit =
-      brief_quantity(open.criterion.limit, injury::quantity_of(open.criterion.metric).si_unit, units);
+  const std::string limit = brief_quantity(open.criterion.limit, open.criterion.quantity->si_unit, units);
   return fmt::format("Undecided: {} could be anywhere from {}, but must be {} {}",
                      uncapitalised(injury::title_of(open.criterion)), interval_words(*open.interval, units),
                      open.criterion.strict ? "below" : "at most", limit);
@@ -256,7 +255,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   if (const auto& intervals = summary.intervals; intervals && !intervals->figures.empty()) {
     std::vector<std::string> limited;
     for (const injury::CriterionResult& result : assessment.results)
-      limited.emplace_back(injury::quantity_of(result.criterion.metric).key);
+      limited.emplace_back(result.criterion.quantity->key);
     document.sections.push_back({.heading = "Uncertainty of the figures",
                                  .paragraphs = interval_paragraphs(summary, units),
                                  .tables = {interval_table(summary, units, limited)}});
@@ -284,8 +283,7 @@ void add_pictures(Document& document, const AssessmentReport& report, const Unit
 }  // namespace
 
 std::string margin_words(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
-  return brief_quantity(std::abs(*result.margin), injury::quantity_of(result.criterion.metric).si_unit, units,
-                        digits);
+  return brief_quantity(std::abs(*result.margin), result.criterion.quantity->si_unit, units, digits);
 }
 
 const injury::CriterionResult* closest(const std::vector<injury::CriterionResult>& results) {
@@ -307,7 +305,7 @@ Tone tone_of(injury::Verdict verdict) {
 
 ValueRow criterion_row(const injury::CriterionResult& result, const UnitSystem& units, Detail detail) {
   const injury::Criterion& criterion = result.criterion;
-  const std::string unit = injury::quantity_of(criterion.metric).si_unit;
+  const std::string unit = criterion.quantity->si_unit;
   ValueRow row{
       .label = injury::title_of(criterion),
       .value = result.value ? (result.lower_bound ? "≥ " : "") +
@@ -338,7 +336,7 @@ std::vector<Series> acceleration_limits(const std::vector<injury::CriterionResul
                                         const UnitSystem& units) {
   std::vector<Series> lines;
   for (const injury::CriterionResult& result : results)
-    if (injury::quantity_of(result.criterion.metric).si_unit == std::string_view("m/s2"))
+    if (result.criterion.quantity->si_unit == std::string_view("m/s2"))
       lines.push_back({.label = fmt::format("{}, {}", injury::limit_of(result.criterion),
                                             brief_quantity(result.criterion.limit, "m/s2", units)),
                        .style = SeriesStyle::horizontal_line,

@@ -20,7 +20,7 @@ namespace {
 
 std::string limit_words(const injury::Criterion& criterion, const UnitSystem& units) {
   return (criterion.strict ? "below " : "at most ") +
-         brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units);
+         brief_quantity(criterion.limit, criterion.quantity->si_unit, units);
 }
 
 /// How many drops on how many places, between which heights.
@@ -145,11 +145,10 @@ Table drops_table(const fall_height::Answer& answer, const UnitSystem& units) {
       row.push_back(height_text(drop.height, units));
       row.push_back(std::to_string(drop.number));
       for (std::size_t i = 0; i < answer.standard.criteria.size(); ++i)
-        row.push_back(std::isfinite(drop.figures[i])
-                          ? brief_quantity(drop.figures[i],
-                                           injury::quantity_of(answer.standard.criteria[i].metric).si_unit,
-                                           units, 4)
-                          : "-");
+        row.push_back(
+            std::isfinite(drop.figures[i])
+                ? brief_quantity(drop.figures[i], answer.standard.criteria[i].quantity->si_unit, units, 4)
+                : "-");
       if (has_pulses) row.push_back(one_line(drop.pulse));
       table.rows.push_back(std::move(row));
     }

@@ -78,8 +78,10 @@ std::vector<ValueRow> further_rows(const injury::PulseReport& report, const Unit
   for (const injury::DwellTime& each : report.dwells)
     if (each.cumulative > 0 || detail == Detail::all)
       add("dwell_time",
-          injury::title_of(injury::Criterion{
-              .metric = injury::Metric::dwell_time, .level = each.level, .description = {}, .origin = {}}),
+          injury::title_of(injury::Criterion{.quantity = &result_quantity("dwell_time"),
+                                             .level = each.level,
+                                             .description = {},
+                                             .origin = {}}),
           each.cumulative, "in total; longest interval " + brief_quantity(each.longest, "s", units, digits));
   return rows;
 }

@@ -94,8 +94,7 @@ std::string deciding_figures(const Reports& reports, const UnitSystem& units) {
   std::vector<double> values;
   for (const injury::CriterionResult& result : results)
     if (injury::title_of(result.criterion) == title && result.value) values.push_back(*result.value);
-  return fmt::format("{} {} (must be {})", uncapitalised(title),
-                     range(values, injury::quantity_of(decides->criterion.metric)),
+  return fmt::format("{} {} (must be {})", uncapitalised(title), range(values, *decides->criterion.quantity),
                      criterion_row(*decides, units, Detail::main).limit);
 }
 

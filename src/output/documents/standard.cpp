@@ -30,9 +30,8 @@ Row row_of(const NamedValue& entry, const UnitSystem& units) {
 }
 
 Row row_of(const injury::Criterion& criterion, const UnitSystem& units) {
-  std::string limit =
-      fmt::format("{} {}", criterion.strict ? "below" : "at most",
-                  brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units));
+  std::string limit = fmt::format("{} {}", criterion.strict ? "below" : "at most",
+                                  brief_quantity(criterion.limit, criterion.quantity->si_unit, units));
   replace_all(limit, " ", "\u00a0");  // no place for a break
   return {injury::title_of(criterion), std::move(limit), one_line(criterion.description),
           source_words(criterion.origin)};

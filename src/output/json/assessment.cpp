@@ -37,10 +37,10 @@ Json impactor(const AssessmentReport& report) {
 
 Json criterion(const injury::CriterionResult& result) {
   const injury::Criterion& of = result.criterion;
-  const ResultQuantity& quantity = injury::quantity_of(of.metric);
+  const ResultQuantity& quantity = *of.quantity;
   const ScaledUnit unit = scaled_unit(quantity.si_unit, plain_si());
   const auto shown = [&](double value) { return number(unit.scale * value); };
-  const bool has_level = of.metric == injury::Metric::dwell_time;
+  const bool has_level = of.has_level();
   return {{"metric", quantity.key},
           {"level_g", number_if(has_level, of.level / standard_gravity)},
           {"description", of.description},

@@ -16,7 +16,7 @@ namespace dashpad::output {
 namespace {
 
 double shown(const injury::Criterion& criterion, double value) {
-  return scaled_unit(injury::quantity_of(criterion.metric).si_unit, plain_si()).scale * value;
+  return scaled_unit(criterion.quantity->si_unit, plain_si()).scale * value;
 }
 
 Json remarks_json(const std::vector<fall_height::Remark>& remarks) {
@@ -30,8 +30,8 @@ Json end_json(double end) { return number_if(end > 0, end); }
 
 Json crossing_json(const injury::Standard& standard, const fall_height::Crossing& crossing) {
   const injury::Criterion& criterion = standard.criteria[crossing.criterion];
-  Json json{{"figure", injury::quantity_of(criterion.metric).key},
-            {"unit", scaled_unit(injury::quantity_of(criterion.metric).si_unit, plain_si()).unit},
+  Json json{{"figure", criterion.quantity->key},
+            {"unit", scaled_unit(criterion.quantity->si_unit, plain_si()).unit},
             {"limit", shown(criterion, criterion.limit)},
             {"height_m", number(crossing.height)},
             {"low_m", crossing.interval ? end_json(crossing.interval->first) : Json(nullptr)},
@@ -59,8 +59,7 @@ Json crossing_json(const injury::Standard& standard, const fall_height::Crossing
 Json drop_json(const injury::Standard& standard, const fall_height::Drop& drop) {
   Json figures = Json::object();
   for (std::size_t i = 0; i < standard.criteria.size(); ++i)
-    figures[injury::quantity_of(standard.criteria[i].metric).key] =
-        number(shown(standard.criteria[i], drop.figures[i]));
+    figures[standard.criteria[i].quantity->key] = number(shown(standard.criteria[i], drop.figures[i]));
   return {{"line", drop.line},
           {"height_m", drop.height},
           {"number", drop.number},
@@ -124,8 +123,8 @@ std::string fall_height_csv(const FallHeightReport& report) {
     text += csv_field(header) + ",";
   text += "drop_height [m],drop";
   for (const injury::Criterion& criterion : answer.standard.criteria) {
-    const std::string unit = scaled_unit(injury::quantity_of(criterion.metric).si_unit, plain_si()).unit;
-    text += fmt::format(",{}{}", injury::quantity_of(criterion.metric).key,
+    const std::string unit = scaled_unit(criterion.quantity->si_unit, plain_si()).unit;
+    text += fmt::format(",{}{}", criterion.quantity->key,
                         unit == "1" || unit.empty() ? "" : fmt::format(" [{}]", unit));
   }
   text += ",from_pulse\n";

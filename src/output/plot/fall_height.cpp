@@ -71,7 +71,7 @@ Plot fall_height_plot(const FallHeightReport& report, const UnitSystem& units) {
                                   one_line(report.measured ? report.table_file : report.case_file))};
   for (std::size_t i = 0; i < standard.criteria.size(); ++i) {
     const injury::Criterion& criterion = standard.criteria[i];
-    const ResultQuantity& quantity = injury::quantity_of(criterion.metric);
+    const ResultQuantity& quantity = *criterion.quantity;
     const ScaledUnit shown = shown_as(quantity.si_unit, units);
     const Scale scale{unit_of_heights(units).scale, shown.scale, criterion.limit};
     Panel panel{

@@ -22,8 +22,7 @@ std::string measured_words(const fall_height::Answer& answer, const UnitSystem& 
   const fall_height::Crossing& crossing = place.decides();
   const injury::Criterion& criterion = answer.standard.criteria[crossing.criterion];
   const std::string title = uncapitalised(injury::title_of(criterion));
-  const std::string limit =
-      brief_quantity(criterion.limit, injury::quantity_of(criterion.metric).si_unit, units);
+  const std::string limit = brief_quantity(criterion.limit, criterion.quantity->si_unit, units);
   std::string text = "Critical fall height " + height_words(crossing, units);
   const std::string where = place_words(place);
   const std::string at = answer.places.size() > 1 && !where.empty() ? fmt::format(" ({})", where) : "";

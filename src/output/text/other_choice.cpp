@@ -22,7 +22,7 @@ std::string decisive_figure(const injury::Assessment& assessment, const UnitSyst
   };
   const injury::CriterionResult& result = *std::ranges::min_element(assessment.results, {}, margin);
   if (!result.value) return "the pad bottoms out";
-  const std::string unit = injury::quantity_of(result.criterion.metric).si_unit;
+  const std::string unit = result.criterion.quantity->si_unit;
   return uncapitalised(injury::title_of(result.criterion)) + " " +
          brief_quantity(*result.value, unit, units, 4);
 }
