@@ -237,7 +237,7 @@ int run_on_ranks(const StudyRequest& request) {
   const auto read = [&] {
     if (request.threads > 1)
       throw Refused({"--threads: under mpirun, each rank computes on one core; set the number of ranks"});
-    study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
+    study = study_of(request);
   };
   // Other ranks end with 0, because mpirun ends all at the first other exit code, before the message is out.
   if (!is_agreed(ranks, complaints_of(read))) return exit_done;

@@ -246,7 +246,9 @@ margin::Question question_of(const SolveForRequest& request) {
       if (text == "foam") {
         question.chance->foam = true;
       } else if (text.ends_with(".toml")) {
-        if (const auto study = taken(study::read_study(text, chosen_folder(request.given.materials)), errors))
+        if (const auto study = taken(study::read_study(text, chosen_folder(request.given.materials),
+                                                       chosen_standards(request.standard_folder)),
+                                     errors))
           add_draws_of(*study, *question.chance);
       } else if (const auto factor = factor_of(text, known, given->impact, errors)) {
         question.chance->factors.push_back(*factor);

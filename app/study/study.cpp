@@ -62,7 +62,7 @@ bool is_one_of_several_ranks() {
 int run_here(const StudyRequest& request) {
   // Created before the store: whoever sees its file may stop the study, and is told how to continue.
   const StopSignal stop;
-  const study::Study study = study::read_study(request.study_file, chosen_folder(request.materials)).value();
+  const study::Study study = study_of(request);
   study::Store store = open_store(study, request);
   const std::uint64_t before = store.rows_done();
   const auto begin = std::chrono::steady_clock::now();
@@ -79,6 +79,12 @@ int run_here(const StudyRequest& request) {
 }
 
 }  // namespace
+
+study::Study study_of(const StudyRequest& request) {
+  return study::read_study(request.study_file, chosen_folder(request.materials),
+                           chosen_standards(request.standards))
+      .value();
+}
 
 study::Store open_store(const study::Study& study, const StudyRequest& request) {
   const std::string& file = request.store_file;
@@ -133,6 +139,7 @@ void add_study(CLI::App& app, Action& action) {
            "Extend this study's store, made with fewer draws, by computing only the missing draws");
   add_flag(*sub, "--quiet", request->quiet, "Do not show progress");
   add_material_folder(*sub, request->materials);
+  add_standard_folder(*sub, request->standards);
   sub->require_subcommand(0, 1);
   add_study_replay(*sub, action);
   add_study_summary(*sub, action);

@@ -18,11 +18,14 @@ void add_study_export(CLI::App& study, Action& action);
 struct StudyRequest {
   std::string study_file;
   std::string store_file;
-  std::string materials;
+  std::string materials, standards;
   int threads = 0;  ///< 0: all cores
   bool quiet = false;
   bool extend = false;
 };
+
+/// Reads the study file. Throws InputError.
+study::Study study_of(const StudyRequest& request);
 
 /// Opens the store of a study, new or existing. Throws Refused if that is impossible.
 study::Store open_store(const study::Study& study, const StudyRequest& request);

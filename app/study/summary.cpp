@@ -144,7 +144,8 @@ int summarise(const StudySummaryRequest& request) {
   judge_files(request.files, files_of_store(request.store_file), errors);
   judge_picture(request.files, errors);
   study::StudyQuestions questions = questions_of(request, store, errors);
-  for (const std::string& name : request.standards)
+  const bool asks_for_limits = !request.standards.empty() || !request.limits.empty();
+  for (const std::string& name : asks_for_limits ? request.standards : study::stored_standards(store))
     add_standard(name, request.standard_folder, store, questions, errors);
   if (errors.empty() && store.rows_done() == 0)
     errors.push_back(request.store_file + ": has no rows yet; run dashpad study first");

@@ -169,6 +169,7 @@ Study study_of(const Json& json) {
   study.seed = count_of(sampling.at("seed"));
   study.indices = sampling.at("indices");
   study.responses = json.at("responses").get<std::vector<std::string>>();
+  if (json.contains("standards")) study.standards = json["standards"].get<std::vector<std::string>>();
   return study;
 }
 
@@ -328,6 +329,14 @@ std::vector<RowLabel> row_labels(const Store& store) {
   }
 }
 
+std::vector<std::string> stored_standards(const Store& store) {
+  try {
+    return Json::parse(store.resolved_text()).value("standards", std::vector<std::string>{});
+  } catch (const Json::exception&) {
+    throw DamagedStore(store.file() + ": the names of its standards are damaged");
+  }
+}
+
 std::string resolved_text(const Study& study) {
   Json factors = Json::array(), materials = Json::array();
   for (const Factor& factor : study.factors) factors.push_back(factor_json(factor));
@@ -339,6 +348,7 @@ std::string resolved_text(const Study& study) {
                {"materials", materials},
                {"sampling", sampling_json(study)},
                {"responses", study.responses}};
+  if (!study.standards.empty()) json["standards"] = study.standards;
   for (const RowLabel& label : study.labels) json["labels"].push_back({label.name, label.texts});
   if (std::ranges::any_of(study.factors, uncertainty::is_foam_factor, &Factor::key))
     add_uncertainties(study, json);

@@ -157,6 +157,35 @@ high = "6 kg"
                  "which this study did not keep");
 }
 
+/// The standard of a study file: its impactor, its figures, its answer.
+TEST_F(StudyTest, AnswersForTheStandardOfItsFile) {
+  const std::string rest = R"(case = "case.toml"
+samples = 50
+responses = ["rebound_speed"]
+[factors."impactor.speed"]
+distribution = "uniform"
+low = "4 m/s"
+high = "6 m/s"
+)";
+  write_file(file("mat.toml"), "standard = \"en-1177\"\n" + rest);
+  EXPECT_EQ(compute("mat").exit_code, 0);
+  EXPECT_THAT(csv_of("mat.db"), AllOf(HasSubstr("hic_unlimited"), HasSubstr("peak_acceleration")));
+  const Outcome summary = dashpad({"study", "summary", file("mat.db")});
+  EXPECT_THAT(summary.out, AllOf(StartsWith("All limits are kept in "), Not(HasSubstr("REPLACED"))));
+  const json replayed = json::parse(dashpad({"study", "replay", file("mat.db"), "1", "--json", "-"}).out);
+  EXPECT_EQ(replayed.at("case").at("impactor").at("mass_kg"), 4.6);
+  const Outcome other = dashpad({"study", "summary", file("mat.db"), "--limit", "peak_acceleration > 1 g"});
+  EXPECT_THAT(other.out, Not(HasSubstr("All limits")));
+  write_file(file("two.toml"),
+             "standard = [\"en-1177\", \"en-1078\", \"nothing\", 3, \"fmvss-218\"]\n" + rest);
+  const Outcome two = dashpad({"study", file("two.toml"), "--out", file("two.db")});
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_THAT(two.err, AllOf(HasSubstr("standard[2] = \"en-1078\": has another impactor than en-1177"),
+                             HasSubstr("standard[3] = \"nothing\""), HasSubstr("standard[4]"),
+                             HasSubstr("limits a time above a level")));
+  EXPECT_FALSE(fs::exists(file("two.db")));
+}
+
 TEST_F(StudyTest, CombinationsAreRankedDrawByDraw) {
   write_file(file("rank.toml"), R"(title = "Rank"
 case = "case.toml"

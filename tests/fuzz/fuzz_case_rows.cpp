@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const fs::path file =
         write("study.toml", std::string("case = \"case.toml\"\n") + key + " = \"design.csv\"\n" +
                                 (key[0] == 's' ? "samples = 8\n" : ""));
-    const auto study = read_or_refuse([&] { return study::read_study(file, source / "materials").value(); });
+    const auto study = read_or_refuse(
+        [&] { return study::read_study(file, source / "materials", source / "standards").value(); });
     if (!study) continue;
     require(study::violations(*study).empty(), "a study that was read breaks no rule");
     const study::Design design(*study);

@@ -30,7 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   static const bool laid_out = lay_out();
   require(laid_out, "the files that studies name are there");
   const fs::path file = write("studies/study.toml", text_of(bytes, size));
-  const auto study = read_or_refuse([&] { return study::read_study(file, source / "materials").value(); });
+  const auto study = read_or_refuse(
+      [&] { return study::read_study(file, source / "materials", source / "standards").value(); });
   if (!study) return 0;
   require(study::violations(*study).empty(), "a study that was read breaks no rule");
   const study::Design design(*study);

@@ -60,7 +60,7 @@ TEST_F(StoredStudyTest, TheStudiesOfTheExamples) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(source / "examples/studies")) {
     if (entry.path().extension() != ".toml") continue;
-    expect_same_rows(study::read_study(entry.path(), source / "materials").value(),
+    expect_same_rows(study::read_study(entry.path(), source / "materials", source / "standards").value(),
                      entry.path().stem().string() + ".db");
     ++count;
   }

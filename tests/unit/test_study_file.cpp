@@ -67,7 +67,7 @@ class StudyFile : public ::testing::Test {
  protected:
   Study read(const std::string& text) {
     folder_.write("case.toml", case_);
-    return read_study(folder_.write("study.toml", text), test::materials).value();
+    return read_study(folder_.write("study.toml", text), test::materials, test::source / "standards").value();
   }
   std::vector<input::Fault> faults_in(const std::string& text) {
     try {
@@ -488,7 +488,8 @@ TEST(study_examples, are_good) {
   for (const auto& entry : std::filesystem::directory_iterator(test::source / "examples/studies")) {
     if (entry.path().extension() != ".toml") continue;
     ++count;
-    EXPECT_NO_THROW(Design(read_study(entry.path(), test::materials).value())) << entry.path();
+    EXPECT_NO_THROW(Design(read_study(entry.path(), test::materials, test::source / "standards").value()))
+        << entry.path();
   }
   EXPECT_GE(count, 4);
 }

@@ -92,6 +92,8 @@ struct Study {
   std::uint64_t seed = 1;
   bool indices = false;
   std::vector<std::string> responses;  ///< names of dashpad/study/responses.hpp
+  /// Standards for which its summary answers, as the study file names them. The base case has their impactor.
+  std::vector<std::string> standards = {};
 };
 
 /// The largest number of rows: a billion takes a day and some 100 GB.
