@@ -151,6 +151,7 @@ StudyAnswers study_answers(const Store& store, const StudyQuestions& questions) 
     answers.groups.push_back(of_group(answers, design, std::move(groups[i]), i));
   for (std::size_t i = 0; i < answers.responses.size(); ++i)
     answers.rankings.push_back(ranking(answers, design, i));
+  answers.turns = turning_levels(answers, design);
   answers.cushion_curves = cushion_curves(answers.study, answers.records);
   return answers;
 }

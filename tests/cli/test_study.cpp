@@ -157,6 +157,56 @@ high = "6 kg"
                  "which this study did not keep");
 }
 
+/// A linear pad on a rigid floor: the peak is v sqrt(k m) / m, k = E A / t. So thickness and speed of a draw
+/// decide, and 95 % of the draws stay below a peak from the thickness at which the 95 % quantile of the
+/// speeds does.
+TEST_F(StudyTest, SaysFromWhichLevelMostDrawsAreWithinTheLimits) {
+  write_file(file("flat.toml"), R"([impactor]
+nose = "flat-disc"
+radius = "50 mm"
+mass = "5 kg"
+speed = "2 m/s"
+[pad]
+thickness = "50 mm"
+law = "elastic"
+parameters = { modulus = "300 kPa" }
+neighbours = 0
+[support]
+type = "rigid"
+)");
+  const std::string rest = R"(
+case = "flat.toml"
+samples = 500
+responses = ["peak_acceleration"]
+[factors."impactor.speed"]
+distribution = "uniform"
+low = "1.5 m/s"
+high = "2.5 m/s"
+)";
+  write_file(file("flat-study.toml"), rest + R"([factors."pad.thickness"]
+values = ["80 mm", "50 mm", "55 mm", "60 mm", "65 mm", "70 mm", "75 mm"]
+)");
+  ASSERT_EQ(compute("flat-study").exit_code, 0);
+  const auto answers_for = [&](const std::string& limit) {
+    const Outcome outcome = dashpad({"study", "summary", file("flat-study.db"), "--limit", limit, "--json",
+                                     file("turns.json"), "--force"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return std::pair{outcome.out, json::parse(read_file(file("turns.json"))).at("turning_levels").at(0)};
+  };
+  // a = v sqrt(E A / (t m)): t = v^2 E A / (m a^2) with v = 2.45 m/s.
+  const double area = 3.14159265358979 * 0.05 * 0.05, v = 2.45, a = 22 * 9.80665;
+  const double thickness = v * v * 300e3 * area / (5 * a * a);
+  const auto [words, turn] = answers_for("peak_acceleration > 22 g");
+  EXPECT_THAT(words, HasSubstr("95 % of the draws stay within the limit"));
+  EXPECT_NEAR(turn.at("level").at("value").get<double>(), thickness, 0.005 * thickness);
+  EXPECT_LT(turn.at("level").at("low"), thickness);
+  EXPECT_GT(turn.at("level").at("high"), thickness);
+  EXPECT_EQ(turn.at("kept"), "above");
+  const auto [never, none] = answers_for("peak_acceleration > 1 g");
+  EXPECT_THAT(never, HasSubstr("do 95 % of the draws stay within the limit"));
+  EXPECT_TRUE(none.at("level").at("value").is_null());
+}
+
 /// The standard of a study file: its impactor, its figures, its answer.
 TEST_F(StudyTest, AnswersForTheStandardOfItsFile) {
   const std::string rest = R"(case = "case.toml"

@@ -188,6 +188,23 @@ struct Ranked {
   Exceedance higher = {};  ///< draws in which it is above the first
 };
 
+/// The probability with which all limits are to be kept at a turning level.
+inline constexpr double turning_probability = 0.95;
+
+/// Where, along the levels of a factor, the limits come to be kept in 95 % of the draws. Each draw turns at
+/// its own level, found on a straight line between the two levels about it in the largest ratio of a response
+/// to its limit; a draw that turns more than once counts where it is kept for good.
+struct TurningLevel {
+  std::size_t factor = 0;      ///< in Study::factors
+  std::size_t example = 0;     ///< in StudyAnswers::groups: one with the levels of the other factors
+  bool kept_above = true;      ///< whether the limits are kept at larger levels
+  double first = 0, last = 0;  ///< the least and the greatest level, SI
+  /// The quantile of the draws' levels, SI, between order statistics: at an end of the levels the limits are
+  /// kept there already; infinite, beyond the end, if they are not kept at any level.
+  Estimate level = {};
+  std::uint64_t draws = 0;  ///< that have all their responses at all levels
+};
+
 struct StudyQuestions {
   std::vector<std::string> responses = {};  ///< names; empty: all that the study keeps
   std::vector<StudyLimit> limits = {};
@@ -216,8 +233,13 @@ struct StudyAnswers {
   };
   std::vector<OfGroup> groups;
   std::vector<std::vector<Ranked>> rankings;  ///< of each response asked for; empty with one combination
+  std::vector<TurningLevel> turns;  ///< the least level first; empty without draws, limits or levels
   std::optional<CushionCurves> cushion_curves;
 };
+
+/// The turning levels along the factor with the most levels that are numbers, for each combination of the
+/// others. Empty if there is no such factor, or if the limits are kept as often at both of its ends.
+std::vector<TurningLevel> turning_levels(const StudyAnswers& answers, const Design& design);
 
 /// The combinations of drawn rows by the median of a response (index in StudyAnswers::responses), the least
 /// first, compared over the draws that both have. Empty for fewer than two.

@@ -127,6 +127,18 @@ Json ranking_json(const study::StudyAnswers& answers, std::size_t response) {
   return {{"response", name}, {"unit", unit}, {"ranks", ranks}};
 }
 
+Json turn_json(const study::StudyAnswers& answers, const study::TurningLevel& turn) {
+  const study::Factor& factor = answers.study.factors[turn.factor];
+  return {{"factor", factor.key},
+          {"unit", factor.unit},
+          {"kept", turn.kept_above ? "above" : "below"},
+          {"probability", study::turning_probability},
+          {"level", estimate_json(turn.level)},
+          {"at_end_of_levels", turn.level.value == (turn.kept_above ? turn.first : turn.last)},
+          {"draws", turn.draws},
+          {"example", turn.example}};
+}
+
 }  // namespace
 
 std::string study_json(const study::StudyAnswers& answers) {
@@ -150,6 +162,8 @@ std::string study_json(const study::StudyAnswers& answers) {
   for (std::size_t i = 0; i < answers.rankings.size(); ++i)
     if (!answers.rankings[i].empty()) rankings.push_back(ranking_json(answers, i));
   json["rankings"] = rankings;
+  json["turning_levels"] =
+      array_of(answers.turns, [&](const study::TurningLevel& turn) { return turn_json(answers, turn); });
   if (answers.cushion_curves) json["cushion_curves"] = cushion_json(*answers.cushion_curves);
   return result_json_text(json);
 }

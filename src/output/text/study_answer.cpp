@@ -73,6 +73,25 @@ std::string all_limits_answer(const study::StudyAnswers& answers, const UnitSyst
                      words_of_levels(answers, worst->group, units));
 }
 
+/// "; 95 % of the draws stay within the limit from a thickness of the pad of 34.2 mm upwards", of several
+/// lines the best.
+std::string turns_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
+  if (answers.turns.empty()) return "";
+  // Of thicknesses from which limits are kept the least is best, of heights up to which they are the
+  // greatest.
+  const study::TurningLevel& best =
+      answers.turns.front().kept_above ? answers.turns.front() : answers.turns.back();
+  const std::string name = factor_words(answers.study.factors[best.factor].key);
+  const std::string limits = answers.limits.size() > 1 ? "all limits" : "the limit";
+  if (!std::isfinite(best.level.value))
+    return fmt::format("; at no {} of the study do {} of the draws stay within {}", name,
+                       per_cent(study::turning_probability), limits);
+  const std::string at = levels_beside(answers, best, units);
+  return fmt::format("; {} of the draws stay within {} at a {} {}{}", per_cent(study::turning_probability),
+                     limits, name, turning_text(answers, best, units),
+                     at.empty() ? "" : ", at best, with " + at);
+}
+
 /// The answer about all limits together or, over a grid, the one that is exceeded most often.
 std::string limit_answer(const study::StudyAnswers& answers, const UnitSystem& units) {
   if (answers.groups.front().any && answers.groups.front().group.drawn)
@@ -226,7 +245,7 @@ std::string study_answer(const study::StudyAnswers& answers, const UnitSystem& u
   if (answers.groups.empty() || answers.responses.empty() || answers.records.rows.empty()) return "";
   if (const std::uint64_t rows = answers.records.rows.size(); answers.records.struck_through == rows)
     return rows == 1 ? "The pad bottoms out" : fmt::format("The pad bottoms out in all {} rows", rows);
-  if (!answers.limits.empty()) return limit_answer(answers, units);
+  if (!answers.limits.empty()) return limit_answer(answers, units) + turns_answer(answers, units);
   if (std::string indices = index_answer(answers); !indices.empty()) return indices;
   if (answers.cushion_curves && !answers.cushion_curves->drops.empty())
     return cushion_answer(*answers.cushion_curves, units);

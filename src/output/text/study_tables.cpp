@@ -118,6 +118,22 @@ Table ranking_table(const study::StudyAnswers& answers, std::size_t response, co
   return table;
 }
 
+/// Where all limits come to be kept in most draws, for each combination of the other factors.
+Table turning_table(const study::StudyAnswers& answers, const UnitSystem& units) {
+  const study::TurningLevel& first = answers.turns.front();
+  Table table{
+      .caption =
+          fmt::format("Where {} % of the draws stay within all limits", 100 * study::turning_probability),
+      .columns = {"With", capitalised(factor_words(answers.study.factors[first.factor].key)), "Draws"}};
+  for (const study::TurningLevel& turn : answers.turns) {
+    if (table.rows.size() == max_groups_shown) break;
+    const std::string beside = levels_beside(answers, turn, units);
+    table.rows.push_back(
+        {beside.empty() ? "all" : beside, turning_text(answers, turn, units), std::to_string(turn.draws)});
+  }
+  return table;
+}
+
 /// The columns, and where pads bottomed out on a rigid support a column for them before the last.
 Row with_struck_through(const study::StudyAnswers& answers, Row columns) {
   if (answers.records.struck_through > 0) columns.insert(columns.end() - 1, "Bottomed out");
@@ -219,6 +235,7 @@ std::vector<Table> study_tables(const study::StudyAnswers& answers, const UnitSy
          .columns = with_struck_through(
              answers, {"Response", "Limit", drawn ? "Probability (%)" : "Share (%)", "Rows above", "Rows"})},
         answers, units, add_exceedances));
+  if (!answers.turns.empty()) tables.push_back(turning_table(answers, units));
   // Of what is limited, or of the first response: each would be a table.
   for (std::size_t i = 0; i < answers.rankings.size(); ++i) {
     const bool is_limited = std::ranges::find(answers.limits, response_name(answers, i),

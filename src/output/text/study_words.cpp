@@ -179,6 +179,32 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
                      level_text(study, factor, value, units));
 }
 
+std::string turning_text(const study::StudyAnswers& answers, const study::TurningLevel& turn,
+                         const UnitSystem& units) {
+  const auto words = [&](double level) {
+    return std::isfinite(level) ? level_text(answers.study, turn.factor, level, units)
+                                : std::string("beyond the levels");
+  };
+  if (std::isinf(turn.level.value)) return "none of the study";
+  const bool is_at_end = turn.level.value == (turn.kept_above ? turn.first : turn.last);
+  if (is_at_end)
+    return fmt::format("{} {}, {}", turn.kept_above ? "from" : "up to", words(turn.level.value),
+                       turn.kept_above ? "the least level, or less" : "the greatest level, or more");
+  return fmt::format("{} {} (95 % interval {} to {})", turn.kept_above ? "from" : "up to",
+                     words(turn.level.value), words(turn.level.low), words(turn.level.high));
+}
+
+std::string levels_beside(const study::StudyAnswers& answers, const study::TurningLevel& turn,
+                          const UnitSystem& units) {
+  const std::vector<std::size_t> factors = level_factors(answers.study);
+  const study::Group& example = answers.groups[turn.example].group;
+  std::string text;
+  for (std::size_t i = 0; i < example.levels.size(); ++i)
+    if (factors[i] != turn.factor)
+      text += (text.empty() ? "" : ", ") + factor_at(answers.study, factors[i], example.levels[i], units);
+  return text;
+}
+
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units) {
   const std::vector<std::size_t> factors = level_factors(answers.study);

@@ -48,6 +48,14 @@ std::string factor_at(const study::Study& study, std::size_t factor, double valu
 std::string words_of_levels(const study::StudyAnswers& answers, const study::Group& group,
                             const UnitSystem& units);
 
+/// "from 34.2 mm (95 % interval 33.9 mm to 34.6 mm)", "up to 30 mm, the greatest level, or more", "none of
+/// the study".
+std::string turning_text(const study::StudyAnswers& answers, const study::TurningLevel& turn,
+                         const UnitSystem& units);
+/// The levels of the other factors: "foam epp45"; "" without any.
+std::string levels_beside(const study::StudyAnswers& answers, const study::TurningLevel& turn,
+                          const UnitSystem& units);
+
 /// The words for a key, "plateau stress of the foam" for pad.curve.plateau_stress; other keys unchanged.
 std::string factor_words(const std::string& key);
 
