@@ -8,7 +8,8 @@ namespace dashpad::app {
 
 bool TestColumnsRequest::has_columns() const {
   return thickness || area ||
-         !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit + columns.time)
+         !(columns.strain + columns.stress + columns.strain_unit + columns.stress_unit + columns.time +
+           columns.time_unit)
               .empty();
 }
 

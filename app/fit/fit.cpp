@@ -141,7 +141,8 @@ int fit_material(const FitRequest& request) {
     errors.emplace_back("FILE: only one fit file can be given; to fit tests without one, give --auto");
   if (!request.tests.rates.empty() || request.tests.has_columns() || !request.files.of("--proposal").empty())
     errors.emplace_back(
-        "--rate, --strain, --stress, --time, --strain-unit, --stress-unit, --thickness, --area, --proposal: "
+        "--rate, --strain, --stress, --time, --time-unit, --strain-unit, --stress-unit, --thickness, --area, "
+        "--proposal: "
         "need "
         "--auto; a fit file has keys for them");
   const std::string& file = request.inputs.front();
@@ -230,6 +231,8 @@ int stopped(const FitRequest& request, std::size_t kept) {
         fmt::format("Stopped; nothing was written except {} (finished searches and interval limits: {}). "
                     "Run the same command again to resume.\n",
                     *request.state, kept));
+  } else if (request.is_auto) {
+    write_error("Stopped; nothing was written.\n");
   } else if (request.state) {
     write_error("Stopped before any search was finished; nothing was written.\n");
   } else {
@@ -253,6 +256,7 @@ void add_fit(CLI::App& app, Action& action) {
   add_test_columns(sub, request.tests);
   add_option(sub, "--time COLUMN", request.tests.columns.time,
              "Column of times, from which the rates follow (default: the only one)");
+  add_option(sub, "--time-unit UNIT", request.tests.columns.time_unit, "Unit of the times, such as s");
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",
            "Write the case with the fitted foam and any other fitted values, such as the support stiffness "

@@ -47,11 +47,12 @@ constexpr int max_better = 5;
 /// misfit; refits if that changes the weights.
 void estimate_noise(Problem& problem, const LeastSquares& residuals, Minimum& minimum) {
   std::size_t unstated = 0;
-  for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size();
+  for (const Block& block : problem.blocks) unstated += block.noise_is_stated ? 0 : block.size() - block.idle;
   if (unstated == 0) return;
-  const auto all = static_cast<double>(problem.points() + problem.priors());
+  const std::size_t telling = problem.points() + problem.priors() - problem.idle();
+  const auto all = static_cast<double>(telling);
   const double share_left = 1 - static_cast<double>(problem.coordinates.size()) / all;
-  const bool is_alone = unstated == problem.points() + problem.priors();
+  const bool is_alone = unstated == telling;
   std::vector<double> r(residuals.residuals);
   for (int pass = 0; pass < (is_alone ? 1 : 4); ++pass) {
     residuals.evaluate(minimum.x, r);
@@ -115,7 +116,7 @@ std::optional<Minimum> better_of(const Solved& solved) {
 void weigh(const Problem& problem, const Minimum& minimum, FitReport& report) {
   report.points = problem.points();
   report.priors = problem.priors();
-  report.degrees_of_freedom = static_cast<double>(problem.points() + problem.priors()) -
+  report.degrees_of_freedom = static_cast<double>(problem.points() + problem.priors() - problem.idle()) -
                               static_cast<double>(problem.coordinates.size());
   report.misfit = minimum.misfit;
   report.noise_is_stated = std::ranges::all_of(problem.blocks, &Block::noise_is_stated);

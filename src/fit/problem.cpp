@@ -29,6 +29,10 @@ Block block_of(const Fit& fit, const MaterialMeasurement& test) {
   const double largest = std::ranges::max(block.measured);
   block.deviation.assign(block.size(), test.noise.value_or(first_guess_of_noise * largest));
   block.noise_is_stated = test.noise.has_value();
+  if (test.is_base) {
+    const auto top = static_cast<std::size_t>(std::ranges::max_element(test.strain) - test.strain.begin());
+    for (std::size_t i = 0; i <= top; ++i) block.idle += counts(test, i) ? 1 : 0;
+  }
   block.curve = 0;
   block.predict = prediction_of(fit, test);
   return block;
@@ -154,6 +158,12 @@ std::size_t Problem::points() const {
   std::size_t points = 0;
   for (const Block& block : blocks) points += block.is_rule ? 0 : block.size();
   return points;
+}
+
+std::size_t Problem::idle() const {
+  std::size_t count = 0;
+  for (const Block& block : blocks) count += block.idle;
+  return count;
 }
 
 std::size_t Problem::priors() const {

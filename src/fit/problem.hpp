@@ -64,6 +64,7 @@ struct Block {
   std::optional<std::size_t> shift;  ///< the coordinate by which its pulse comes later; predict() knows it
   Settle settle;                     ///< present if there is a shift
   bool noise_is_stated = true;
+  std::size_t idle = 0;  ///< number of points that the base curve goes through, as a table of them
   bool is_impact = false;
   /// No data: what keeps a base curve rising, as a material must.
   bool is_rule = false;
@@ -77,6 +78,7 @@ struct Problem {
   double derivative_step = 1e-4;  ///< step of a coordinate for central differences
 
   [[nodiscard]] std::size_t points() const;  ///< measured numbers
+  [[nodiscard]] std::size_t idle() const;    ///< those that tell nothing of the noise
   [[nodiscard]] std::size_t priors() const;
   [[nodiscard]] std::size_t residuals() const;  ///< number of residuals: of all blocks, then priors
   /// `x` in [0, 1]; false where the model cannot be evaluated.

@@ -94,6 +94,7 @@ MaterialMeasurement read_test(TableReader& table, const input::Folders& folders,
       test.temperature = temperature;
   test.has_offset = table.flag("offset");
   test.is_held_out = table.flag("hold_out");
+  test.is_base = table.flag("is_base");
   if (test.has_offset && test.is_held_out)
     table.fault("offset", "an offset cannot be fitted for a test that is held out");
   if (!test.file.empty()) {

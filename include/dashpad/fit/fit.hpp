@@ -58,6 +58,8 @@ struct MaterialMeasurement {
   std::optional<double> noise;  ///< standard deviation of a stress, Pa; absent: estimated from the misfit
   bool has_offset = false;      ///< its force zero is shifted by an unknown stress
   bool is_held_out = false;     ///< predicted, not fitted
+  /// Whether the base curve is a table of its loading, whose residuals are then no sign of the noise.
+  bool is_base = false;
   std::vector<std::string> remarks = {};  ///< repairs and interpretations of the file, a sentence each
 };
 

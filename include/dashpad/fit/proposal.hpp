@@ -44,14 +44,18 @@ struct Candidate {
   std::string base;  ///< form of its base curve: "table", "avalle"
   std::string rate;  ///< "none", "power", "power with slope", "by relaxation"
   Fit fit;
+  /// Of one that takes long and is tried only if the others miss by more than misfit_of_others: why.
+  std::string if_others_miss = {};
 };
+
+inline constexpr double misfit_of_others = 0.02;
 
 /// The fits that tests allow.
 struct Proposal {
   std::vector<TestSource> sources;      ///< in the order of the tests in each fit
   std::vector<Evidence> tests;          ///< likewise
   std::vector<std::string> reasons;     ///< for law, base curve and unknowns, a sentence each
-  std::vector<Candidate> candidates;    ///< at least one; all to be tried
+  std::vector<Candidate> candidates;    ///< at least one; those that may be left out come last
   std::vector<input::InputFile> files;  ///< files that were read
 };
 
@@ -82,9 +86,9 @@ struct AutoFit {
   [[nodiscard]] const Candidate& candidate() const { return proposal.candidates[chosen]; }
 };
 
-/// Fits all candidates and chooses: the base curve with the least misfit, or a fifth more if more of its
-/// unknowns are determined; a slope of the rate's exponent only if its interval excludes 0 and the misfit
-/// falls by a twentieth. Throws Stopped.
+/// Fits all candidates and chooses: the law with the least misfit; the base curve with the least misfit, or a
+/// fifth more if more of its unknowns are determined; a slope of the rate's exponent only if its interval
+/// excludes 0 and the misfit falls by a twentieth. Throws Stopped.
 AutoFit run_proposal(Proposal proposal, const RunOptions& options = {});
 
 }  // namespace dashpad::fit

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "fit/card.hpp"
 #include "fit/fit_tables.hpp"
 #include "input/measurement/measurement_text.hpp"
@@ -52,12 +53,15 @@ std::optional<Beginning> beginning_of(const ReadTests& tests, std::vector<std::s
       taken(input::read_stress_tables({source.file}, {.rates = {slowest->rate}}, source.columns), faults);
   if (!read) return std::nullopt;
   found.table = std::get<TableCurve>(std::get<Foam>(read->material.law).curves.base);
-  // Those that begin with a name are about the test, the others about cards; some are the reader's own.
+  // Those that begin with a name are about the test, the others about cards. The fit uses what a table leaves
+  // out, and some are the reader's own.
   const std::vector<std::string>& known = tests.measurements[found.slowest].remarks;
-  std::ranges::copy_if(read->differences, std::back_inserter(remarks), [&](const std::string& each) {
-    return each.find(": ") != std::string::npos &&
-           std::ranges::count(known, each.substr(0, each.size() - 1)) == 0;
-  });
+  for (const std::string& each : read->differences) {
+    const std::size_t name = each.find(": ");
+    const bool is_known = std::ranges::count(known, each.substr(0, each.size() - 1)) > 0;
+    if (name != std::string::npos && !is_known && each.find("left out") == std::string::npos)
+      remarks.push_back(slowest->file + each.substr(name));
+  }
   constexpr double small_strain = 0.05;
   const double near = std::min(small_strain, found.table.strain.back() / 4);
   found.modulus = in_short(stress_at(found.table, near) / near);
@@ -133,21 +137,6 @@ std::vector<Base> formulas(const Beginning& from) {
   };
 }
 
-/// Groups of tests by their rate.
-std::size_t count_rates(const std::vector<Evidence>& tests) {
-  std::vector<double> rates;
-  for (const Evidence& shown : tests) rates.push_back(shown.rate);
-  std::ranges::sort(rates);
-  std::size_t count = 0;
-  double first = 0;
-  for (const double rate : rates)
-    if (count == 0 || rate >= one_rate * first) {
-      ++count;
-      first = rate;
-    }
-  return count;
-}
-
 bool has_way_back(const Evidence& shown) { return shown.returned.has_value(); }
 bool is_held(const Evidence& shown) { return shown.lost_held.has_value(); }
 
@@ -173,15 +162,16 @@ BaseChoice base_for(const std::vector<Evidence>& tests, const Beginning& from) {
   const auto at_its_rate =
       std::ranges::count_if(tests, [&](const Evidence& shown) { return shown.rate < one_rate * slow.rate; });
   const bool is_alone = at_its_rate == 1;
-  const bool is_more = count_rates(tests) > 1 || std::ranges::any_of(tests, has_way_back);
+  const bool is_more = sizes_by_rate(tests).size() > 1 || std::ranges::any_of(tests, has_way_back);
   if (is_more && is_alone && farther == tests.end())
     return {true,
             fmt::format("Base curve: a table, the loading in {} as measured up to a strain of {}. It is the "
                         "slowest test and no other goes further, so that no formula is needed.",
                         slow.file, brief(slow.highest_strain, 3))};
   const std::string why =
-      !is_alone ? fmt::format("{} tests have the rate of the slowest one, and a formula passes between them",
-                              at_its_rate)
+      !is_alone
+          ? fmt::format("{} tests have about the rate of the slowest one, and a formula passes between them",
+                        at_its_rate)
       : farther != tests.end()
           ? fmt::format(
                 "{} goes to a strain of {}, beyond the slowest test's {}, and a formula carries the curve "
@@ -203,14 +193,14 @@ std::string words_on_law(const std::vector<Evidence>& tests) {
         "unloading_shape) and crushable-foam (unknown unloading_modulus) were tried.",
         stays->file, percent(*stays->returned), brief(stays->strain_left, 3));
   return fmt::format(
-      "Law: foam, since it comes back: {} returned {} of its energy. Unknowns of the way back: "
+      "Law: foam, since {} pressed on the way back and returned {} of its energy. Unknowns of the way back: "
       "unloading_factor and unloading_shape.",
       shown->file, percent(*shown->returned));
 }
 
 /// Adds the unknowns of the rate; false if there is one rate only.
 bool seek_rate(const std::vector<Evidence>& tests, bool with_slope, PadLaw& law) {
-  if (count_rates(tests) < 2) return false;
+  if (sizes_by_rate(tests).size() < 2) return false;
   const double highest = std::ranges::max(tests, {}, &Evidence::rate).rate;
   constexpr double usual = 0.05;
   const PowerRateEffect power{
@@ -247,15 +237,20 @@ class Candidates {
     for (const bool crushable : {false, true})
       for (const Base& base : bases)
         for (const bool with_slope : {false, true})
-          if ((crushed_ != nullptr || !crushable) && (!with_slope || count_rates(tests_.evidence) > 1))
+          if ((crushed_ != nullptr || !crushable) &&
+              (!with_slope || sizes_by_rate(tests_.evidence).size() > 1))
             add_foam(base, crushable, with_slope);
   }
 
-  void add_viscoelastic() {
-    const auto held =
-        std::ranges::max_element(tests_.evidence, {}, [](const Evidence& shown) { return shown.time_held; });
-    const double loading = held->highest_strain / held->rate;  // s
-    const bool is_long = held->time_held > long_hold * loading;
+  /// With two branches if the tests last a hundred times as long as their fastest loading.
+  void add_viscoelastic(const std::string& if_others_miss) {
+    double loading = infinite, longest = 0;  // s
+    for (const Evidence& shown : tests_.evidence) {
+      const double seconds = shown.highest_strain / shown.rate;
+      loading = std::min(loading, seconds);
+      longest = std::max({longest, seconds, shown.time_held});
+    }
+    const bool is_long = longest > 0.99 * long_hold * loading;
     const double e = from_.modulus;
     ViscoelasticFoam law{.first_modulus = e / 4,
                          .first_exponent = 8,
@@ -264,7 +259,7 @@ class Candidates {
                          .first_share = 1,
                          .first_time = loading,
                          .second_share = is_long ? 0.5 : 0.0,
-                         .second_time = is_long ? held->time_held / 10 : 1};
+                         .second_time = is_long ? longest / 3 : 1};
     Fit fit = begin(law);
     const auto seek_one = [&](const char* key, double lowest, double highest, double start) {
       seek(fit, std::string("pad.parameters.") + key, lowest, highest, start);
@@ -274,12 +269,12 @@ class Candidates {
     seek_one("second_modulus", e / 1e5, e, law.second_modulus);
     seek_one("second_exponent", -3, -0.1, law.second_exponent);
     seek_one("first_share", 0, 50, law.first_share);
-    seek_one("first_time", loading / 50, is_long ? 5 * loading : 2 * held->time_held, law.first_time);
+    seek_one("first_time", loading / 50, is_long ? 10 * loading : 2 * longest, law.first_time);
     if (is_long) {
       seek_one("second_share", 0, 50, law.second_share);
-      seek_one("second_time", 5 * loading, 2 * held->time_held, law.second_time);
+      seek_one("second_time", 10 * loading, 5 * longest, law.second_time);
     }
-    add("hyperfoam", "by relaxation", std::move(fit));
+    add("hyperfoam", "by relaxation", std::move(fit), if_others_miss);
   }
 
  private:
@@ -310,6 +305,7 @@ class Candidates {
     }
     const bool has_rate = seek_rate(tests_.evidence, with_slope, law);
     Fit fit = begin(std::move(law));
+    if (std::holds_alternative<TableCurve>(base.curve)) fit.tests[from_.slowest].is_base = true;
     base.seek(fit, from_);
     if (crushable) {
       seek(fit, "pad.parameters.unloading_modulus", modulus, 1e3 * modulus, 2 * modulus);
@@ -325,10 +321,11 @@ class Candidates {
     add(base.name, !has_rate ? "none" : with_slope ? "power with slope" : "power", std::move(fit));
   }
 
-  void add(std::string base, std::string rate, Fit fit) {
-    if (!fit.unknowns.empty() && violations(fit).empty())
-      into_.candidates.push_back(
-          {name_of(fit.base.pad.material.law), std::move(base), std::move(rate), std::move(fit)});
+  void add(std::string base, std::string rate, Fit fit, std::string if_others_miss = "") {
+    if (fit.unknowns.empty() || !violations(fit).empty()) return;
+    std::string law = name_of(fit.base.pad.material.law);
+    into_.candidates.push_back(
+        {std::move(law), std::move(base), std::move(rate), std::move(fit), std::move(if_others_miss)});
   }
 
   ReadTests& tests_;
@@ -339,6 +336,22 @@ class Candidates {
 
 }  // namespace
 
+std::vector<std::size_t> sizes_by_rate(const std::vector<Evidence>& tests) {
+  std::vector<double> rates;
+  for (const Evidence& shown : tests) rates.push_back(shown.rate);
+  std::ranges::sort(rates);
+  std::vector<std::size_t> sizes;
+  double first = 0;
+  for (const double rate : rates) {
+    if (sizes.empty() || rate >= one_rate * first) {
+      sizes.push_back(0);
+      first = rate;
+    }
+    ++sizes.back();
+  }
+  return sizes;
+}
+
 Proposal proposal_for(ReadTests tests, std::vector<input::Fault>& faults) {
   Proposal proposal;
   std::vector<std::string> remarks;
@@ -346,31 +359,36 @@ Proposal proposal_for(ReadTests tests, std::vector<input::Fault>& faults) {
   if (!from) return proposal;
   Candidates candidates(tests, *from, proposal);
   std::vector<std::string>& reasons = proposal.reasons;
+  const std::size_t rates = sizes_by_rate(tests.evidence).size();
+  const BaseChoice base = base_for(tests.evidence, *from);
+  reasons.push_back(words_on_law(tests.evidence));
   const auto held = std::ranges::find_if(tests.evidence, is_held);
-  if (held != tests.evidence.end()) {
+  const bool shows_relaxation = rates > 1 && std::ranges::any_of(tests.evidence, has_way_back);
+  if (held != tests.evidence.end())
     reasons.push_back(
-        fmt::format("Law: viscoelastic-foam, since {} holds the strain while the stress falls by {}: the "
-                    "times of that fall are its unknowns, beside a hyperfoam curve.",
+        fmt::format("{} holds the strain while the stress falls by {}, so viscoelastic-foam was tried too: a "
+                    "hyperfoam curve that relaxes.",
                     held->file, percent(*held->lost_held)));
-    candidates.add_viscoelastic();
-  } else {
-    const BaseChoice base = base_for(tests.evidence, *from);
-    reasons.push_back(words_on_law(tests.evidence));
-    reasons.push_back(base.reason);
-    const std::size_t rates = count_rates(tests.evidence);
-    if (rates > 1)
-      reasons.push_back(
-          fmt::format("Rate: {} rates from {} to {} 1/s, so the exponent of a power of the rate is "
-                      "sought, alone and with a slope over the strain.",
-                      rates, brief(std::ranges::min(tests.evidence, {}, &Evidence::rate).rate, 3),
-                      brief(std::ranges::max(tests.evidence, {}, &Evidence::rate).rate, 3)));
-    std::size_t points = 0;
-    for (const Evidence& shown : tests.evidence) points += shown.loading_points;
-    if (base.is_table)
-      candidates.add_foams({{"table", from->table}});
-    else if (points >= fewest_points)
-      candidates.add_foams(formulas(*from));
-  }
+  reasons.push_back(base.reason);
+  if (rates > 1)
+    reasons.push_back(
+        fmt::format("Rate: {} rates from {} to {} 1/s, so the exponent of a power of the rate is "
+                    "sought, alone and with a slope over the strain.",
+                    rates, brief(std::ranges::min(tests.evidence, {}, &Evidence::rate).rate, 3),
+                    brief(std::ranges::max(tests.evidence, {}, &Evidence::rate).rate, 3)));
+  std::size_t points = 0;
+  for (const Evidence& shown : tests.evidence) points += shown.loading_points;
+  if (base.is_table)
+    candidates.add_foams({{"table", from->table}});
+  else if (points >= fewest_points)
+    candidates.add_foams(formulas(*from));
+  if (held != tests.evidence.end())
+    candidates.add_viscoelastic("");
+  else if (shows_relaxation)
+    candidates.add_viscoelastic(
+        "Foams miss these ways back at several rates, so viscoelastic-foam was tried too: a hyperfoam curve "
+        "that "
+        "relaxes.");
   for (std::string& remark : remarks) reasons.push_back("REMARK: " + std::move(remark));
   if (proposal.candidates.empty())
     faults.push_back(

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
 #include "input/material_deck/test_parts.hpp"
 #include "quantities/text.hpp"
@@ -16,7 +17,9 @@ namespace dashpad::fit {
 
 namespace {
 
-constexpr double lost_all = 0.01;  ///< of the largest stress: the foam no longer presses
+constexpr double min_rise = 1.05;      ///< of the stress from the beginning on
+constexpr double noisy_strain = 0.05;  ///< share of the points of a loading that go back
+constexpr double lost_all = 0.01;      ///< of the largest stress: the foam no longer presses
 
 /// The energy along points, per volume, J/m3.
 double work_along(const MaterialMeasurement& test, const std::vector<std::size_t>& points) {
@@ -25,6 +28,11 @@ double work_along(const MaterialMeasurement& test, const std::vector<std::size_t
     work += (test.stress[points[i]] + test.stress[points[i - 1]]) / 2 *
             (test.strain[points[i]] - test.strain[points[i - 1]]);
   return work;
+}
+
+/// The stress a tenth of the points into the loading, Pa.
+double stress_at_beginning(const MaterialMeasurement& test, const input::TestParts& parts) {
+  return test.stress[parts.loading[parts.loading.size() / 10]];
 }
 
 input::DeckCurve curve_of(const MaterialMeasurement& test) {
@@ -94,9 +102,38 @@ std::vector<TestSource> sources_in(const std::filesystem::path& file, std::optio
           {file.string(), 0, "", "",
            "its strain rate is not stated and it has no times; give --rate \"0.01 1/s\", one for "
            "each file in their order, or name the column of times with --time"});
+    if (!source.rate && source.columns.time.empty()) source.rate = 1;  // to find the other faults
     sources.push_back(std::move(source));
   }
   return sources;
+}
+
+/// The stress of a loading near a strain, Pa.
+double stress_near(const MaterialMeasurement& test, double strain) {
+  const auto reached = std::ranges::find_if(test.strain, [&](double each) { return each >= strain; });
+  return reached == test.strain.end() ? no_value
+                                      : test.stress[static_cast<std::size_t>(reached - test.strain.begin())];
+}
+
+/// Faults of tests that are far softer than slower ones: no foam is so, but files in another order than their
+/// rates are.
+void judge_order(const ReadTests& tests, std::vector<input::Fault>& faults) {
+  constexpr double far_softer = 0.8;
+  for (std::size_t i = 0; i < tests.evidence.size(); ++i)
+    for (std::size_t j = 0; j < tests.evidence.size(); ++j) {
+      const Evidence &fast = tests.evidence[i], &slow = tests.evidence[j];
+      if (fast.rate < 2 * slow.rate) continue;
+      const double strain = std::min(fast.highest_strain, slow.highest_strain) / 2;
+      const double ratio =
+          stress_near(tests.measurements[i], strain) / stress_near(tests.measurements[j], strain);
+      if (!(ratio < far_softer)) continue;
+      faults.push_back(
+          {tests.sources[i].file.string(), 0, "", "",
+           fmt::format(
+               "at a strain of {:.2g} its stress is {:.2g} times that in {}, although its rate is higher "
+               "({:.3g} and {:.3g} 1/s): are the rates in the order of the files, and the foams the same?",
+               strain, ratio, slow.file, fast.rate, slow.rate)});
+    }
 }
 
 }  // namespace
@@ -105,10 +142,14 @@ ReadTests read_tests(const std::vector<std::filesystem::path>& files, std::span<
                      const input::StressStrainColumns& wanted, std::vector<input::Fault>& faults) {
   ReadTests tests;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::size_t before = faults.size();
     const std::optional<double> rate = i < rates.size() ? std::optional{rates[i]} : std::nullopt;
     std::vector<TestSource> sources = sources_in(files[i], rate, wanted, faults);
-    if (faults.size() > before) continue;
+    const auto is_same = [&](const std::filesystem::path& other) {
+      std::error_code ignored;
+      return std::filesystem::equivalent(files[i], other, ignored);
+    };
+    if (std::any_of(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), is_same))
+      faults.push_back({files[i].string(), 0, "", "", "is given twice; one test counts once"});
     const std::string name = input::to_utf8(files[i].filename().string());
     for (TestSource& source : sources) {
       auto test =
@@ -120,17 +161,26 @@ ReadTests read_tests(const std::vector<std::filesystem::path>& files, std::span<
       if (!(shown.rate > 0))
         faults.push_back(
             {files[i].string(), 0, "", "", "no loading from a smaller to a larger strain was found"});
+      else if (shown.largest_stress <= min_rise * stress_at_beginning(*test, parts))
+        faults.push_back({files[i].string(), 0, "", "",
+                          "its stress hardly rises with the strain: that is no compression test"});
       else if (shown.lost_held && source.columns.time.empty())
         faults.push_back(
             {files[i].string(), 0, "", "",
              fmt::format("the strain is held while the stress falls by {:.2g} %: that needs the times; name "
                          "their column with --time, or cut off the hold",
                          100 * *shown.lost_held)});
+      if (static_cast<double>(parts.noisy) > noisy_strain * static_cast<double>(parts.loading.size()))
+        test->remarks.push_back(fmt::format(
+            "the strain goes back at {} of {} points of the loading, and the fit follows it, which hides "
+            "hysteresis and holds; smooth the strains first",
+            parts.noisy, parts.loading.size()));
       tests.evidence.push_back(std::move(shown));
       tests.measurements.push_back(*std::move(test));
       tests.sources.push_back(std::move(source));
     }
   }
+  if (faults.empty()) judge_order(tests, faults);
   return tests;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -20,7 +19,34 @@ constexpr double full_strain = 0.75;  ///< up to which a test should go
 constexpr std::size_t fewest_samples = 3;
 constexpr double poor = 0.03;  ///< misfit, share of the largest stress
 
+std::string words_on_misfit(double misfit) {
+  return fmt::format(
+      "it misses the tests by {} % of their largest stress. dashpad material import takes the measured "
+      "loadings as they are, a curve for each rate.",
+      brief(100 * misfit, 2));
+}
+
 }  // namespace
+
+std::vector<std::string> doubts_of(const AutoFit& result) {
+  std::vector<std::string> doubts;
+  if (const auto misfit = result.tried[result.chosen].misfit; misfit && *misfit > poor)
+    doubts.push_back("The law does not fit the tests well: " + words_on_misfit(*misfit));
+  const std::vector<MaterialMeasurement>& tests = result.candidate().fit.tests;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    if (result.proposal.tests[i].has_cycles)
+      doubts.push_back(tests[i].file + " was loaded several times; the one curve lies between the cycles.");
+    for (const std::string& remark : tests[i].remarks)
+      if (remark.find("subtract") != std::string::npos || remark.find("goes back at") != std::string::npos)
+        doubts.push_back(tests[i].file + ": " + remark + ".");
+    if (tests[i].is_base)
+      doubts.push_back(
+          fmt::format("The base curve is the loading in {} as measured: no interval contains its noise, or "
+                      "that other samples differ.",
+                      tests[i].file));
+  }
+  return doubts;
+}
 
 void say_what_is_open(AutoFit& result) {
   const std::vector<Evidence>& tests = result.proposal.tests;
@@ -36,12 +62,7 @@ void say_what_is_open(AutoFit& result) {
                                [&](const Evidence& shown) { return shown.returned && shown.rate >= rate; });
   };
   std::vector<std::string>&open = result.open, &next = result.next;
-  if (how.misfit && *how.misfit > poor)
-    open.push_back(
-        fmt::format("The law itself: it misses the tests by {} % of their largest stress. dashpad material "
-                    "import takes the "
-                    "measured loadings as they are, a curve for each rate.",
-                    brief(100 * *how.misfit, 2)));
+  if (how.misfit && *how.misfit > poor) open.push_back("The law itself: " + words_on_misfit(*how.misfit));
   if (!recovers && std::holds_alternative<CrushableFoam>(law) &&
       std::ranges::none_of(tests, &Evidence::has_cycles)) {
     open.emplace_back("Whether it stays crushed or recovers before the next blow: no test loads it again.");
@@ -69,8 +90,8 @@ void say_what_is_open(AutoFit& result) {
         "[[impacts]].");
   if (!has_rates && std::holds_alternative<ViscoelasticFoam>(law)) {
     open.push_back(
-        "Relaxation within milliseconds, which is that of an impact: it is faster than the loading of the "
-        "test.");
+        "Relaxation within milliseconds, which is that of an impact, as it is faster than the loading of the "
+        "tests, and relaxation that takes longer than they do.");
   } else if (!has_rates) {
     open.push_back(fmt::format(
         "The rate: all tests are at about {} 1/s. An impact at 5 m/s strains a pad of 50 mm at 100 1/s; with "
@@ -94,9 +115,7 @@ void say_what_is_open(AutoFit& result) {
   if (highest_strain < full_strain)
     next.push_back(
         fmt::format("A test to a strain of 0.8 or more; these end at {}.", brief(highest_strain, 3)));
-  std::map<long, std::size_t> samples;  // by the rate, as a power of the factor within which it is one
-  for (const Evidence& shown : tests) ++samples[std::lround(std::log(shown.rate) / std::log(one_rate))];
-  if (std::ranges::all_of(samples, [](const auto& group) { return group.second < fewest_samples; })) {
+  if (std::ranges::max(sizes_by_rate(tests)) < fewest_samples) {
     open.emplace_back(
         "The scatter among samples: there are not three tests at any rate, so no interval contains it.");
     next.emplace_back("The slow test on three samples of different lots; give their scatter to the card.");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "fit/proposal/candidates.hpp"
 #include "fit/proposal/open_matters.hpp"
 
@@ -58,6 +59,7 @@ bool is_better(const Tried& first, const Tried& second, const FitReport& of_seco
   if (!second.misfit || !first.misfit) return second.misfit.has_value();
   if (is_variant(first, second))
     return *second.misfit < worth_a_slope * *first.misfit && has_clear_slope(of_second);
+  if (second.law != first.law) return *second.misfit < *first.misfit;
   if (second.open < first.open) return *second.misfit <= for_fewer_open * *first.misfit;
   if (second.open > first.open) return for_fewer_open * *second.misfit < *first.misfit;
   return *second.misfit < *first.misfit;
@@ -81,10 +83,16 @@ AutoFit run_proposal(Proposal proposal, const RunOptions& options) {
   std::vector<FitReport> reports;
   RunOptions without_draws = options;
   without_draws.posterior = 0;
+  double least = infinite;
   for (const Candidate& candidate : proposal.candidates) {
+    const bool is_spare = !candidate.if_others_miss.empty();
+    if (is_spare && least <= misfit_of_others) break;
+    if (is_spare) proposal.reasons.push_back(candidate.if_others_miss);
     reports.push_back(run_fit(candidate.fit, without_draws));
     result.tried.push_back(tried(candidate, reports.back()));
+    least = std::min(least, result.tried.back().misfit.value_or(infinite));
   }
+  proposal.candidates.resize(reports.size());
   // A base curve with and without slope first, then the best of each.
   std::vector<std::size_t> of_bases;
   for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -101,6 +109,9 @@ AutoFit run_proposal(Proposal proposal, const RunOptions& options) {
                                         : std::move(reports[result.chosen]);
   result.proposal = std::move(proposal);
   say_what_is_open(result);
+  for (std::vector<std::string>& to = result.report.material.reservations;
+       const std::string& doubt : doubts_of(result))
+    to.push_back(doubt);
   return result;
 }
 

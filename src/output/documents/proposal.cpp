@@ -38,7 +38,7 @@ std::string answer(const fit::AutoFit& result) {
   const fit::Candidate& candidate = result.candidate();
   const fit::Tried& how = result.tried[result.chosen];
   return fmt::format(
-      "Proposed: law {} with {}{}. It misses the tests by {} of their largest stress (root mean "
+      "Proposed: law {} with {}{}. It misses the tests by {} of their largest stress on average (root mean "
       "square); they determine {} of {}.",
       candidate.law, base_words(candidate.base), rate_words(candidate.rate), percent(how.misfit.value_or(0)),
       how.unknowns - how.open, plural(how.unknowns, "unknown"));

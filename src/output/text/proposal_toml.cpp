@@ -18,7 +18,7 @@ std::string unknown_toml(const fit::Unknown& unknown) {
                      value(unknown.lowest), value(unknown.highest), value(unknown.start));
 }
 
-std::string test_toml(const fit::TestSource& source, const std::filesystem::path& folder) {
+std::string test_toml(const fit::TestSource& source, bool is_base, const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::path file = source.file;
   if (file.is_relative())
@@ -37,7 +37,8 @@ std::string test_toml(const fit::TestSource& source, const std::filesystem::path
     if (!unit.empty()) text += toml_line(key, unit);
   if (columns.thickness) text += toml_line("thickness", *columns.thickness, "m");
   if (columns.area) text += toml_line("area", *columns.area, "m2");
-  return text + (source.rate ? toml_line("rate", *source.rate, "1/s") : "");
+  if (source.rate) text += toml_line("rate", *source.rate, "1/s");
+  return text + (is_base ? "is_base = true\n" : "");
 }
 
 /// Without the recoil that nobody stated: it would count as known.
@@ -57,7 +58,8 @@ std::string proposal_toml(const fit::AutoFit& result, const std::filesystem::pat
   text += "\n" + toml_line("title", fit.title) + "\n[pad]\n" + law_toml_of(fit) + "\n[unknowns]\n";
   for (const fit::Unknown& unknown : fit.unknowns)
     if (!unknown.is_added) text += unknown_toml(unknown);
-  for (const fit::TestSource& source : result.proposal.sources) text += test_toml(source, folder);
+  for (std::size_t i = 0; i < fit.tests.size(); ++i)
+    text += test_toml(result.proposal.sources[i], fit.tests[i].is_base, folder);
   return text + fmt::format("\n[fit]\nstarts = {}\nseed = {}\n", fit.starts, fit.seed);
 }
 
