@@ -44,7 +44,8 @@ struct Candidate {
   std::string base;  ///< form of its base curve: "table", "avalle"
   std::string rate;  ///< "none", "power", "power with slope", "by relaxation"
   Fit fit;
-  /// Of one that takes long and is tried only if the others miss by more than misfit_of_others: why.
+  /// Reason to try one that takes long, if the others miss by more than misfit_of_others; empty: always
+  /// tried.
   std::string if_others_miss = {};
 };
 

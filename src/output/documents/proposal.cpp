@@ -33,15 +33,13 @@ std::string base_words(const std::string& base) {
                                         : fmt::format("the formula {} as its base", base);
 }
 
-/// "Proposed: law foam with the measured curve as its base, a power of the rate; ..."
+/// "Proposed: law foam with the measured curve as its base, a power of the rate; it misses the tests by 0.4
+/// %".
 std::string answer(const fit::AutoFit& result) {
   const fit::Candidate& candidate = result.candidate();
-  const fit::Tried& how = result.tried[result.chosen];
-  return fmt::format(
-      "Proposed: law {} with {}{}. It misses the tests by {} of their largest stress on average (root mean "
-      "square); they determine {} of {}.",
-      candidate.law, base_words(candidate.base), rate_words(candidate.rate), percent(how.misfit.value_or(0)),
-      how.unknowns - how.open, plural(how.unknowns, "unknown"));
+  return fmt::format("Proposed: law {} with {}{}; it misses the tests by {}", candidate.law,
+                     base_words(candidate.base), rate_words(candidate.rate),
+                     percent(result.tried[result.chosen].misfit.value_or(0)));
 }
 
 Table table_of_tests(const fit::Proposal& proposal) {
@@ -81,6 +79,10 @@ Document proposal_document(const fit::AutoFit& result, const UnitSystem& units, 
   Document document = fit_document(result.report, units, pictures);
   if (!result.report.converged) return document;
   document.title = document.lead->answer = answer(result);
+  document.summary.insert(
+      document.summary.begin(),
+      "The misfit is the root mean square of model minus measurement over the largest stress of "
+      "each test, on average over the tests.");
   std::vector<std::string> reasons;
   for (const std::string& reason : result.proposal.reasons) reasons.push_back(one_line(reason));
   const std::vector<Section> sections{
