@@ -33,6 +33,14 @@ double area_of(const output::Series& series) {
   return sum;
 }
 
+TEST(FilledMap, LevelsOverDecadesGoByFactors) {
+  EXPECT_EQ(output::round_levels(300, 2e6), (std::vector<double>{100, 1000, 1e4, 1e5, 1e6, 1e7}));
+  EXPECT_EQ(output::round_levels(30, 9000),
+            (std::vector<double>{20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4}));
+  EXPECT_EQ(output::round_levels(1, 5), (std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5}))
+      << "as before";
+}
+
 TEST(FilledMap, LevelsAreRoundAndCoverTheRange) {
   EXPECT_THAT(output::round_levels(0.3, 8.9), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
   EXPECT_THAT(output::round_levels(-12, 31), ElementsAre(-15, -10, -5, 0, 5, 10, 15, 20, 25, 30, 35));

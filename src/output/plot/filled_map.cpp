@@ -140,6 +140,19 @@ std::vector<Edge> taken_from(Neighbours& left, Edge at) {
   return line;
 }
 
+/// 1, 2, 5, 10, ... about values over decades; over more than three only the powers of ten.
+std::vector<double> levels_over_decades(double least, double greatest) {
+  constexpr double many = 1e3;
+  std::vector<double> levels;
+  for (double power = std::pow(10, std::floor(std::log10(least)));; power *= 10)
+    for (const double part : {1.0, 2.0, 5.0}) {
+      if (part > 1 && greatest > many * least) break;
+      if (part * power <= least) levels.clear();
+      levels.push_back(part * power);
+      if (levels.back() >= greatest) return levels;
+    }
+}
+
 }  // namespace
 
 std::vector<double> round_levels(double least, double greatest) {
@@ -147,6 +160,8 @@ std::vector<double> round_levels(double least, double greatest) {
   constexpr double rounding = 1e-9;  // relative difference below which numbers count as equal
   const double range = greatest - least;
   if (!std::isfinite(range) || !(range > rounding * std::max(std::abs(least), std::abs(greatest)))) return {};
+  constexpr double over_decades = 100;
+  if (least > 0 && greatest > over_decades * least) return levels_over_decades(least, greatest);
   const double rough = range / about;
   const double power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;

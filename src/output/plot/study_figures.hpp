@@ -62,7 +62,8 @@ std::optional<GridPlane> grid_plane(const study::StudyAnswers& answers, std::siz
 
 // A value over two axes as areas between round levels, each in its colour.
 
-/// About nine round values that cover the range, in steps of 1, 2 or 5 times a power of ten.
+/// About nine round values that cover the range, in steps of 1, 2 or 5 times a power of ten; of values that
+/// differ by more than a factor of 100, such as HIC up to bottoming, by factors.
 std::vector<double> round_levels(double least, double greatest);
 
 /// "100 to 120 g", and the shade of the class between levels i and i + 1.
