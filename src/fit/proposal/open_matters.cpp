@@ -72,24 +72,24 @@ void say_what_is_open(AutoFit& result) {
     if (!returns_at(0))
       open.emplace_back("The way back: it follows from the relaxation, which no unloading has checked.");
   } else if (!returns_at(0)) {
-    open.push_back(
+    open.emplace_back(
         "The way back: no test unloads, so rebound and loss are unknown; until they are measured, intervals "
         "go from "
         "no loss to all of it.");
   } else if (recovers && !returns_at(of_impacts)) {
-    open.push_back(
+    open.emplace_back(
         "The way back at the rate of an impact: whether the stress that the rate adds is lost or comes back "
         "(recoil, "
         "0 to 1). For vinyl nitrile that is 0.13 or 0.73 of the energy.");
   }
   if (!returns_at(of_impacts))
-    next.push_back(
+    next.emplace_back(
         "A drop of a flat weight or a headform onto the pad at the speed of use, with the whole pulse or at "
         "least peak "
         "and rebound speed: it tells the loss that no slow test does. Add it to the proposed fit as "
         "[[impacts]].");
   if (!has_rates && std::holds_alternative<ViscoelasticFoam>(law)) {
-    open.push_back(
+    open.emplace_back(
         "Relaxation within milliseconds, which is that of an impact, as it is faster than the loading of the "
         "tests, and relaxation that takes longer than they do.");
   } else if (!has_rates) {
@@ -98,14 +98,14 @@ void say_what_is_open(AutoFit& result) {
         "exponents "
         "of 0.03 to 0.2, as among the foams of the cards, its stress is {} to {} times that of the test.",
         brief(fastest, 2), brief(std::pow(100 / fastest, 0.03), 2), brief(std::pow(100 / fastest, 0.2), 2)));
-    next.push_back("Loading at a second rate, a hundred times the first or more, to the same strain.");
+    next.emplace_back("Loading at a second rate, a hundred times the first or more, to the same strain.");
   } else if (fastest < of_impacts) {
-    open.push_back(
+    open.emplace_back(
         fmt::format("Rates above {} 1/s: an impact at 5 m/s strains a pad of 50 mm at 100 1/s, to which the "
                     "power of the rate is "
                     "extrapolated.",
                     brief(fastest, 2)));
-    next.push_back("Loading at 10 1/s or more, or a drop.");
+    next.emplace_back("Loading at 10 1/s or more, or a drop.");
   }
   open.push_back(
       fmt::format("Strains above {}, the highest tested: beyond it the stress is a guess, on which every pad "
@@ -113,7 +113,7 @@ void say_what_is_open(AutoFit& result) {
                   "bottoming depends.",
                   brief(highest_strain, 3)));
   if (highest_strain < full_strain)
-    next.push_back(
+    next.emplace_back(
         fmt::format("A test to a strain of 0.8 or more; these end at {}.", brief(highest_strain, 3)));
   if (std::ranges::max(sizes_by_rate(tests)) < fewest_samples) {
     open.emplace_back(
