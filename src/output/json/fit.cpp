@@ -169,7 +169,7 @@ std::string proposal_json(const fit::AutoFit& result) {
                       {"reasons", result.proposal.reasons},
                       {"left_open", result.open},
                       {"measure_next", result.next}};
-  return result_json_text(std::move(json));
+  return result_json_text(json);
 }
 
 }  // namespace dashpad::output
