@@ -1,30 +1,14 @@
 // dashpad fit --auto: from tests to a proposed fit and its card.
 
-#include <fmt/format.h>
-
 #include "dashpad/fit/proposal.hpp"
 #include "dashpad/output/card_toml.hpp"
 #include "dashpad/output/fit.hpp"
 #include "dashpad/output/proposal.hpp"
 #include "fit/request.hpp"
-#include "progress_line.hpp"
 
 namespace dashpad::app {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-fit::AutoFit run_with_progress(fit::Proposal proposal, std::size_t draws) {
-  ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
-  fit::RunOptions options{.posterior = draws, .stop = &StopSignal::wanted()};
-  options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
-    line.now(fmt::format("{} ({} of {})", what, done, all));
-  };
-  return fit::run_proposal(std::move(proposal), options);
-}
-
-}  // namespace
 
 int fit_automatically(const FitRequest& request) {
   const StopSignal signal;
@@ -45,7 +29,9 @@ int fit_automatically(const FitRequest& request) {
   if (!errors.empty()) throw Refused(std::move(errors));
   fit::AutoFit result;
   try {
-    result = run_with_progress(*std::move(proposal), draws);
+    result = with_progress({.posterior = draws}, [&](const fit::RunOptions& with) {
+      return fit::run_proposal(*std::move(proposal), with);
+    });
   } catch (const fit::Stopped& stop) {
     return stopped(request, stop.kept());
   }

@@ -12,7 +12,6 @@
 #include "dashpad/version.hpp"
 #include "fit/request.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "progress_line.hpp"
 #include "quantities/text.hpp"
 
 namespace dashpad::app {
@@ -90,16 +89,6 @@ std::string fingerprint_of(const std::vector<input::InputFile>& files) {
   return fingerprint(texts);
 }
 
-/// Runs the fit with a progress line. Throws fit::Stopped.
-fit::FitReport run_with_progress(const fit::Fit& fit, fit::RunOptions options) {
-  ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
-  options.stop = &StopSignal::wanted();
-  options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
-    line.now(fmt::format("{} ({} of {})", what, done, all));
-  };
-  return fit::run_fit(fit, options);
-}
-
 /// Checks --state, which unlike the results may exist, since it is read.
 void judge_state(const FitRequest& request, const std::vector<Target>& targets,
                  const std::vector<input::InputFile>& inputs, const fit::Fit& fit,
@@ -166,7 +155,8 @@ int fit_material(const FitRequest& request) {
   if (!errors.empty()) throw Refused(std::move(errors));
   fit::FitReport report;
   try {
-    report = run_with_progress(input->fit, options);
+    report =
+        with_progress(options, [&](const fit::RunOptions& with) { return fit::run_fit(input->fit, with); });
   } catch (const fit::Stopped& stop) {
     return stopped(request, stop.kept());
   }

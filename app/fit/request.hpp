@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "dashpad/fit/report.hpp"
 #include "output_files.hpp"
+#include "progress_line.hpp"
 #include "test_columns.hpp"
 
 namespace dashpad::app {
@@ -31,6 +34,17 @@ std::string written_words(const FitRequest& request, const std::vector<Target>& 
                           const fit::FitReport& report);
 /// Tells what a stopped fit left; returns its exit code.
 int stopped(const FitRequest& request, std::size_t kept);
+
+/// Calls `run` with the options, a progress line and a way to be stopped. Throws fit::Stopped.
+template <class Run>
+auto with_progress(fit::RunOptions options, const Run& run) {
+  ProgressLine line{"Fitting", ProgressLine::Elsewhere::lines};
+  options.stop = &StopSignal::wanted();
+  options.progress = [&line](const char* what, std::size_t done, std::size_t all) {
+    line.now(fmt::format("{} ({} of {})", what, done, all));
+  };
+  return run(options);
+}
 
 /// `dashpad fit --auto`.
 int fit_automatically(const FitRequest& request);

@@ -53,11 +53,10 @@ inline constexpr double misfit_of_others = 0.02;
 
 /// The fits that tests allow.
 struct Proposal {
-  std::vector<TestSource> sources;      ///< in the order of the tests in each fit
-  std::vector<Evidence> tests;          ///< likewise
-  std::vector<std::string> reasons;     ///< for law, base curve and unknowns, a sentence each
-  std::vector<Candidate> candidates;    ///< at least one; those that may be left out come last
-  std::vector<input::InputFile> files;  ///< files that were read
+  std::vector<TestSource> sources;    ///< in the order of the tests in each fit
+  std::vector<Evidence> tests;        ///< likewise
+  std::vector<std::string> reasons;   ///< for law, base curve and unknowns, a sentence each
+  std::vector<Candidate> candidates;  ///< at least one; those that may be left out come last
 };
 
 /// Reads the tests and proposes fits to them. `rates`, 1/s, are those of the files in their order and may be

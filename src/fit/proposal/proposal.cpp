@@ -73,7 +73,6 @@ input::Reading<Proposal> propose(const std::vector<std::filesystem::path>& files
   ReadTests tests = read_tests(files, rates, wanted, faults);
   if (!faults.empty()) return faults;
   Proposal proposal = proposal_for(std::move(tests), faults);
-  for (const std::filesystem::path& file : files) proposal.files.push_back({"the measurements", file});
   if (!faults.empty()) return faults;
   return proposal;
 }
