@@ -74,6 +74,11 @@ class Search {
     return largest;
   }
 
+  /// Whether a parabola that sags by `room` below its chord comes down to zero between two heights above it.
+  static bool may_reach_zero(double from, double to, double room) {
+    const double roots = std::sqrt(from) + std::sqrt(to);
+    return 4 * room > roots * roots;
+  }
   /// Whether the worst curve may leave its side and come back between two neighbours of the same side.
   [[nodiscard]] bool may_hide_two(std::size_t left) const {
     const Look &a = result_.looks[left], &b = result_.looks[left + 1];
@@ -91,8 +96,8 @@ class Search {
         continue;
       }
       const double room = settings_.caution * bend(left, curve) * length * length / 4;
-      if (side == Side::kept && std::max(from, to) + room > 0) return true;
-      all_may_be_kept = all_may_be_kept && std::min(from, to) - room < 0;
+      if (side == Side::kept && may_reach_zero(-from, -to, room)) return true;
+      all_may_be_kept = all_may_be_kept && (from <= 0 || to <= 0 || may_reach_zero(from, to, room));
     }
     return side == Side::exceeded && all_may_be_kept;
   }

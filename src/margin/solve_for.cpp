@@ -2,12 +2,16 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
+
+#include <boost/math/tools/roots.hpp>
 
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "margin/crossings.hpp"
 #include "margin/evaluation.hpp"
+#include "margin/sampled_curve.hpp"
 
 namespace dashpad::margin {
 
@@ -105,6 +109,11 @@ class Solving {
     return answer_.question.chance.has_value() ||
            std::ranges::find(with_interval_, place.value) != with_interval_.end();
   }
+  [[nodiscard]] bool knows_interval_at(double value) const {
+    return std::ranges::any_of(answer_.places, [&](const Place& place) {
+      return std::abs(place.value - value) <= end_precision * std::abs(value) && has_interval(place);
+    });
+  }
   void tell() const {
     // The first looks, at the ends of the range, are no measure of the others.
     constexpr double first_looks = 12;
@@ -121,7 +130,7 @@ class Solving {
                                                      .max_looks = 40,
                                                      .precision = 1e-3,
                                                      .shortest = 1.0 / 150,
-                                                     .caution = 4}
+                                                     .caution = 8}
                                     : SearchSettings{.grid = 20, .max_looks = 90};
     settings.noise =
         study_of(answer_.question, answer_.question.impacts.front(), {range_.low}).options.tolerance;
@@ -149,31 +158,26 @@ class Solving {
     }
   }
 
-  /// The curve at a value: of the excess itself by a straight line between the places looked at, the ends of
+  /// The curve at a place from 0 to 1: of the excess itself between all places looked at, the ends of
   /// intervals from it by their distance, which changes less.
-  [[nodiscard]] double curve_at(Which which, double value) const {
-    const double excess = on_line(answer_.places, value, [](const Place& place) { return place.excess; });
-    if (which == Which::excess || !std::isfinite(excess)) return excess;
-    std::vector<Place> ends;
-    for (const Place& place : answer_.places)
-      if (has_interval(place) && std::isfinite(place.excess)) ends.push_back(place);
-    if (ends.empty()) return excess;
-    return excess + on_line(ends, value, [which](const Place& place) {
-             return (which == Which::high ? place.high : place.low) - place.excess;
-           });
-  }
-  template <class Height>
-  [[nodiscard]] double on_line(const std::vector<Place>& sorted, double value, Height height_of) const {
-    const auto after = std::ranges::lower_bound(sorted, value, {}, &Place::value);
-    if (after == sorted.end()) return height_of(sorted.back());
-    if (after == sorted.begin() || after->value == value) return height_of(*after);
-    const auto before = std::prev(after);
-    const double from = range_.place_of(before->value), to = range_.place_of(after->value);
-    const double share = (range_.place_of(value) - from) / (to - from);
-    const double at_before = height_of(*before), at_after = height_of(*after);
-    if (std::isfinite(at_before) && std::isfinite(at_after)) return std::lerp(at_before, at_after, share);
-    return share < 0.5 ? at_before : at_after;
-  }
+  class Curve {
+   public:
+    Curve(const Solving& solving, Which which) {
+      for (const Place& place : solving.answer_.places) {
+        const double at = solving.range_.place_of(place.value);
+        excess_.push_back({at, place.excess});
+        if (which != Which::excess && solving.has_interval(place) && std::isfinite(place.excess))
+          distance_.push_back({at, (which == Which::high ? place.high : place.low) - place.excess});
+      }
+    }
+    [[nodiscard]] double operator()(double place) const {
+      const double excess = height_at(excess_, place);
+      return distance_.empty() || !std::isfinite(excess) ? excess : excess + height_at(distance_, place);
+    }
+
+   private:
+    std::vector<Point> excess_, distance_;
+  };
 
   struct End {
     double value;
@@ -183,34 +187,34 @@ class Solving {
   /// tells how far: halfway, or, if that is to be the `last` word, where it is finite.
   [[nodiscard]] std::vector<End> ends_of(Which which, bool last) const {
     const std::vector<Place>& places = answer_.places;
+    const Curve curve(*this, which);
     std::vector<End> ends;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      const double from = curve_at(which, places[i].value);
-      const double to = curve_at(which, places[i + 1].value);
+      double a = range_.place_of(places[i].value), b = range_.place_of(places[i + 1].value);
+      const double from = curve(a), to = curve(b);
       if (std::isnan(from) || std::isnan(to) || (from > 0) == (to > 0)) continue;
-      const double a = range_.place_of(places[i].value), b = range_.place_of(places[i + 1].value);
-      double share = from / (from - to);
-      if (!std::isfinite(from) || !std::isfinite(to)) share = !last ? 0.5 : std::isfinite(to) ? 1 : 0;
-      ends.push_back({range_.value_at(std::lerp(a, b, share)), to > from});
+      if (std::isfinite(from) && std::isfinite(to)) {
+        std::uintmax_t most = 60;
+        std::tie(a, b) =
+            boost::math::tools::bisect([&](double place) { return curve(place) > 0 ? 1.0 : -1.0; }, a, b,
+                                       [](double low, double high) { return high - low < 1e-9; }, most);
+      } else if (last) {
+        (std::isfinite(to) ? a : b) = std::isfinite(to) ? b : a;
+      }
+      ends.push_back({range_.value_at((a + b) / 2), to > from});
     }
     return ends;
   }
   /// The same, each looked at until it stays in its place.
   std::vector<End> settled_ends(Which which) {
-    std::vector<End> ends = ends_of(which, false);
     const int moves = !answer_.question.chance && impacts_.solved() > enough_impacts ? 2 : max_moves;
     for (int move = 0; move < moves; ++move) {
+      std::vector<End> ends = ends_of(which, false);
+      std::erase_if(ends, [this](const End& end) { return knows_interval_at(end.value); });
+      if (ends.empty()) break;
       for (const End& end : ends) look(end.value, true);
-      const std::vector<End> next = ends_of(which, false);
-      const bool is_settled = std::ranges::all_of(next, [&](const End& end) {
-        return std::ranges::any_of(ends, [&](const End& before) {
-          return std::abs(end.value - before.value) <= end_precision * std::abs(end.value);
-        });
-      });
-      ends = next;
-      if (is_settled) break;
     }
-    ends = ends_of(which, true);
+    std::vector<End> ends = ends_of(which, true);
     // What is certain begins where it is found to be, and not as much before it as an end is known.
     if (which == Which::high && !answer_.question.chance)
       for (End& end : ends) end.value *= end.rises == (end.value > 0) ? 1 - end_precision : 1 + end_precision;
@@ -225,7 +229,9 @@ class Solving {
         if (std::abs(place.excess) < far_from_limit) values.push_back(place.value);
       const std::size_t count = std::min(values.size(), spread_looks);
       for (std::size_t i = 0; i < count; ++i)
-        look(values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)], true);
+        if (const double value = values[count == 1 ? 0 : i * (values.size() - 1) / (count - 1)];
+            !knows_interval_at(value))
+          look(value, true);
     }
     high_ends_ = settled_ends(Which::high);
     low_ends_ = settled_ends(Which::low);
@@ -258,13 +264,12 @@ class Solving {
     for (const std::vector<End>* ends : {&high_ends_, &low_ends_})
       for (const End& end : *ends) bounds.push_back(range_.place_of(end.value));
     std::ranges::sort(bounds);
+    const Curve low(*this, Which::low), high(*this, Which::high);
     bool has_looked = false;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
-      const double middle = range_.value_at((bounds[i] + bounds[i + 1]) / 2);
-      if (bounds[i + 1] - bounds[i] < long_stretch ||
-          zone_at(middle, Which::low, Which::high) != Zone::undecided)
-        continue;
-      look(middle, true);
+      const double middle = (bounds[i] + bounds[i + 1]) / 2;
+      if (bounds[i + 1] - bounds[i] < long_stretch || zone_at(middle, low, high) != Zone::undecided) continue;
+      look(range_.value_at(middle), true);
       has_looked = true;
     }
     return has_looked;
@@ -293,24 +298,21 @@ class Solving {
       bounds.push_back(range_.value_at(gap.to));
     }
     std::ranges::sort(bounds);
+    const Curve low_end(*this, low), high_end(*this, high);
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
       const double from = bounds[i], to = bounds[i + 1];
       if (!(to - from > 1e-9 * std::abs(to))) continue;
-      const double middle = range_.value_at((range_.place_of(from) + range_.place_of(to)) / 2);
-      const Zone zone = zone_at(middle, low, high);
+      const Zone zone = zone_at((range_.place_of(from) + range_.place_of(to)) / 2, low_end, high_end);
       if (!stretches.empty() && stretches.back().zone == zone)
         stretches.back().to = to;
       else
         stretches.push_back({from, to, zone});
     }
   }
-  [[nodiscard]] Zone zone_at(double value, Which low_end, Which high_end) const {
-    const double place = range_.place_of(value);
+  [[nodiscard]] Zone zone_at(double place, const Curve& low_end, const Curve& high_end) const {
     if (std::ranges::any_of(gaps_, [&](const Gap& gap) { return place > gap.from && place < gap.to; }))
       return Zone::unknown;
-    // Next to an infinite excess a line has no height: the side of that place counts.
-    const double high = curve_at(high_end, value);
-    const double low = curve_at(low_end, value);
+    const double high = high_end(place), low = low_end(place);
     if (std::isnan(high) || std::isnan(low)) return Zone::fail;
     return high <= 0 ? Zone::pass : low > 0 ? Zone::fail : Zone::undecided;
   }
