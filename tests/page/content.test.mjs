@@ -45,7 +45,7 @@ async function check(file, plots = all) {
   return page;
 }
 
-test("the example of the README", async () => {
+test("the example of the report", async () => {
   const page = await check(report(example("dashboard-20mph")));
   assert.equal(await page.title(), "Peak 129 g, HIC15 1662 - Dashpad");
   assert.match(await words(page.locator("h1")), /^Peak 129 g, HIC15 1/);
