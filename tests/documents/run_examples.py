@@ -7,7 +7,8 @@ Each document has a scratch folder with a copy of examples/, in which its blocks
 - ```toml NAME (or any language): the block is a file that the reader writes; it is written under that name.
 - ```console: lines with "$ dashpad ..." are run, by a shell, and the lines below must be printed, one below the other, on
   standard output or standard error. A line "..." stands for any number of lines; without it at the beginning or the end,
-  the output begins and ends there. A command ends with exit code 0, or 3 or 4 for a verdict that is no pass.
+  the output begins and ends there. A command ends with exit code 0, with 3 or 4 for a verdict that is no pass, or with 2 if
+  the last line shown counts errors.
 - "$ ./do run" is `dashpad run` of the case that it solves. Other commands are not run.
 """
 
@@ -21,6 +22,7 @@ import sys
 import tempfile
 
 FENCE = re.compile(r"^(```|~~~)\s*(\S*)\s*(\S*)\s*$")
+ERRORS = re.compile(r"^\d+ errors?\b")
 FIRST_CASE = "examples/helmet-pad-10fps.toml"
 FIRST_LINE = "Building the command ..."
 
@@ -102,9 +104,11 @@ def faults_of(document, command, root):
                 count += 1
                 place = f"{document.relative_to(root)}:{number}: {typed}"
                 printed = trimmed([line.rstrip() for line in done.stdout.splitlines()])
-                if done.returncode not in (0, 3, 4):
+                shown = trimmed(shown)
+                right = (2,) if shown and ERRORS.match(shown[-1]) else (0, 3, 4)
+                if done.returncode not in right:
                     yield f"{place}\n  exit code {done.returncode}\n{done.stdout}"
-                elif (missing := missing_from(printed, trimmed(shown))) is not None:
+                elif (missing := missing_from(printed, shown)) is not None:
                     yield f"{place}\n  shown, not printed there: {missing}\n  printed:\n" + done.stdout
         if count == 0:
             yield f"{document.relative_to(root)}: no command that can be run"

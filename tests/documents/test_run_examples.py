@@ -44,7 +44,7 @@ class Documents(unittest.TestCase):
             (root / "examples").mkdir()
             (root / "page.md").write_text(textwrap.dedent(text), encoding="utf-8")
             command = root / "command"
-            command.write_text('#!/bin/sh\n[ "$1" = fail ] && exit 2\n[ -f "$1" ] && exec cat "$1"\necho "$@"\n')
+            command.write_text('#!/bin/sh\n[ "$1" = fail ] && echo "1 error" && exit 2\n[ -f "$1" ] && exec cat "$1"\necho "$@"\n')
             command.chmod(0o755)
             program = pathlib.Path(__file__).with_name("run_examples.py")
             done = subprocess.run([sys.executable, program, command, root, "page.md"], capture_output=True, text=True,
@@ -70,7 +70,9 @@ class Documents(unittest.TestCase):
         code, out = self.outcome_of("```console\n$ dashpad one\ntwo\n```\n")
         self.assertEqual(code, 1)
         self.assertIn("page.md:2: dashpad one\n  shown, not printed there: two", out)
-        self.assertEqual(self.outcome_of("```console\n$ dashpad fail\n```\n")[0], 1)
+        self.assertIn("exit code 2", self.outcome_of("```console\n$ dashpad fail\n...\n```\n")[1])
+        self.assertIn("exit code 0", self.outcome_of("```console\n$ dashpad\n1 error\n```\n")[1])
+        self.assertEqual(self.outcome_of("```console\n$ dashpad fail\n1 error\n```\n")[0], 0)
         self.assertEqual(self.outcome_of("no command\n")[0], 1)
 
 
