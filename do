@@ -26,7 +26,7 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines that they cover
   fuzz [TARGET] [SECONDS]  fuzz the file readers, each for SECONDS (default: 300), or only TARGET
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
-  wasm                     compile the solver, the injury metrics and the text readers for WebAssembly, and solve a case
+  wasm                     compile the engine of the live page for WebAssembly: build/wasm/engine.wasm.gz
                            there
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, WebAssembly, the
@@ -323,23 +323,27 @@ task_fuzz() {
   done
 }
 
-# Sources of the libraries impact, result, injury, case and files that can be compiled without a disk, a line a batch:
-# the headers are most of the time of a source.
+# Sources of the engine of the live page, a line a batch: the headers are most of the time of a source. The first word is
+# the optimisation.
 wasm_batches() {
   local left_out=(
-    input/disk.cpp                 # the disk itself: whoever hands out texts has functions of their own
-    input/iso_mme/archive.cpp      # libarchive
-    input/iso_mme/folder.cpp       # a test is a folder or an archive
-    input/iso_mme/iso_mme.cpp      # looks for that folder
-    input/iso_mme/test_files.cpp   # lists it
+    input/disk.cpp                   # the disk itself: web/engine/host.cpp has functions of its own
+    'input/iso_mme/\(archive\|folder\|iso_mme\|test_files\).cpp'  # a test is a folder or an archive
+    'input/material_deck/.*'         # files that no page reads
+    'study/\(answers\|answers_of_store\|ranking\|run_study\|sqlite\|store.*\|study_.*\|turning_level\).cpp'
+    laboratory/creep.cpp             # tests of hours
+    margin/draws.cpp                 # no page asks for a probability
+    output/svg/rendered.cpp          # librsvg
+    'output/.*/\(study_[^w].*\|fit\|fall_height\|sensitivity\|proposal\|pulse\|material\|post_impact\|filled\|test_plan\).*'
+    'output/\(csv\|deck\)/.*'
   )
   # These include themselves once for each instruction set.
   local alone=(model/contact/sweep.cpp model/contact/foam_nodes.cpp)
-  printf '%s\n' "${alone[@]}"
-  (cd "$root/src" && find quantities model impact result injury case json input -name '*.cpp' | sort) |
-    grep -vxF "$(printf '%s\n' "${left_out[@]}" "${alone[@]}")" |
+  printf -- '-O2 %s\n' "${alone[@]}"
+  (cd "$root/src" && find quantities model impact result injury case json input laboratory uncertainty study margin output live \
+    -name '*.cpp' | sort) | grep -vx "$(printf '%s\n' "${left_out[@]}" "${alone[@]}")" |
     awk '{ folder = $0; sub("/[^/]*$", "", folder)
-           printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") : " ", $0
+           printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") (folder ~ "^(model|impact)" ? "-O2 " : "-Oz ") : " ", $0
            n = folder != last ? 1 : n + 1
            last = folder }
          END { print "" }'
@@ -349,7 +353,7 @@ wasm_batches() {
 # Highway 1.0.3 has no lanes of doubles for WebAssembly.
 task_wasm() {
   need_packages wasm
-  local folder="$root/build/wasm" batch source name objects="" place=0
+  local folder="$root/build/wasm" optimisation batch source name objects="" place=0
   mkdir -p "$folder/headers" "$folder/batches"
   # Not /usr/include itself: it has the C library of this system.
   [[ -f "$folder/headers.hpp" ]] ||  # a file that is new is compiled, and all that include it
@@ -358,38 +362,46 @@ task_wasm() {
   for name in boost fast_float fmt hwy nlohmann toml++; do ln -sfn "/usr/include/$name" "$folder/headers/$name"; done
   logged cmake "-DSOURCE_DIR=$root" "-DTEMPLATE=$root/src/version.cpp.in" "-DOUTPUT=$folder/version.cpp" \
     "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
-    "-Dcompiler_flags=-O0" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
+    "-Dcompiler_flags=-O2" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
   {
     cat <<TEXT
-flags = --target=wasm32-wasi -std=c++20 -O0 -DNDEBUG -fignore-exceptions -fno-math-errno -fno-trapping-math \$
-  -DFMT_HEADER_ONLY -DHWY_COMPILE_ONLY_SCALAR -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \$
-  -I$root/include -I$root/src -isystem $folder/headers
+flags = --target=wasm32-wasi -std=c++20 -DNDEBUG -fignore-exceptions -fno-rtti -fno-math-errno -fno-trapping-math \$
+  -DFMT_HEADER_ONLY -DHWY_COMPILE_ONLY_SCALAR -DBOOST_MATH_PROMOTE_DOUBLE_POLICY=false -D__s390x__ -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-shorten-64-to-32 \$
+  -I$root/include -I$root/src -isystem $root/web/engine/serial -isystem $folder/headers
 rule compile
-  command = clang++-19 \$flags -include-pch headers.pch -MD -MF \$out.d -c \$in -o \$out
+  command = clang++-19 \$flags \$optimisation -include-pch headers\$optimisation.pch -MD -MF \$out.d -c \$in -o \$out
   depfile = \$out.d
   deps = gcc
 rule precompile
-  command = clang++-19 \$flags -x c++-header -MD -MF \$out.d -c \$in -o \$out
+  command = clang++-19 \$flags \$optimisation -x c++-header -MD -MF \$out.d -c \$in -o \$out
   depfile = \$out.d
   deps = gcc
-build headers.pch: precompile headers.hpp
+build headers-O2.pch: precompile headers.hpp
+  optimisation = -O2
+build headers-Oz.pch: precompile headers.hpp
+  optimisation = -Oz
 rule link
-  command = clang++-19 --target=wasm32-wasi -Wl,-z,stack-size=1048576 \$in -Wl,--start-lib \$libraries -Wl,--end-lib -o \$out
+  command = clang++-19 --target=wasm32-wasi -mexec-model=reactor -Wl,-z,stack-size=1048576 -Wl,--strip-all \$in \$
+    -Wl,--start-lib \$libraries -Wl,--end-lib -o \$out
 TEXT
-    while read -r batch; do
+    while read -r optimisation batch; do
       name="batches/$place"
       place=$((place + 1))
       for source in $batch; do printf '#include "%s"\n' "$root/src/$source"; done >"$folder/$name.new"
       cmp -s "$folder/$name.new" "$folder/$name.cpp" || cp "$folder/$name.new" "$folder/$name.cpp"
-      printf 'build %s.o: compile %s.cpp | headers.pch\n' "$name" "$name"
+      printf 'build %s.o: compile %s.cpp | headers%s.pch\n  optimisation = %s\n' "$name" "$name" "$optimisation" "$optimisation"
       objects+=" $name.o"
     done < <(wasm_batches)
-    printf 'build version.o: compile version.cpp | headers.pch\nbuild solve.o: compile %s | headers.pch\n' "$root/tests/wasm/solve.cpp"
-    printf 'build solve.wasm: link solve.o |%s version.o\n  libraries = version.o%s\n' "$objects" "$objects"
+    for source in "$folder/version.cpp" "$root/web/engine/host.cpp"; do
+      name="$(basename "$source" .cpp)"
+      printf 'build %s.o: compile %s | headers-Oz.pch\n  optimisation = -Oz\n' "$name" "$source"
+    done
+    printf 'build engine.wasm: link host.o |%s version.o\n  libraries = version.o%s\n' "$objects" "$objects"
   } >"$folder/build.ninja"
   say "Compiling for WebAssembly ..."
   logged ninja -C "$folder" -j "$jobs"
-  node --no-warnings "$root/tests/wasm/run.mjs" "$folder/solve.wasm"
+  zopfli -c "$folder/engine.wasm" >"$folder/engine.wasm.gz.new"
+  mv "$folder/engine.wasm.gz.new" "$folder/engine.wasm.gz"
 }
 
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in

@@ -36,15 +36,6 @@ std::optional<std::pair<double, double>> range_of(const std::string& option, con
   return std::nullopt;
 }
 
-/// The value of a case by a key of case_quantity.hpp; NaN if the case has none.
-double value_in(const ImpactCase& impact, const std::string& key) {
-  const CaseQuantities quantities = quantities_of(impact);
-  if (const CaseQuantity* quantity = quantities.find(key)) return quantity->get(impact);
-  for (const OtherWay& way : other_ways())
-    if (key == way.key) return way.get(impact);
-  return no_value;
-}
-
 /// The factor that one of these keys names, with its unit.
 const study::FactorKey* known_key(const std::vector<study::FactorKey>& known, const std::string& key) {
   const auto found = std::ranges::find(known, key, &study::FactorKey::key);
@@ -118,7 +109,7 @@ std::optional<study::Factor> factor_of(const std::string& text, const std::vecto
     factor.spread = study::Uniform{range->first, range->second};
   } else if (spread.find('%') != std::string::npos) {
     const auto share = positive_quantity_of(option.c_str(), spread, "1", errors);
-    const double value = value_in(impact, key);
+    const double value = case_value(impact, key);
     if (share && !(std::abs(value) > 0)) {
       errors.push_back(option +
                        R"(: the case has no value to take a percentage of; give "M +- S" or "A..B")");
@@ -147,42 +138,6 @@ void add_draws_of(const study::Study& study, margin::Chance& chance) {
           {*places[correlation.first], *places[correlation.second], correlation.value});
 }
 
-/// The standard, whose own value of what the key decides gives way.
-injury::Standard with_key_of_user(const injury::Standard& standard, const std::string& key) {
-  injury::Standard result = standard;
-  const std::string decided = decided_by(key);
-  const auto give_way = [&](injury::StandardValue& value) {
-    if (!value.value) return;
-    value.instead = value.value;
-    value.chosen_by_user = true;
-    value.value.reset();
-  };
-  if (decided == "impactor.speed") give_way(result.speed);
-  if (decided == "impactor.mass") give_way(result.mass);
-  if (decided == "impactor.radius") give_way(result.radius);
-  return result;
-}
-
-/// A range about the value of the case that breaks no rule: a quarter to four times, or as much of it as may
-/// be.
-void choose_range(margin::Question& question, const std::string& key, Complaints& errors) {
-  const double value = value_in(question.impacts.front().impact, key);
-  if (!(value > 0)) {
-    errors.push_back(
-        fmt::format("{}: the case has no value above 0 to search about; give --between \"A..B\"", key));
-    return;
-  }
-  question.logarithmic = true;
-  const auto is_sound = [&](double low, double high) {
-    question.low = low, question.high = high;
-    return margin::violations(question).empty();
-  };
-  double down = 4, up = 4;
-  while (down > 1.01 && !is_sound(value / down, value)) down = 1 + (down - 1) / 2;
-  while (up > 1.01 && !is_sound(value, value * up)) up = 1 + (up - 1) / 2;
-  question.low = value / down, question.high = value * up;
-}
-
 }  // namespace
 
 margin::Question question_of(const SolveForRequest& request) {
@@ -197,7 +152,7 @@ margin::Question question_of(const SolveForRequest& request) {
   std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
     if (const auto standard = standard_of(name, chosen_standards(request.standard_folder), files, errors))
-      standards.push_back(with_key_of_user(*standard, request.key));
+      standards.push_back(injury::without_value_of(*standard, decided_by(request.key)));
   if (request.until.empty() && request.standards.empty())
     errors.emplace_back("no limit: give --standard or --until");
   const std::optional<double> probability =
@@ -265,7 +220,9 @@ margin::Question question_of(const SolveForRequest& request) {
       question.low = range->first, question.high = range->second;
       question.logarithmic = range->first > 0 && range->second > 4 * range->first;
     }
-  if (errors.empty() && !request.between) choose_range(question, request.key, errors);
+  if (errors.empty() && !request.between && !margin::choose_range(question))
+    errors.push_back(fmt::format("{}: the case has no value above 0 to search about; give --between \"A..B\"",
+                                 request.key));
   if (errors.empty())
     for (const Violation& violation : margin::violations(question)) {
       const std::string name =

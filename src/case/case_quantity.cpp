@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -230,6 +231,12 @@ CaseQuantities quantities_of(const ImpactCase& base) {
         base, "blows.", [](auto& impact) -> auto& { return *impact.blows; },
         [](const Parameter<Blows>& parameter) { return parameter.member.is_count(); }, all);
   return CaseQuantities(std::move(all));
+}
+
+double case_value(const ImpactCase& impact, const std::string& key) {
+  const CaseQuantities quantities = quantities_of(impact);
+  const CaseQuantity* const quantity = quantities.find(key);
+  return quantity == nullptr ? std::numeric_limits<double>::quiet_NaN() : quantity->get(impact);
 }
 
 CaseQuantities::CaseQuantities(std::vector<CaseQuantity> all) : all_(std::move(all)) {

@@ -117,6 +117,20 @@ Standard with_user_values(const Standard& standard, const UserValues& values) {
   return result;
 }
 
+Standard without_value_of(const Standard& standard, const std::string& key) {
+  Standard result = standard;
+  const auto give_way = [&](StandardValue& value) {
+    if (!value.value) return;
+    value.instead = value.value;
+    value.chosen_by_user = true;
+    value.value.reset();
+  };
+  if (key == "impactor.speed") give_way(result.speed);
+  if (key == "impactor.mass") give_way(result.mass);
+  if (key == "impactor.radius") give_way(result.radius);
+  return result;
+}
+
 /// Unit conversions are exact to many digits, and users give fewer than nine. NaN stands for no value.
 bool differ(double one, double other) {
   if (std::isnan(one) || std::isnan(other)) return std::isnan(one) != std::isnan(other);

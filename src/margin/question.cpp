@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/study/responses.hpp"
 #include "margin/evaluation.hpp"
@@ -58,6 +59,21 @@ study::Study study_of(const Question& question, const Judged& judged, std::vecto
   add_limits(judged, limits);
   for (const Limit& limit : limits) study.responses.emplace_back(limit.figure->key);
   return study;
+}
+
+bool choose_range(Question& question) {
+  const double value = case_value(question.impacts.front().impact, question.key);
+  if (!(value > 0)) return false;
+  question.logarithmic = true;
+  const auto is_sound = [&](double low, double high) {
+    question.low = low, question.high = high;
+    return violations(question).empty();
+  };
+  double down = 4, up = 4;
+  while (down > 1.01 && !is_sound(value / down, value)) down = 1 + (down - 1) / 2;
+  while (up > 1.01 && !is_sound(value, value * up)) up = 1 + (up - 1) / 2;
+  question.low = value / down, question.high = value * up;
+  return true;
 }
 
 const char* to_string(Zone zone) {

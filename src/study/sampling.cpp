@@ -2,9 +2,21 @@
 
 #include <bit>
 
+#include <Random123/philox.h>
 #include <boost/random/sobol.hpp>
 
 namespace dashpad::study {
+
+std::array<std::uint32_t, 4> random_words(std::uint64_t seed, std::uint64_t place, std::uint32_t dimension,
+                                          Purpose purpose) {
+  using Philox = r123::Philox4x32_R<10>;
+  const Philox::ctr_type counter{{static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(place >> 32),
+                                  dimension, static_cast<std::uint32_t>(purpose)}};
+  const Philox::key_type key{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
+  const Philox::ctr_type words = Philox()(counter, key);
+  return {words[0], words[1], words[2], words[3]};
+}
+
 namespace {
 
 /// The finaliser of MurmurHash3 (Appleby): every bit of the result depends on every bit of the argument.

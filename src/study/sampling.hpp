@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include <Random123/philox.h>
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
@@ -26,15 +25,8 @@ namespace dashpad::study {
 enum class Purpose : std::uint32_t { draw, permutation, jitter, scrambling };
 
 /// 128 random bits. `place` is the draw, `dimension` the factor.
-inline std::array<std::uint32_t, 4> random_words(std::uint64_t seed, std::uint64_t place,
-                                                 std::uint32_t dimension, Purpose purpose) {
-  using Philox = r123::Philox4x32_R<10>;
-  const Philox::ctr_type counter{{static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(place >> 32),
-                                  dimension, static_cast<std::uint32_t>(purpose)}};
-  const Philox::key_type key{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
-  const Philox::ctr_type words = Philox()(counter, key);
-  return {words[0], words[1], words[2], words[3]};
-}
+std::array<std::uint32_t, 4> random_words(std::uint64_t seed, std::uint64_t place, std::uint32_t dimension,
+                                          Purpose purpose);
 
 /// A random number in (0, 1), at the middle of one of 2^53 equal intervals.
 inline double random_fraction(std::uint64_t seed, std::uint64_t place, std::uint32_t dimension,

@@ -1,9 +1,82 @@
-// Runs a WebAssembly program of WASI in node: node run.mjs PROGRAM.wasm
-import { readFile } from "node:fs/promises";
-import { WASI } from "node:wasi";
+// Compares the engine of the live page in node with the command: node run.mjs ENGINE.wasm DASHPAD ROOT
+import { execFileSync } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { startEngine } from "../../web/engine/engine.mjs";
 
-const [program] = process.argv.slice(2);
-const wasi = new WASI({ version: "preview1", args: [program], returnOnExit: true });
-const module = await WebAssembly.compile(await readFile(program));
-const instance = await WebAssembly.instantiate(module, wasi.getImportObject());
-process.exitCode = wasi.start(instance);
+const [wasm, dashpad, root] = process.argv.slice(2);
+const files = {};
+for (const folder of ["materials", "standards"])
+  for (const name of readdirSync(join(root, folder)).filter((name) => name.endsWith(".toml")))
+    files[`${folder}/${name}`] = readFileSync(join(root, folder, name), "utf8");
+const module = await WebAssembly.compile(readFileSync(wasm));
+const engine = startEngine(module, files);
+
+let failures = 0;
+const fail = (text) => {
+  console.log(text);
+  failures += 1;
+};
+
+// Both solve by the same operations, but round them differently, and a step that one of them divides the other may take
+// whole: figures then differ by some hundredths of their numerical error, and ends of intervals, which are solved to 1e-3,
+// by more. Errors, and energies that are differences of others, are not compared.
+function allowed(path) {
+  if (/error|residual|wall_time|seconds|steps|program|energy|_fraction/.test(path)) return Infinity;
+  return /intervals|flags/.test(path) ? 1e-3 : 1e-5;
+}
+
+// Figures that differ by more than they may, and the largest difference of the others.
+function differences(ours, theirs, path, found) {
+  if (typeof ours === "number" && typeof theirs === "number") {
+    const difference = ours === theirs ? 0 : Math.abs(ours - theirs) / Math.max(Math.abs(ours), Math.abs(theirs));
+    if (difference > allowed(path)) found.texts.push(`${path}: ${ours} and ${theirs}`);
+    if (!/intervals|flags/.test(path) && allowed(path) < 1) found.largest = Math.max(found.largest, difference);
+  } else if (ours && theirs && typeof ours === "object" && typeof theirs === "object") {
+    for (const key of new Set([...Object.keys(ours), ...Object.keys(theirs)]))
+      differences(ours[key], theirs[key], `${path}.${key}`, found);
+  } else if (ours !== theirs && allowed(path) < 1 && !/text$/.test(path)) {
+    found.texts.push(`${path}: ${ours} and ${theirs}`);
+  }
+  return found;
+}
+
+// A text that does not depend on the order of keys.
+function sorted(value) {
+  if (Array.isArray(value)) return `[${value.map(sorted)}]`;
+  if (value === null || typeof value !== "object") return JSON.stringify(value);
+  return `{${Object.keys(value).sort().map((key) => `${key}:${sorted(value[key])}`)}}`;
+}
+
+function command(...words) {
+  try {
+    return execFileSync(dashpad, words, { cwd: root, encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] });
+  } catch (error) {
+    return error.stdout;
+  }
+}
+
+let exact = 0;
+for (const name of readdirSync(join(root, "examples")).filter((name) => name.endsWith(".toml"))) {
+  const file = `examples/${name}`;
+  const read = engine.ask({ do: "read", text: readFileSync(join(root, file), "utf8") });
+  if (!read.case) { fail(`${name}: ${JSON.stringify(read)}`); continue; }
+  const begin = performance.now();
+  const solved = engine.ask({ do: "solve", case: read.case, units: "si", intervals: true });
+  const quick = performance.now();
+  engine.ask({ do: "solve", case: read.case, units: "si" });
+  const took = performance.now() - quick;
+  if (!solved.result) { fail(`${name}: ${JSON.stringify(solved)}`); continue; }
+  const theirs = JSON.parse(command("run", file, "--json", "-"));
+  const found = differences(solved.result, theirs, "", { texts: [], largest: 0 });
+  if (process.env.SHOW) console.log(`${name}: ${(quick - begin).toFixed(1)} ms with intervals, ${took.toFixed(1)} ms without, ${solved.html.length} bytes, differs by ${found.largest.toExponential(1)}`);
+  for (const each of found.texts.slice(0, 5)) fail(`${name}: ${each}`);
+  if (found.largest < 1e-9) exact += 1;
+  const again = engine.ask({ do: "read", text: solved.toml });
+  if (sorted(again.case) !== sorted(read.case)) fail(`${name}: the case as TOML reads differently`);
+}
+const refused = engine.ask({ do: "solve", case: { pad: { thicknes: "1 in" } }, units: "si" });
+if (!refused.faults?.length) fail(`not refused: ${JSON.stringify(refused)}`);
+if (exact < 8) fail(`only ${exact} examples agree to 1e-9`);
+console.log(failures === 0 ? `The engine agrees with the command on all examples, on ${exact} to 1e-9.` : `${failures} failures`);
+process.exitCode = failures === 0 ? 0 : 1;

@@ -70,6 +70,9 @@ class CaseQuantities {
 /// law or nose they throw std::bad_variant_access. `support.scale` is relative to that of `base`.
 CaseQuantities quantities_of(const ImpactCase& base);
 
+/// The number of a case by its key; NaN if the case has none.
+double case_value(const ImpactCase& impact, const std::string& key);
+
 /// A number of a case beside those of law, nose and curve of the support, from the parameter tables.
 struct CaseField {
   std::string table;  ///< "pad", "pad.layers"

@@ -104,6 +104,10 @@ struct UserValues {
 /// Applies the values of the user. A value equal to the standard's replaces nothing.
 Standard with_user_values(const Standard& standard, const UserValues& values);
 
+/// The standard without its own value of `key`, "impactor.mass", "impactor.radius" or "impactor.speed", if it
+/// has one: that of the case takes its place, as one that the user gave.
+Standard without_value_of(const Standard& standard, const std::string& key);
+
 /// Whether two values differ by more than the rounding of their units.
 bool differ(double one, double other);
 

@@ -68,6 +68,10 @@ bool is_aim(const Question& question);
 /// The rules that the question breaks, under the options of the command: "--between", "--vary KEY".
 std::vector<Violation> violations(const Question& question);
 
+/// Sets the range to a quarter and four times the value of the first impact, or as much of it as breaks no
+/// rule, divided by equal ratios. False if the impact has no value of the key above 0.
+bool choose_range(Question& question);
+
 /// A place of the range and what is known there; without draws the figures of one impact, with them the
 /// quantiles over the draws at the probability of the question.
 struct Place {

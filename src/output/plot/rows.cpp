@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -96,8 +97,8 @@ void keep_extremes(const PlotRun& run, std::size_t begin, std::size_t end, PlotR
     if (run[row].y2 > run[places[4]].y2) places[4] = row;
   }
   std::ranges::sort(places);
-  const auto* const end_of_places = std::unique(places.begin(), places.end());
-  for (const auto* place = places.begin(); place != end_of_places; ++place) kept.push_back(run[*place]);
+  for (const std::size_t place : std::span(places.begin(), std::unique(places.begin(), places.end())))
+    kept.push_back(run[place]);
 }
 
 void check(const Series& series) {

@@ -1,0 +1,104 @@
+// The engine of the live page as a WebAssembly module: src/live/answer.hpp for a host that is no C++. It needs
+// no import but refuse() and a few of WASI, which may do nothing.
+//
+// A request is written to the memory that allocate() gives; answer() takes it and leaves the answer at the
+// place that it returns, result_size() bytes long, until the next request. Exceptions end the program, since
+// Debian's C++ library for WebAssembly has none: refuse() is told why and must throw, and the module is to be
+// made anew.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "dashpad/input/fault.hpp"
+#include "input/disk.hpp"
+#include "live/answer.hpp"
+#include "margin/evaluation.hpp"
+
+#define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
+
+extern "C" __attribute__((import_module("host"), import_name("refuse"))) void refuse(const char* text,
+                                                                                      std::size_t size);
+
+extern "C" {
+void* __cxa_allocate_exception(std::size_t size) noexcept { return std::malloc(size); }
+// Everything that Dashpad and its libraries throw is a std::exception first.
+void __cxa_throw(void* thrown, void* /*type*/, void (* /*destroy*/)(void*)) {
+  const std::string_view text = static_cast<const std::exception*>(thrown)->what();
+  refuse(text.data(), text.size());
+  std::abort();
+}
+// The only thread does not end.
+int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*module*/) { return 0; }
+// Debian's builtins of the compiler guard their stack, and its C library has no guard.
+std::uintptr_t __stack_chk_guard = 0x5bd1e995;
+void __stack_chk_fail() { std::abort(); }
+}
+
+namespace {
+
+/// Cards, standards and what was dropped on the page, by path.
+std::map<std::filesystem::path, std::string>& files() {
+  static std::map<std::filesystem::path, std::string> all;
+  return all;
+}
+
+std::string result;
+
+}  // namespace
+
+namespace dashpad::input {
+
+bool is_there(const std::filesystem::path& file) { return files().contains(file); }
+bool is_link(const std::filesystem::path& /*file*/) { return false; }
+
+Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /*most*/) {
+  const auto found = files().find(file);
+  if (found == files().end()) return fault_of_file(file, "no such file");
+  return found->second;
+}
+
+Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& folder,
+                                                       std::string_view /*content*/) {
+  std::vector<std::filesystem::path> all;
+  for (const auto& [file, text] : files())
+    if (file.parent_path() == folder) all.push_back(file);
+  return all;
+}
+
+}  // namespace dashpad::input
+
+// No page asks for a probability, which takes thousands of impacts.
+namespace dashpad::margin {
+Draws draws_at(const Question& /*question*/, double /*value*/) { std::abort(); }
+std::vector<Contributor> contributors_of(const Question& /*question*/, double /*value*/, const Draws& /*draws*/) {
+  std::abort();
+}
+Place place_of(const Question& /*question*/, double /*value*/, const Draws& /*draws*/) { std::abort(); }
+}  // namespace dashpad::margin
+
+EXPORTED(allocate) void* allocate(std::size_t size) { return std::malloc(size == 0 ? 1 : size); }
+
+/// Takes the memory of both: a path and its text.
+EXPORTED(add_file)
+void add_file(char* name, std::size_t name_size, char* text, std::size_t text_size) {
+  files()[std::string(name, name_size)] = std::string(text, text_size);
+  std::free(name);
+  std::free(text);
+}
+
+EXPORTED(answer) const char* answer(char* request, std::size_t size) {
+  const std::string text(request, size);
+  std::free(request);
+  result = dashpad::live::answer(text, {"materials", "standards"});
+  return result.data();
+}
+
+EXPORTED(result_size) std::size_t result_size() { return result.size(); }
