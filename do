@@ -332,6 +332,7 @@ wasm_batches() {
     'input/material_deck/.*'         # files that no page reads
     'study/\(answers\|answers_of_store\|ranking\|run_study\|sqlite\|store.*\|study_.*\|turning_level\).cpp'
     laboratory/creep.cpp             # tests of hours
+    live/live_page.cpp               # writes the page that has the engine
     margin/draws.cpp                 # no page asks for a probability
     output/svg/rendered.cpp          # librsvg
     'output/.*/\(study_[^w].*\|fit\|fall_height\|sensitivity\|proposal\|pulse\|material\|post_impact\|filled\|test_plan\).*'
@@ -349,6 +350,18 @@ wasm_batches() {
          END { print "" }'
 }
 
+# The cards and standards as a source of the engine.
+shipped_files() {
+  local file
+  printf '// Made by ./do wasm.\n#include <span>\n#include <string_view>\n#include <utility>\n\nnamespace dashpad {\n'
+  printf 'using File = std::pair<const char*, std::string_view>;\nstd::span<const File> shipped_files();\n'
+  printf 'std::span<const File> shipped_files() {\n  static constexpr File all[]{'
+  for file in "$root"/materials/*.toml "$root"/standards/*.toml; do
+    printf '\n{"%s", R"toml(%s\n)toml"},' "${file#"$root"/}" "$(cat "$file")"
+  done
+  printf '};\n  return all;\n}\n}  // namespace dashpad\n'
+}
+
 # Exceptions end the program, since the C++ library has none; std::filesystem::path is there, the rest of it is not.
 # Highway 1.0.3 has no lanes of doubles for WebAssembly.
 task_wasm() {
@@ -363,6 +376,8 @@ task_wasm() {
   logged cmake "-DSOURCE_DIR=$root" "-DTEMPLATE=$root/src/version.cpp.in" "-DOUTPUT=$folder/version.cpp" \
     "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
     "-Dcompiler_flags=-O2" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
+  shipped_files >"$folder/shipped.new"
+  cmp -s "$folder/shipped.new" "$folder/shipped.cpp" || cp "$folder/shipped.new" "$folder/shipped.cpp"
   {
     cat <<TEXT
 flags = --target=wasm32-wasi -std=c++20 -DNDEBUG -fignore-exceptions -fno-rtti -fno-math-errno -fno-trapping-math \$
@@ -392,11 +407,11 @@ TEXT
       printf 'build %s.o: compile %s.cpp | headers%s.pch\n  optimisation = %s\n' "$name" "$name" "$optimisation" "$optimisation"
       objects+=" $name.o"
     done < <(wasm_batches)
-    for source in "$folder/version.cpp" "$root/web/engine/host.cpp"; do
+    for source in "$folder/version.cpp" "$folder/shipped.cpp" "$root/web/engine/host.cpp"; do
       name="$(basename "$source" .cpp)"
       printf 'build %s.o: compile %s | headers-Oz.pch\n  optimisation = -Oz\n' "$name" "$source"
     done
-    printf 'build engine.wasm: link host.o |%s version.o\n  libraries = version.o%s\n' "$objects" "$objects"
+    printf 'build engine.wasm: link host.o |%s shipped.o version.o\n  libraries = shipped.o version.o%s\n' "$objects" "$objects"
   } >"$folder/build.ninja"
   say "Compiling for WebAssembly ..."
   logged ninja -C "$folder" -j "$jobs"

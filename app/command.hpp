@@ -74,6 +74,7 @@ void add_standards(CLI::App& app, Action& action);
 void add_solve_for(CLI::App& app, Action& action);
 void add_fall_height(CLI::App& app, Action& action);
 void add_sensitivity(CLI::App& app, Action& action);
+void add_explore(CLI::App& app, Action& action);
 void add_pulse(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_post_impact(CLI::App& app, Action& action);
@@ -133,6 +134,8 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
                                             std::vector<std::string>& errors);
 /// The same for measured tests: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation, data/validation/.
 std::filesystem::path chosen_measured_tests(const std::string& folder);
+/// The engine of the live page: $DASHPAD_ENGINE, share/dashpad/engine.wasm.gz, build/wasm/engine.wasm.gz.
+std::filesystem::path chosen_engine();
 /// The file of the running program, or the name by which it was called.
 std::filesystem::path running_executable();
 

@@ -1,4 +1,4 @@
-// Locates the material cards, standards and measured tests that came with the command.
+// Locates the material cards, standards, measured tests and the engine that came with the command.
 
 #include "command.hpp"
 
@@ -12,21 +12,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct DataFolder {
+struct DataPlace {
   const char* variable;   ///< of the environment
   const char* installed;  ///< relative to the folder of the program
   const char* source;
 };
 
-fs::path chosen(const std::string& folder, const DataFolder& data_folder) {
+fs::path chosen(const std::string& folder, const DataPlace& place) {
   if (!folder.empty()) return folder;
-  if (const char* named = std::getenv(data_folder.variable); named != nullptr && *named != '\0') return named;
+  if (const char* named = std::getenv(place.variable); named != nullptr && *named != '\0') return named;
 
   std::error_code ignored;
   const fs::path installed =
-      (fs::absolute(running_executable(), ignored).parent_path() / data_folder.installed).lexically_normal();
-  if (fs::is_directory(installed, ignored)) return installed;
-  return fs::is_directory(data_folder.source, ignored) ? data_folder.source : installed;
+      (fs::absolute(running_executable(), ignored).parent_path() / place.installed).lexically_normal();
+  if (fs::exists(installed, ignored)) return installed;
+  return fs::exists(place.source, ignored) ? place.source : installed;
 }
 
 }  // namespace
@@ -44,6 +44,11 @@ fs::path chosen_standards(const std::string& folder) {
 fs::path chosen_measured_tests(const std::string& folder) {
   return chosen(folder, {"DASHPAD_VALIDATION_DATA", DASHPAD_INSTALLED_DATA "/data/validation",
                          DASHPAD_SOURCE_DATA "/data/validation"});
+}
+
+fs::path chosen_engine() {
+  return chosen("", {"DASHPAD_ENGINE", DASHPAD_INSTALLED_DATA "/engine.wasm.gz",
+                     DASHPAD_SOURCE_DATA "/build/wasm/engine.wasm.gz"});
 }
 
 fs::path running_executable() {

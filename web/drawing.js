@@ -102,7 +102,7 @@ class MovingPicture {
 
 // A slider for the time below the answer's pictures, and the values at that time in words.
 class TimeSlider {
-  constructor(moments) {
+  constructor(moments, signal) {
     this.moments = moments;
     // Where the reader has left it; null: nowhere.
     this.time = null;
@@ -118,8 +118,8 @@ class TimeSlider {
     pictures.after(this.box);
     this.slider.addEventListener("input", () => this.stand(Number(this.slider.value)));
     moments.listeners.push((time) => this.show(time));
-    document.addEventListener("before-units", () => this.picture()?.show(null));
-    document.addEventListener("units", () => moments.show(null));
+    document.addEventListener("before-units", () => this.picture()?.show(null), { signal });
+    document.addEventListener("units", () => moments.show(null), { signal });
     this.show(null);
   }
 

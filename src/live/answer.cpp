@@ -108,14 +108,17 @@ Json solve_case(const Json& request, const Folders& folders) {
   const auto standard = read_standard(request, folders);
   if (!standard) return faults_json(standard.faults());
   const UnitSystem& units = unit_system(text_of(request, "units"));
+  Options options = given->options;
+  constexpr double quick = 1e-3;
+  if (is_set(request, "quick")) options.tolerance = std::max(options.tolerance, quick);
   const ImpactCase impact = *standard ? injury::with_impactor_of(**standard, given->impact) : given->impact;
   if (const auto broken = violations(impact); !broken.empty())
     return fault_json(broken.front().key, broken.front().rule);
 
-  std::vector<Blow> blows = solve_blows(impact, given->options);
+  std::vector<Blow> blows = solve_blows(impact, options);
   Solution& solution = blows.back().solution;
   if (is_set(request, "intervals"))
-    uncertainty::add_intervals(impact, given->options, solution,
+    uncertainty::add_intervals(impact, options, solution,
                                *standard ? injury::dwell_levels(**standard) : std::vector<double>{});
   Json answer;
   if (*standard) {
@@ -125,7 +128,7 @@ Json solve_case(const Json& request, const Folders& folders) {
     add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
   } else {
     const auto injury = injury::whole_pulse_figures(solution);
-    output::ImpactReport report{impact, given->options, solution, injury};
+    output::ImpactReport report{impact, options, solution, injury};
     if (impact.blows) report.blows = output::blow_results(blows);
     answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
     if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);

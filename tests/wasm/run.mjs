@@ -5,12 +5,8 @@ import { join } from "node:path";
 import { startEngine } from "../../web/engine/engine.mjs";
 
 const [wasm, dashpad, root] = process.argv.slice(2);
-const files = {};
-for (const folder of ["materials", "standards"])
-  for (const name of readdirSync(join(root, folder)).filter((name) => name.endsWith(".toml")))
-    files[`${folder}/${name}`] = readFileSync(join(root, folder, name), "utf8");
 const module = await WebAssembly.compile(readFileSync(wasm));
-const engine = startEngine(module, files);
+const engine = startEngine(module);
 
 let failures = 0;
 const fail = (text) => {

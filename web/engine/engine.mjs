@@ -1,8 +1,9 @@
 // The engine of Dashpad as a WebAssembly module: requests and answers are objects (src/live/answer.hpp).
 
-/// Starts a compiled module with cards and standards by path: {"materials/vn600.toml": text, ...}. An answer
-/// that ends the engine, as by a lack of memory, throws; the engine is then to be started anew.
-export function startEngine(module, files) {
+// Starts a compiled module, which has the cards and standards that come with it, and adds others by their paths:
+// {"materials/my-foam.toml": text, ...}. An answer that ends the engine, as by a lack of memory, throws; the engine is then
+// to be started anew.
+export function startEngine(module, files = {}) {
   const refused = (text) => {
     throw new Error(text);
   };
@@ -36,7 +37,6 @@ export function startEngine(module, files) {
   };
   for (const [name, content] of Object.entries(files)) add_file(...put(name), ...put(content));
   return {
-    addFile: (name, content) => add_file(...put(name), ...put(content)),
     ask: (request) => {
       const place = answer(...put(JSON.stringify(request)));
       return JSON.parse(text(place, result_size()));

@@ -12,10 +12,10 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "dashpad/input/fault.hpp"
 #include "input/disk.hpp"
@@ -42,11 +42,20 @@ std::uintptr_t __stack_chk_guard = 0x5bd1e995;
 void __stack_chk_fail() { std::abort(); }
 }
 
+namespace dashpad {
+/// The cards and standards that come with the program, by path. Made by ./do wasm.
+std::span<const std::pair<const char*, std::string_view>> shipped_files();
+}  // namespace dashpad
+
 namespace {
 
-/// Cards, standards and what was dropped on the page, by path.
+/// Cards, standards and what the host adds, by path.
 std::map<std::filesystem::path, std::string>& files() {
-  static std::map<std::filesystem::path, std::string> all;
+  static std::map<std::filesystem::path, std::string> all = [] {
+    std::map<std::filesystem::path, std::string> shipped;
+    for (const auto& [file, text] : dashpad::shipped_files()) shipped.emplace(file, text);
+    return shipped;
+  }();
   return all;
 }
 

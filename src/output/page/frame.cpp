@@ -62,20 +62,30 @@ Digest sha256(std::string_view text) {
 
 }  // namespace
 
-std::string policy_hash(std::string_view text) {
+std::string base64(std::string_view bytes) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const Digest hash = sha256(text);
-  const auto byte = [&](std::size_t i) { return i < 32 ? hash[i / 4] >> (24 - 8 * (i % 4)) & 0xff : 0; };
-  std::string base64;
-  for (std::size_t i = 0; i < 32; i += 3) {
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? Word{static_cast<unsigned char>(bytes[i])} : Word{0};
+  };
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const Word three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (int shift = 18; shift >= 0; shift -= 6) base64 += letters[three >> shift & 63];
+    for (int shift = 18; shift >= 0; shift -= 6) text += letters[three >> shift & 63];
   }
-  base64.back() = '=';  // 32 bytes leave the last third of the last three empty
-  return "sha256-" + base64;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  return text.replace(text.size() - padding, padding, padding, '=');
+}
+
+std::string policy_hash(std::string_view text) {
+  std::string bytes;
+  for (const Word word : sha256(text))
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 0xff);
+  return "sha256-" + base64(bytes);
 }
 
 std::string framed(const PageHtml& html) {
+  const std::string_view script = html.is_live ? page_live_script : page_script;
   std::string styles = "'" + policy_hash(page_style) + "'";
   std::string elements = fmt::format("<style>{}</style>\n", page_style);
   for (const std::string& style : html.styles) {
@@ -86,7 +96,7 @@ std::string framed(const PageHtml& html) {
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src '{}'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src '{}'{}; style-src {}; img-src data:; base-uri 'none'; form-action 'none'">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="robots" content="noindex">
@@ -98,7 +108,8 @@ std::string framed(const PageHtml& html) {
 </body>
 </html>
 )",
-                     policy_hash(page_script), styles, html.title, elements, html.body, page_script);
+                     policy_hash(script), html.is_live ? " 'wasm-unsafe-eval'; worker-src blob:" : "", styles,
+                     html.title, elements, html.body, script);
 }
 
 }  // namespace dashpad::output

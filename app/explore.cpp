@@ -1,0 +1,101 @@
+// dashpad explore: writes a case as a page that solves it anew while its numbers are dragged.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "input/disk.hpp"
+#include "live/live_page.hpp"
+#include "output/text/case_toml.hpp"
+#include "output_files.hpp"
+
+namespace dashpad::app {
+
+namespace {
+
+constexpr const char* explore_footer = R"(Examples:
+  dashpad explore examples/dashboard-20mph.toml --out ./my-page.html
+  dashpad explore examples/helmet-pad-10fps.toml --standard en-1078 --out ./my-page.html
+  dashpad explore examples/dashboard-20mph.toml --set pad.thickness="30 mm" --units us --out ./my-page.html
+
+The page is one file of 1.2 MB that opens in a browser without a network, also on a phone. It contains the solver:
+thickness, speed, mass, foam, nose, support and standard can be changed, the answer, its drawing and its curves follow.
+Up to four pads are compared side by side, the thinnest one that passes is found, and the case is there to copy, as a
+file or as a link. Numbers are those of dashpad run and dashpad assess.
+
+The engine of the page is compiled once, by ./do wasm.)";
+
+struct ExploreRequest {
+  GivenCase given;
+  std::string standard;
+  OutputFiles files;
+};
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The case as it is written, if all that it names is in the page, too; else as computed, in SI, with its
+/// law.
+std::string text_of(const ExploreRequest& request, const input::CaseFile& given) {
+  const std::filesystem::path shipped = chosen_folder("");
+  const bool is_plain =
+      request.given.settings.empty() && request.given.materials.empty() &&
+      std::ranges::all_of(given.files.begin() + 1, given.files.end(),
+                          [&](const input::InputFile& file) { return file.file.parent_path() == shipped; });
+  return is_plain ? input::read_text_file(request.given.file).value()
+                  : output::case_toml(given.impact, given.options);
+}
+
+int explore(const ExploreRequest& request) {
+  std::vector<std::string> errors;
+  const std::filesystem::path engine_file = chosen_engine();
+  const std::string engine = bytes_of(engine_file);
+  if (engine.empty())
+    errors.push_back(fmt::format("{}: the engine of the page is missing; ./do wasm makes it, in two minutes",
+                                 engine_file.string()));
+  const live::Folders folders{chosen_folder(""), chosen_standards("")};
+  const std::optional<input::CaseFile> given = read_case(request.given, errors);
+  std::vector<input::InputFile> files = files_of(request.given.file, given);
+  if (request.standard.ends_with(".toml"))
+    errors.push_back(fmt::format("--standard {}: a page knows the standards that came with it, not files",
+                                 request.standard));
+  else if (!request.standard.empty())
+    standard_of(request.standard, folders.standards, files, errors);
+  if (request.files.of("--out").empty())
+    errors.emplace_back("--out: is missing; give the page to write, such as --out page.html");
+  judge_files(request.files, files, errors);
+  if (!errors.empty()) throw Refused(std::move(errors));
+
+  const live::LivePage page{.case_text = text_of(request, *given),
+                            .standard = request.standard,
+                            .units = request.files.units.empty() ? "si" : request.files.units,
+                            .engine = engine};
+  publish(
+      request.files.targets(), request.files.force,
+      [&](const Target&) { return live::live_page(page, folders); },
+      fmt::format("Wrote {}: it solves the case anew while its numbers change.", request.files.of("--out")));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app, Action& action) {
+  const auto [sub, request] = add_subcommand<ExploreRequest>(
+      app, action, "explore", "Write a page on which a case is solved while its numbers are dragged",
+      explore_footer, explore);
+  add_case(sub, request.given);
+  add_file(sub, request.files, "--out", "The page (.html)");
+  add_option(sub, "--standard NAME[:VARIANT]", request.standard, "Standard to begin with");
+  add_units(sub, request.files.units);
+  add_force(sub, request.files.force);
+  add_material_folder(sub, request.given.materials);
+}
+
+}  // namespace dashpad::app

@@ -1,0 +1,83 @@
+// The engine in a worker: one request at a time, of those that wait only the last, and an end to what does not end.
+
+// Starts the engine in the worker when its compiled module comes, then answers.
+const workerText = `
+${startEngine}
+let engine, module, cards = {};
+onmessage = ({ data }) => {
+  if (data.module) [module, cards] = [data.module, data.cards];
+  try {
+    engine ??= startEngine(module, cards);
+    if (data.request) postMessage({ id: data.id, answer: engine.ask(data.request) });
+  } catch (error) {
+    engine = undefined;
+    postMessage({ id: data.id, answer: { faults: [{ key: "", text: "cannot be computed: " + error.message }] } });
+  }
+};`;
+
+class EngineWorker {
+  constructor(module) {
+    this.module = module;
+    this.cards = {};
+    this.url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
+    this.count = 0;
+    this.start();
+  }
+
+  start() {
+    this.worker = new Worker(this.url);
+    this.worker.onmessage = ({ data }) => this.took(data);
+    this.worker.postMessage({ module: this.module, cards: this.cards });
+    this.asked = null;
+  }
+
+  // A card that was dropped on the page; the engine starts anew with it.
+  addCard(name, text) {
+    this.cards[`materials/${name}.toml`] = text;
+    this.worker.terminate();
+    if (this.asked) clearTimeout(this.asked.guard);
+    this.asked?.resolve(null);
+    this.start();
+  }
+
+  // The answer, or null if a later request of the same kind took its place.
+  ask(request, seconds = 10) {
+    return new Promise((resolve) => {
+      this.waiting?.resolve(null);
+      this.waiting = { request, seconds, resolve };
+      this.send();
+    });
+  }
+
+  send() {
+    if (this.asked || !this.waiting) return;
+    this.asked = { ...this.waiting, id: ++this.count };
+    this.waiting = null;
+    this.asked.guard = setTimeout(() => this.giveUp(), 1000 * this.asked.seconds);
+    this.worker.postMessage({ id: this.asked.id, request: this.asked.request });
+  }
+
+  took({ id, answer }) {
+    if (id !== this.asked?.id) return;
+    const { resolve, guard } = this.asked;
+    clearTimeout(guard);
+    this.asked = null;
+    resolve(answer);
+    this.send();
+  }
+
+  giveUp() {
+    const { resolve, seconds } = this.asked;
+    this.worker.terminate();
+    this.start();
+    resolve({ faults: [{ key: "", text: `no answer within ${seconds} s; this case is too much for a page` }] });
+    this.send();
+  }
+}
+
+// The module, which the page holds packed and in Base64.
+async function compiledEngine() {
+  const packed = Uint8Array.from(atob(document.getElementById("engine").textContent), (letter) => letter.charCodeAt(0));
+  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+}
