@@ -53,10 +53,10 @@ struct TestConditions {
 };
 
 /// Makes a foam of tests in tables: a column of strain or displacement, and columns of stress or force
-/// (`wanted` names them). Of several stresses in a file, each header has the rate after an @: "stress_kPa @
-/// 10 1/s". Loadings follow the largest strain so far; that of the slowest test is made to rise within its
-/// noise, and its way back is the unloading curve. What moved or was left out is in `differences`. Reports at
-/// most 200 faults a file.
+/// (`wanted` names them). Of several stresses in a file, each header has the rate behind an at sign:
+/// `stress_kPa @ 10 1/s`. Loadings follow the largest strain so far; that of the slowest test is made to rise
+/// within its noise, and its way back is the unloading curve. What moved or was left out is in `differences`.
+/// Reports at most 200 faults a file.
 Reading<DeckMaterial> read_stress_tables(const std::vector<std::filesystem::path>& files,
                                          const TestConditions& conditions, const StressStrainColumns& wanted);
 

@@ -96,7 +96,7 @@ CurveFile curve_file(const ImpactCase& impact, const Solution& solution,
 /// LS-DYNA keywords for *INCLUDE: a *DEFINE_CURVE_TITLE for each curve, in lines of 80 columns.
 std::string ls_dyna_text(const CurveFile& file);
 
-/// Blocks of the Radioss starter for #include: a /FUNCT for each curve.
+/// Blocks of the Radioss starter, to be included: a /FUNCT for each curve.
 std::string radioss_text(const CurveFile& file);
 
 /// For a file of one curve: comments that begin with "# ", a header such as "time_ms,force_kN", and the
