@@ -19,6 +19,8 @@ Usage: ./do TASK [arguments]
                            run only impact, injury, work-precision, study or report, with its own arguments
   bench --check            check that the tables in bench/README.md match bench/results
   pictures                 redraw the pictures in README and docs, except the one that was drawn by hand
+  docs                     make the site of the documents in build/site, with all examples and the C++ API, and check
+                           its links
   format                   format the C++ code with clang-format
   check-layout             check the format of the code with clang-format, and the scripts with shellcheck
   lint                     run check-layout, clang-tidy and cppcheck, and compile everything with clang 14, warnings as
@@ -29,8 +31,9 @@ Usage: ./do TASK [arguments]
   wasm                     compile the engine of the live page for WebAssembly: build/wasm/engine.wasm.gz
                            there
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
-                           cases compared with more accurate solutions and 200 with a second solver, WebAssembly, the
-                           tests by clang 19 under sanitizers, half a minute of fuzzing for each reader, and lint
+                           cases compared with more accurate solutions and 200 with a second solver, the site,
+                           WebAssembly, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
+                           reader, and lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages in packages.txt (default: all groups)
@@ -190,6 +193,17 @@ task_bench() {
     "$programs/bench_report" "$recorded" --readme "$root/bench/README.md"
   fi
   say "Raw results, plots and benchmarks.html: ${results#"$root"/}"
+}
+
+# The site of the documents: what it shows of the command is printed and drawn by the command.
+task_docs() {
+  need_packages run docs
+  say "Building the command ..."
+  configure release
+  build release dashpad-command
+  say "Making the site ..."
+  python3 "$root/docs/site/build.py" --command "$root/build/release/app/dashpad" --out "$root/build/site"
+  say "Open build/site/index.html; its search needs a server: python3 -m http.server --directory build/site"
 }
 
 # The pictures of the documents, by the command that users have.
@@ -454,6 +468,8 @@ task_nightly() {
     build release count_answers compare_with_oracle mats_of_known_truth
     configure asan-ubsan -DDASHPAD_BUILD_BENCH=ON  # everything by the second clang: lint has the first
   )
+  rm -f "$kept/do_docs.passed"  # the code may be the same, the documents not
+  step "$root/do" docs
   step "$root/do" wasm
   step "$root/do" test asan-ubsan -LE 'page|documents|consumer|wasm'  # a browser, and other compilers' programs
   step "$root/do" lint
@@ -475,7 +491,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | format | check-layout | lint | coverage | fuzz | wasm | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;
