@@ -8,16 +8,18 @@ import { readFileSync, writeFileSync } from "node:fs";
 const katex = createRequire(import.meta.url)("/usr/share/nodejs/katex/dist/katex.js");
 const entities = { amp: "&", lt: "<", gt: ">", quot: '"', "#39": "'" };
 const plain = (text) => text.replace(/&(amp|lt|gt|quot|#39);/g, (_, name) => entities[name]);
-const formula = /<(span|div) class="arithmatex">\\([([])([\s\S]*?)\\[)\]]<\/\1>/g;
+const formula = /<(span|div) class="arithmatex">\\([([])([\s\S]*?)\\[)\]]<\/\1>([,.;:)]*)/g;
 
 const faults = [];
 let count = 0;
 for (const file of process.argv.slice(2)) {
-  const written = readFileSync(file, "utf8").replace(formula, (all, element, bracket, tex) => {
+  const written = readFileSync(file, "utf8").replace(formula, (all, element, bracket, tex, mark) => {
     count += 1;
     try {
       const html = katex.renderToString(plain(tex).trim(), { displayMode: bracket === "[", throwOnError: true });
-      return `<${element} class="formula">${html}</${element}>`;
+      // No line begins with the comma behind a formula.
+      if (bracket === "(" && mark && tex.length <= 40) return `<span style="white-space:nowrap">${html}${mark}</span>`;
+      return `<${element} class="formula">${html}</${element}>${mark}`;
     } catch (error) {
       faults.push(`${file}: ${error.message}`);
       return all;
