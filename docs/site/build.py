@@ -43,7 +43,7 @@ def documents_of_the_site():
     named = [path for path in documents.NAMES if path.endswith(".md")]
     found = [str(path.relative_to(ROOT)) for path in sorted((ROOT / "docs").glob("*.md"))]
     found += [str(path.relative_to(ROOT)) for path in sorted((ROOT / "docs/decisions").glob("*.md"))]
-    return [path for path in named if (ROOT / path).exists()] + found
+    return list(dict.fromkeys(path for path in named + found if (ROOT / path).exists()))
 
 
 def api(made, pages):

@@ -22,6 +22,7 @@ NAMES = {
     "CHANGELOG.md": "changelog.md",
     "bench/README.md": "benchmarks.md",
     "data/validation/README.md": "validation-data.md",
+    "docs/README.md": "documents.md",
     "docs/site/index.md": "index.md",
     "docs/site/api.md": "cpp-api.md",
     "docs/decisions": "decisions.md",
@@ -107,10 +108,11 @@ def as_mkdocs_reads_it(text):
                 levels.append(indent + len(item.group(2)) + len(item.group(3)))
                 before = line
                 continue
-            if line.startswith("|") and before.strip() and not before.startswith("|"):
+            if re.match(r"\|.*\|$", line) and before.strip() and not before.startswith("|"):
                 lines.append("")
         if FENCE.match(line):
             in_fence = not in_fence
+            line = re.sub(r"^( *```\w+) ([^\s=\"]+)$", r'\1 title="\2"', line)  # the name of a file to write
         removed = min(indent, levels[-1] if levels else 0)
         lines.append(("    " * len(levels) + line[removed:]) if line.strip() else "")
         before = line
