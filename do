@@ -227,7 +227,7 @@ task_pictures() {
 
 # Paths of the C++ files, relative to the root.
 cpp_files() {
-  (cd "$root" && find app bench include src tests -name '*.[ch]pp' | sort)
+  (cd "$root" && find app bench examples include src tests -name '*.[ch]pp' | sort)
 }
 
 task_format() {

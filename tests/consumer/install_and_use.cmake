@@ -17,6 +17,14 @@ foreach(engine_alone OFF ON)
   run("${build}/consumer")
 endforeach()
 
+# The installed samples are a project, too; that each of them prints what it says is tested elsewhere.
+set(data "${prefix}/share/dashpad")
+set(build "${WORK_DIR}/build-samples")
+run("${CMAKE_COMMAND}" -S "${data}/examples/cpp" -B "${build}" -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${prefix}"
+    "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")
+run("${CMAKE_COMMAND}" --build "${build}" --target first_impact)
+run("${build}/first_impact" "${data}")
+
 # The installed command finds the installed cards, examples and parts, wherever the prefix lies.
 if(EXISTS "${prefix}/bin/dashpad")
   run("${CMAKE_COMMAND}" -E env --unset=DASHPAD_MATERIALS "${prefix}/bin/dashpad" run
