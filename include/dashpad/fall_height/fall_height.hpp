@@ -135,6 +135,15 @@ std::pair<double, double> heights_of(const Answer& answer);
 const Place& lowest_for(const Answer& answer, std::size_t criterion);
 
 /// Evaluates drops, at least one, by a standard that has criteria.
+///
+/// Example:
+/// \code
+/// #include "dashpad/input/standard_file.hpp"
+/// const auto standard = dashpad::input::read_standard("standards/en-1177.toml").value();
+/// const auto drops = dashpad::fall_height::read_drops("drops.csv", standard).value();
+/// const auto answer = dashpad::fall_height::evaluated(drops, standard);
+/// if (answer.decides().height) std::printf("%.2f m\n", *answer.decides().height);
+/// \endcode
 Answer evaluated(const DropTable& table, const injury::Standard& standard);
 
 }  // namespace dashpad::fall_height

@@ -192,6 +192,16 @@ struct FitFile {
 
 /// Reads a fit file. `materials` is the folder of material cards; other files are relative to the fit file.
 /// Reports all faults of the file and of those that it names.
+///
+/// Example:
+/// \code
+/// #include "dashpad/fit/report.hpp"
+/// const auto read = dashpad::fit::read_fit("foam.toml", "materials");
+/// for (const dashpad::input::Fault& fault : read.faults()) std::puts(to_string(fault).c_str());
+/// if (read)
+///   for (const dashpad::fit::FittedUnknown& found : dashpad::fit::run_fit(read->fit).unknowns)
+///     std::printf("%s = %g\n", found.key.c_str(), found.value);  // SI
+/// \endcode
 input::Reading<FitFile> read_fit(const std::filesystem::path& file, const std::filesystem::path& materials);
 
 }  // namespace dashpad::fit

@@ -16,6 +16,17 @@ namespace dashpad {
 /// (ImpactCase::blows) the solution is that of the last; solve_blows() returns all. Never throws for a valid
 /// case: numerical failures are reported by the status. Throws std::invalid_argument that names every broken
 /// rule for a case with violations() or for options out of range.
+///
+/// Example:
+/// \code
+/// dashpad::ImpactCase impact;
+/// impact.impactor = {.mass = 4.5, .nose = dashpad::Sphere{0.08}, .speed = 5};  // kg, m, m/s
+/// impact.pad.thickness = 0.05;                                                 // m
+/// impact.pad.material.name = dashpad::foam_of_the_case;
+/// impact.pad.material.law = dashpad::Elastic{.modulus = 5e5};  // Pa
+/// const dashpad::Summary summary = dashpad::solve(impact).summary;
+/// if (summary.trustworthy() && summary.peak_force) std::printf("%.0f N\n", *summary.peak_force);
+/// \endcode
 Solution solve(const ImpactCase& impact, const Options& options = {});
 
 struct Blow {
@@ -30,6 +41,15 @@ struct Blow {
 std::vector<Blow> solve_blows(const ImpactCase& impact, const Options& options = {});
 
 /// A solver for many impacts, which allocates its memory once. Each thread needs its own.
+///
+/// Example:
+/// \code
+/// dashpad::Solver solver;
+/// for (const double speed : {3.0, 4.0, 5.0}) {  // m/s
+///   impact.impactor.speed = speed;
+///   std::printf("%.1f mm\n", 1e3 * solver.solve(impact).summary.peak_penetration);
+/// }
+/// \endcode
 class Solver {
  public:
   Solver();

@@ -41,6 +41,14 @@ inline constexpr double unlimited_window = infinite;
 /// `longest_window` in s, > 0; unlimited_window for none. Throws std::invalid_argument otherwise. Returns the
 /// earliest of several windows with the same value (to 1e-13); for a pulse of zeros, the value 0 and an empty
 /// window at its first time. Proof and accuracy: docs/injury.md, HIC.
+///
+/// Example:
+/// \code
+/// const dashpad::Pulse pulse{.time = {0, 5e-3, 10e-3}, .acceleration = {0, 800, 0}};  // s, m/s2
+/// const dashpad::injury::Hic hic15 = dashpad::injury::hic(pulse, dashpad::injury::hic15_window);
+/// const auto clip = dashpad::injury::contiguous_clip(pulse, dashpad::injury::usual_clip);
+/// std::printf("HIC15 %.0f, 3 ms clip %.0f g\n", hic15.value, clip.level / dashpad::standard_gravity);
+/// \endcode
 Hic hic(const Pulse& pulse, double longest_window);
 
 /// HIC(d) = 0.75446 HIC36 + 166.4, for the free-motion headform (FMVSS 201U).

@@ -184,6 +184,16 @@ std::vector<double> dwell_levels(const Standard& standard);
 /// was lost gives lower bounds; only the peak is final once the impactor has come to rest.
 ///
 /// Throws std::invalid_argument for a standard without criteria or a solution without a history.
+///
+/// Example:
+/// \code
+/// #include "dashpad/impact/solve.hpp"
+/// #include "dashpad/input/standard_file.hpp"
+/// const auto standard = dashpad::input::read_standard("standards/en-1078.toml").value();
+/// const auto dropped = dashpad::injury::with_impactor_of(standard, impact);  // its headform and speed
+/// const auto assessment = dashpad::injury::assess(standard, dropped, dashpad::solve(dropped));
+/// std::puts(to_string(assessment).c_str());  // "pass, with reservations"
+/// \endcode
 Assessment assess(const Standard& standard, const ImpactCase& impact, const Solution& solution);
 
 // If the noses or speeds of a standard and a case differ, one of the two is assessed; the following shows

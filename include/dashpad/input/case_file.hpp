@@ -24,6 +24,13 @@ struct CaseFile {
 /// "KEY=VALUE" each and override the file; keys are those of the file ("pad.thickness=30 mm",
 /// "pad.layers[2].material=vn600") or of studies ("pad.curve.modulus=2 MPa"). Reports all faults of the case
 /// and of its cards; those of settings have "--set" for a file.
+///
+/// Example:
+/// \code
+/// const auto read = dashpad::input::read_case("drop.toml", "materials", {"pad.thickness=30 mm"});
+/// for (const dashpad::input::Fault& fault : read.faults()) std::puts(to_string(fault).c_str());
+/// if (read) std::printf("%s: %.2f m/s\n", read->impact.title.c_str(), read->impact.impactor.speed);
+/// \endcode
 Reading<CaseFile> read_case(const std::filesystem::path& file, const std::filesystem::path& materials,
                             const std::vector<std::string>& settings = {});
 

@@ -147,6 +147,15 @@ using StressUpdate = std::vector<double> (*)(const Material& material, const std
 
 /// Runs the test. Throws std::invalid_argument for violations() of law or history, for a creep stress that
 /// the law does not reach, and for steps of 1984 above 100,000 or without `update_of_1984`.
+///
+/// Example:
+/// \code
+/// #include "dashpad/input/case_file.hpp"
+/// const auto foam = dashpad::input::read_material("materials/vn600.toml").value();
+/// const auto report = dashpad::laboratory::run_material_test(foam, {.rates = {1, 100}, .strain = 0.6});
+/// for (const dashpad::laboratory::MaterialTestRun& run : report.runs)
+///   std::printf("%.0f kPa, %.0f %% lost\n", 1e-3 * run.figures.peak_stress, 100 * run.figures.hysteresis);
+/// \endcode
 MaterialTestReport run_material_test(const Material& material, const MaterialTest& test,
                                      StressUpdate update_of_1984 = nullptr);
 

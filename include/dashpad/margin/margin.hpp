@@ -135,6 +135,16 @@ struct Answer {
 using Progress = std::function<bool(double share)>;
 
 /// Answers a question without violations(). Throws std::runtime_error if progress says to stop.
+///
+/// Example:
+/// \code
+/// dashpad::margin::Question question{.impacts = {{.impact = impact}}, .key = "pad.thickness", .unit = "m"};
+/// question.impacts.front().limits = {
+///     {.figure = &dashpad::result_quantity("hic15"), .value = 700, .title = "HIC15"}};
+/// if (dashpad::margin::choose_range(question) && dashpad::margin::violations(question).empty())
+///   for (const dashpad::margin::Turn& turn : dashpad::margin::solve_for(question).turns)
+///     std::printf("%s %.1f mm\n", turn.passes_above ? "from" : "up to", 1e3 * turn.value);
+/// \endcode
 Answer solve_for(const Question& question, const Progress& progress = {});
 
 }  // namespace dashpad::margin

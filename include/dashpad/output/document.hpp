@@ -105,6 +105,14 @@ enum class Pictures { left_out, drawn };
 /// The document as one HTML file without external references. It is complete without its script, which makes
 /// the plots interactive; they show the same values as picture(). Throws std::invalid_argument for rows or
 /// columns that do not fit together, and for bars not between 0 and 1.
+///
+/// Example:
+/// \code
+/// dashpad::output::Document document{.title = "Three pads"};
+/// document.sections = {{.heading = "Peaks", .paragraphs = {"30 mm: 96 g", "40 mm: 71 g", "50 mm: 58 g"}}};
+/// std::ofstream("pads.html") << dashpad::output::to_html(document);
+/// std::puts(dashpad::output::to_terminal(document, dashpad::output::Detail::all).c_str());
+/// \endcode
 std::string to_html(const Document& document);
 
 /// The document as plain text of at most 100 columns: answer, subject, warnings, figures, then the sections

@@ -66,6 +66,14 @@ using Progress = std::function<void(double share)>;
 
 /// Answers for a valid case; of a series of blows for the last. `intervals`: also what is uncertain of the
 /// foam. Throws as solve() does.
+///
+/// Example:
+/// \code
+/// const auto answer = dashpad::sensitivity::sensitivities(impact, options, false);
+/// for (const dashpad::sensitivity::Input& input : answer.inputs)  // 1 % more of each number
+///   std::printf("%s: %s %+.2f %%\n", input.key.c_str(), answer.figures.front()->key,
+///               input.elasticities.front().value);
+/// \endcode
 Answer sensitivities(const ImpactCase& impact, const Options& options, bool intervals,
                      const Progress& progress = {});
 

@@ -64,6 +64,14 @@ struct RunSettings {
 
 /// Computes the missing rows. True if all rows are there at the end, false if it was stopped. Faults in
 /// writing are thrown after the batches at hand: std::runtime_error.
+///
+/// Example:
+/// \code
+/// #include "dashpad/study/study_file.hpp"
+/// const auto study = dashpad::study::read_study("study.toml", "materials", "standards").value();
+/// auto store = dashpad::study::Store::open_for(study, "study.sqlite");
+/// if (dashpad::study::run(study, store, {.threads = 4})) std::puts("all rows are there");
+/// \endcode
 bool run(const Study& study, Store& store, const RunSettings& settings = {});
 
 }  // namespace dashpad::study

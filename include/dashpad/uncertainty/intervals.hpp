@@ -21,6 +21,16 @@ inline constexpr int max_impacts = 12;
 /// tolerance of 1e-3, only for uncertain sources that the impact reaches. `dwell_levels` are those of the
 /// wanted dwell times, m/s2. For an impact that was cut or bottomed out on a rigid support only the sources
 /// are named; for one that was not run nothing is set.
+///
+/// Example:
+/// \code
+/// #include "dashpad/impact/solve.hpp"
+/// dashpad::Solution solution = dashpad::solve(impact, options);
+/// dashpad::uncertainty::add_intervals(impact, options, solution);
+/// if (const auto& intervals = solution.summary.intervals)
+///   if (const auto* const hic15 = intervals->find("hic15"))
+///     std::printf("HIC15 %.0f (%.0f to %.0f)\n", hic15->nominal, hic15->low, hic15->high);
+/// \endcode
 void add_intervals(const ImpactCase& impact, const Options& options, Solution& solution,
                    std::span<const double> dwell_levels = {});
 
