@@ -9,6 +9,8 @@
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/output/assessment.hpp"
+#include "live/live_page.hpp"
+#include "live_files.hpp"
 #include "output_files.hpp"
 
 namespace dashpad::app {
@@ -105,12 +107,41 @@ std::vector<injury::Standard> read_standards(const AssessRequest& request,
   return standards;
 }
 
+/// --live shows one assessment whose choices its controls have.
+void check_live(const AssessRequest& request, Complaints& errors) {
+  if (request.files.of("--live").empty()) return;
+  read_engine(errors);
+  if (request.cases.size() > 1 || request.standards.size() > 1)
+    errors.emplace_back("--live: shows one case and one standard");
+  if (request.kept.nose || request.kept.speed)
+    errors.emplace_back("--live: not together with --keep-nose and --keep-speed; its sliders set the speed");
+  if (!request.standard_folder.empty()) errors.emplace_back("--live: has the standards of the program only");
+  for (const std::string& name : request.standards) check_live_standard("--standard", name, errors);
+}
+
+std::string live_page_of(const AssessRequest& request, const Assessed& assessed,
+                         const input::CaseFile& given) {
+  Complaints none;  // it was there when everything was checked
+  const std::string engine = read_engine(none);
+  live::LivePage page{
+      .case_text = live_case_text({request.cases.front(), request.settings, request.materials}, given),
+      .standard = request.standards.front(),
+      .units = unit_system(request.files.units).name,
+      .engine = engine};
+  const injury::Standard& standard = assessed.standard;
+  for (const auto& [name, value] :
+       {std::pair{"mass", &standard.mass}, {"radius", &standard.radius}, {"speed", &standard.speed}})
+    if (value->chosen_by_user && value->value) page.user[name] = *value->value;
+  return live::live_page(page, {chosen_folder(""), chosen_standards("")});
+}
+
 std::vector<AssessedCase> read_and_check(const AssessRequest& request) {
   Complaints errors;
   const std::optional<double> tolerance = tolerance_of(request.tolerance, errors);
   std::vector<input::InputFile> files;
   const std::vector<injury::Standard> standards = read_standards(request, files, errors);
   std::vector<AssessedCase> cases;
+  check_live(request, errors);
   for (const std::string& file : request.cases) {
     std::optional<input::CaseFile> given = read_case({file, request.settings, request.materials}, errors);
     std::ranges::move(files_of(file, given), std::back_inserter(files));
@@ -184,7 +215,10 @@ int run_assessment(const AssessRequest& request) {
   const auto json = [&](const Target&) {
     return is_plan ? output::assessments_json(reports) : output::assessment_json(reports.front());
   };
-  publish(request.files, document, {{"--json", json}}, text);
+  const auto live = [&](const Target&) {
+    return live_page_of(request, cases.front().standards.front(), cases.front().given);
+  };
+  publish(request.files, document, {{"--json", json}, {"--live", live}}, text);
   return code;
 }
 
@@ -209,6 +243,8 @@ void add_assess(CLI::App& app, Action& action) {
   add_file(sub, request.files, "--json",
            "Write the assessment as JSON, in SI units and g (- for standard output)");
   add_documents(sub, request.files);
+  add_file(sub, request.files, "--live",
+           "Write the page as one that solves while its numbers are dragged (dashpad explore)");
   add_units(sub, request.files.units);
   add_all(sub, request.files.detail);
   add_tolerance(sub, request.tolerance);

@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "dashpad/input/standard_file.hpp"
 #include "input/disk.hpp"
 #include "live/live_page.hpp"
+#include "live_files.hpp"
 #include "output/text/case_toml.hpp"
 #include "output_files.hpp"
 
@@ -28,7 +30,9 @@ thickness, speed, mass, foam, nose, support and standard can be changed, the ans
 Up to four pads are compared side by side, the thinnest one that passes is found, and the case is there to copy, as a
 file or as a link. Numbers are those of dashpad run and dashpad assess.
 
-The engine of the page is compiled once, by ./do wasm.)";
+The engine of the page is compiled once, by ./do wasm.
+
+Exit codes: 0 written; 1 the page could not be written; 2 invalid input or command line (nothing was written).)";
 
 struct ExploreRequest {
   GivenCase given;
@@ -36,55 +40,59 @@ struct ExploreRequest {
   OutputFiles files;
 };
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// The case as it is written, if all that it names is in the page, too; else as computed, in SI, with its
-/// law.
-std::string text_of(const ExploreRequest& request, const input::CaseFile& given) {
-  const std::filesystem::path shipped = chosen_folder("");
-  const bool is_plain =
-      request.given.settings.empty() && request.given.materials.empty() &&
-      std::ranges::all_of(given.files.begin() + 1, given.files.end(),
-                          [&](const input::InputFile& file) { return file.file.parent_path() == shipped; });
-  return is_plain ? input::read_text_file(request.given.file).value()
-                  : output::case_toml(given.impact, given.options);
-}
-
 int explore(const ExploreRequest& request) {
   std::vector<std::string> errors;
-  const std::filesystem::path engine_file = chosen_engine();
-  const std::string engine = bytes_of(engine_file);
-  if (engine.empty())
-    errors.push_back(fmt::format("{}: the engine of the page is missing; ./do wasm makes it, in two minutes",
-                                 engine_file.string()));
+  const std::string engine = read_engine(errors);
   const live::Folders folders{chosen_folder(""), chosen_standards("")};
   const std::optional<input::CaseFile> given = read_case(request.given, errors);
   std::vector<input::InputFile> files = files_of(request.given.file, given);
-  if (request.standard.ends_with(".toml"))
-    errors.push_back(fmt::format("--standard {}: a page knows the standards that came with it, not files",
-                                 request.standard));
-  else if (!request.standard.empty())
+  check_live_standard("--standard", request.standard, errors);
+  if (errors.empty() && !request.standard.empty())
     standard_of(request.standard, folders.standards, files, errors);
   if (request.files.of("--out").empty())
     errors.emplace_back("--out: is missing; give the page to write, such as --out page.html");
   judge_files(request.files, files, errors);
   if (!errors.empty()) throw Refused(std::move(errors));
 
-  const live::LivePage page{.case_text = text_of(request, *given),
+  const live::LivePage page{.case_text = live_case_text(request.given, *given),
                             .standard = request.standard,
-                            .units = request.files.units.empty() ? "si" : request.files.units,
+                            .units = unit_system(request.files.units).name,
                             .engine = engine};
   publish(
       request.files.targets(), request.files.force,
       [&](const Target&) { return live::live_page(page, folders); },
-      fmt::format("Wrote {}: it solves the case anew while its numbers change.", request.files.of("--out")));
+      fmt::format("Wrote {}: it solves the case anew while its numbers change.\n",
+                  request.files.of("--out")));
   return exit_done;
 }
 
 }  // namespace
+
+std::string read_engine(std::vector<std::string>& errors) {
+  const std::filesystem::path file = chosen_engine();
+  std::ifstream stream(file, std::ios::binary);
+  std::string engine{std::istreambuf_iterator<char>(stream), {}};
+  if (engine.empty())
+    errors.push_back(fmt::format(
+        "{}: the engine of the live page is missing; ./do wasm makes it in two minutes", file.string()));
+  return engine;
+}
+
+std::string live_case_text(const GivenCase& request, const input::CaseFile& given) {
+  const std::filesystem::path shipped = chosen_folder("");
+  const bool is_plain =
+      request.settings.empty() && request.materials.empty() &&
+      std::ranges::all_of(given.files.begin() + 1, given.files.end(),
+                          [&](const input::InputFile& file) { return file.file.parent_path() == shipped; });
+  return is_plain ? input::read_text_file(request.file).value()
+                  : output::case_toml(given.impact, given.options);
+}
+
+void check_live_standard(const char* option, const std::string& name, std::vector<std::string>& errors) {
+  if (input::standard_choice(name).name.ends_with(".toml"))
+    errors.push_back(fmt::format("{} {}: a live page has the standards that come with the program, not files",
+                                 option, name));
+}
 
 void add_explore(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ExploreRequest>(

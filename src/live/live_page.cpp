@@ -27,18 +27,19 @@ std::string embedded(const Json& json) {
 
 std::string live_page(const LivePage& page, const Folders& folders) {
   Json tables = Json::parse(answer(Json{{"do", "read"}, {"text", page.case_text}}.dump(), folders))["case"];
-  const Json request{{"do", "solve"},
-                     {"case", tables},
-                     {"standard", page.standard},
-                     {"units", page.units},
-                     {"intervals", true}};
+  Json request{{"do", "solve"},
+               {"case", tables},
+               {"standard", page.standard},
+               {"units", page.units},
+               {"intervals", true}};
+  request.update(Json(page.user));
   const Json first = Json::parse(answer(request.dump(), folders));
 
   Json state{{"case", tables},
              {"pads", Json::array({tables.contains("pad") ? tables["pad"] : Json::object()})},
              {"active", 0},
              {"standard", page.standard},
-             {"user", Json::object()},
+             {"user", page.user.empty() ? Json::object() : Json(page.user)},
              {"units", page.units}};
   state["case"].erase("pad");
 

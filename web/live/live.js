@@ -277,7 +277,7 @@ class LivePage {
       const parts = document.createElement("template");
       // The names of the drawing's parts are those of one page.
       parts.innerHTML = answer.html.replace(/\bdd-[0-9a-f]{8}(?=-)/g, `$&-${"abcd"[i]}`);
-      const [drawing, figures] = [".drawing > svg", ".key-figures"].map((each) => parts.content.querySelector(each));
+      const [drawing, figures] = [".drawing", ".key-figures"].map((each) => parts.content.querySelector(each));
       if (drawing) card.append(drawing);
       if (figures) card.append(figures);
     }
