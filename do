@@ -198,6 +198,7 @@ task_bench() {
 # The site of the documents: what it shows of the command is printed and drawn by the command.
 task_docs() {
   need_packages run docs
+  task_wasm
   say "Building the command ..."
   configure release
   build release dashpad-command

@@ -25,6 +25,7 @@ class Runner:
             "DASHPAD_MATERIALS": f"{root}/materials",
             "DASHPAD_STANDARDS": f"{root}/standards",
             "DASHPAD_VALIDATION_DATA": f"{root}/data/validation",
+            "DASHPAD_ENGINE": f"{root}/build/wasm/engine.wasm.gz",
         }
         examples = self.folder / "examples"
         if not examples.exists():
@@ -77,7 +78,8 @@ def with_answers(text, runner, pictures):
             written += f"\n![{alt or ''}](made/{picture}){{.picture}}\n"
         if page := runner.written(line, ".html"):
             pictures.add(page)
-            written += f"\n[The page of this answer](made/{page})\n"
+            name = "Open the live page" if " explore " in line else "The page of this answer"
+            written += f"\n[{name}](made/{page})\n"
         return written
 
     return RUN.sub(replaced, text)
