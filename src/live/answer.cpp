@@ -1,6 +1,7 @@
 #include "live/answer.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -83,13 +84,11 @@ input::Reading<std::optional<injury::Standard>> read_standard(const Json& reques
   return std::optional(injury::with_user_values(injury::with_variants(*standard, choice.variants), values));
 }
 
-const char* name_of(output::Tone tone) { return output::class_of_tone(tone); }
-
 /// Of the whole page, or of its lead alone, which takes a third of the time.
 void add_page(const Json& request, const UnitSystem& units, output::Document document, Json& answer) {
   if (!is_set(request, "whole")) document.sections.clear();
   answer["title"] = document.lead->answer;
-  answer["tone"] = name_of(document.lead->tone);
+  answer["tone"] = output::class_of_tone(document.lead->tone);
   answer["html"] = output::html_of({{&units, std::move(document)}}).body;
 }
 
@@ -102,38 +101,73 @@ Json numbers_of(const ImpactCase& impact) {
   return numbers;
 }
 
+Solution solved(const ImpactCase& impact, const Options& options, bool intervals,
+                const std::vector<double>& dwell_levels = {}) {
+  Solution solution = solve(impact, options);
+  if (intervals) uncertainty::add_intervals(impact, options, solution, dwell_levels);
+  return solution;
+}
+
+/// As `dashpad assess`: with what another choice of nose or speed would change, where intervals are asked
+/// for.
+void add_assessment(const Json& request, const injury::Standard& standard, const input::CaseFile& given,
+                    const ImpactCase& impact, const Options& options, Json& answer) {
+  const UnitSystem& units = unit_system(text_of(request, "units"));
+  const bool intervals = is_set(request, "intervals");
+  const Solution solution = solved(impact, options, intervals, injury::dwell_levels(standard));
+  injury::Assessment assessment = injury::assess(standard, impact, solution);
+  std::vector<injury::OtherChoice> others;
+  if (intervals) {
+    Options coarse = options;
+    coarse.tolerance = 1e-3;
+    others = injury::turning_choices(
+        standard, given.impact, {}, assessment.verdict,
+        [&](const injury::Standard& other, const ImpactCase& with) {
+          return injury::assess(other, with, solved(with, coarse, true, injury::dwell_levels(other)));
+        });
+    for (const injury::OtherChoice& choice : others)
+      assessment.reservations.push_back(output::other_choice(choice, standard, given.impact, units));
+  }
+  const output::AssessmentReport report{standard, given.impact, impact, solution, assessment, others};
+  answer["result"] = Json::parse(output::assessment_json(report));
+  add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
+}
+
+/// As `dashpad run`.
+void add_impact(const Json& request, const ImpactCase& impact, const Options& options, Json& answer) {
+  const UnitSystem& units = unit_system(text_of(request, "units"));
+  std::vector<Blow> blows = solve_blows(impact, options);
+  Solution& solution = blows.back().solution;
+  if (is_set(request, "intervals")) uncertainty::add_intervals(impact, options, solution);
+  const auto injury = injury::whole_pulse_figures(solution);
+  output::ImpactReport report{impact, options, solution, injury};
+  if (impact.blows) report.blows = output::blow_results(blows);
+  answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
+  if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
+  add_page(request, units, output::impact_document(report, units, output::Pictures::drawn), answer);
+}
+
 Json solve_case(const Json& request, const Folders& folders) {
   const auto given = read_case(request, folders);
-  if (!given) return faults_json(given.faults());
   const auto standard = read_standard(request, folders);
-  if (!standard) return faults_json(standard.faults());
-  const UnitSystem& units = unit_system(text_of(request, "units"));
+  std::vector<input::Fault> faults = given.faults();
+  std::ranges::copy(standard.faults(), std::back_inserter(faults));
+  if (!faults.empty()) return faults_json(faults);
+  const ImpactCase impact = *standard ? injury::with_impactor_of(**standard, given->impact) : given->impact;
+  for (const Violation& violation : violations(impact))
+    faults.push_back({.file = name_of_case,
+                      .key = violation.key,
+                      .value = fmt::format("{}", violation.value),
+                      .rule = violation.rule});
+  if (!faults.empty()) return faults_json(faults);
   Options options = given->options;
   constexpr double quick = 1e-3;
   if (is_set(request, "quick")) options.tolerance = std::max(options.tolerance, quick);
-  const ImpactCase impact = *standard ? injury::with_impactor_of(**standard, given->impact) : given->impact;
-  if (const auto broken = violations(impact); !broken.empty())
-    return fault_json(broken.front().key, broken.front().rule);
-
-  std::vector<Blow> blows = solve_blows(impact, options);
-  Solution& solution = blows.back().solution;
-  if (is_set(request, "intervals"))
-    uncertainty::add_intervals(impact, options, solution,
-                               *standard ? injury::dwell_levels(**standard) : std::vector<double>{});
   Json answer;
-  if (*standard) {
-    const injury::Assessment assessment = injury::assess(**standard, impact, solution);
-    const output::AssessmentReport report{**standard, given->impact, impact, solution, assessment};
-    answer["result"] = Json::parse(output::assessment_json(report));
-    add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
-  } else {
-    const auto injury = injury::whole_pulse_figures(solution);
-    output::ImpactReport report{impact, options, solution, injury};
-    if (impact.blows) report.blows = output::blow_results(blows);
-    answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
-    if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
-    add_page(request, units, output::impact_document(report, units, output::Pictures::drawn), answer);
-  }
+  if (*standard)
+    add_assessment(request, **standard, *given, impact, options, answer);
+  else
+    add_impact(request, impact, options, answer);
   answer["numbers"] = numbers_of(impact);
   answer["toml"] = toml_of(request["case"]);
   return answer;
