@@ -30,6 +30,7 @@ Usage: ./do TASK [arguments]
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
   wasm                     compile the engine of the live page for WebAssembly: build/wasm/engine.wasm.gz
                            there
+  npm                      pack the engine, its module and its command for npm: build/npm/dashpad-VERSION.tgz
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
                            WebAssembly, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
@@ -350,7 +351,7 @@ wasm_batches() {
     live/live_page.cpp               # writes the page that has the engine
     margin/draws.cpp                 # no page asks for a probability
     output/svg/rendered.cpp          # librsvg
-    'output/.*/\(study_[^w].*\|fit\|fall_height\|sensitivity\|proposal\|pulse\|material\|post_impact\|filled\|test_plan\).*'
+    'output/.*/\(study_\([^wg]\|grid_\).*\|fit\|fall_height\|sensitivity\|proposal\|pulse\|material_.*\|post_impact\|filled\|test_plan\).*'
     'output/\(csv\|deck\)/.*'
   )
   # These include themselves once for each instruction set.
@@ -392,7 +393,10 @@ task_wasm() {
     "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
     "-Dcompiler_flags=-O2" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
   shipped_files >"$folder/shipped.new"
-  cmp -s "$folder/shipped.new" "$folder/shipped.cpp" || cp "$folder/shipped.new" "$folder/shipped.cpp"
+  logged cmake "-DWEB=$root/web" "-DOUTPUT=$folder/page.new" -P "$root/cmake/embed_page.cmake"
+  for name in shipped page; do
+    cmp -s "$folder/$name.new" "$folder/$name.cpp" || cp "$folder/$name.new" "$folder/$name.cpp"
+  done
   {
     cat <<TEXT
 flags = --target=wasm32-wasi -std=c++20 -DNDEBUG -fignore-exceptions -fno-rtti -fno-math-errno -fno-trapping-math \$
@@ -422,16 +426,34 @@ TEXT
       printf 'build %s.o: compile %s.cpp | headers%s.pch\n  optimisation = %s\n' "$name" "$name" "$optimisation" "$optimisation"
       objects+=" $name.o"
     done < <(wasm_batches)
-    for source in "$folder/version.cpp" "$folder/shipped.cpp" "$root/web/engine/host.cpp"; do
+    for source in "$folder/version.cpp" "$folder/shipped.cpp" "$folder/page.cpp" "$root/web/engine/host.cpp"; do
       name="$(basename "$source" .cpp)"
       printf 'build %s.o: compile %s | headers-Oz.pch\n  optimisation = -Oz\n' "$name" "$source"
     done
-    printf 'build engine.wasm: link host.o |%s shipped.o version.o\n  libraries = shipped.o version.o%s\n' "$objects" "$objects"
+    printf 'build engine.wasm: link host.o |%s shipped.o page.o version.o\n  libraries = shipped.o page.o version.o%s\n' "$objects" "$objects"
   } >"$folder/build.ninja"
   say "Compiling for WebAssembly ..."
   logged ninja -C "$folder" -j "$jobs"
-  zopfli -c "$folder/engine.wasm" >"$folder/engine.wasm.gz.new"
-  mv "$folder/engine.wasm.gz.new" "$folder/engine.wasm.gz"
+  if [[ "$folder/engine.wasm" -nt "$folder/engine.wasm.gz" ]]; then
+    zopfli -c "$folder/engine.wasm" >"$folder/engine.wasm.gz.new"
+    mv "$folder/engine.wasm.gz.new" "$folder/engine.wasm.gz"
+  fi
+}
+
+# The package of web/npm with the engine, as npm packs it: a tar with a folder "package". The same files give the same bytes.
+task_npm() {
+  task_wasm
+  local version folder="$root/build/npm"
+  version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
+  rm -rf "$folder"
+  mkdir -p "$folder/package"
+  cp -R "$root/web/npm/." "$root/LICENSE" "$root/web/engine/engine.mjs" "$root/build/wasm/engine.wasm.gz" "$folder/package"
+  sed -i "s/\"version\": \"[^\"]*\"/\"version\": \"$version\"/" "$folder/package/package.json"
+  chmod -R u=rwX,go=rX "$folder/package"
+  chmod 755 "$folder/package/bin/dashpad.mjs"
+  tar --create --sort=name --mtime=2020-01-01T00:00Z --owner=0 --group=0 --numeric-owner --directory "$folder" package |
+    gzip -9 --no-name >"$folder/dashpad-$version.tgz"
+  say "The package: build/npm/dashpad-$version.tgz"
 }
 
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
@@ -492,7 +514,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

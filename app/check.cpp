@@ -1,10 +1,7 @@
 // dashpad check: shows how a case is understood, or its faults.
 
-#include <sstream>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "command.hpp"
 #include "dashpad/input/case_file.hpp"
@@ -12,7 +9,6 @@
 #include "dashpad/output/text/case.hpp"
 #include "input/fault_json.hpp"
 #include "output.hpp"
-#include "quantities/text.hpp"
 
 namespace dashpad::app {
 
@@ -37,14 +33,6 @@ struct CheckRequest {
   bool as_json = false;
 };
 
-/// The text with its long lines folded.
-std::string folded(const std::string& text) {
-  std::istringstream lines(text);
-  std::string all;
-  for (std::string line; std::getline(lines, line);) all += wrapped(line, 2) + "\n";
-  return all;
-}
-
 int check(const CheckRequest& request) {
   const GivenCase& given = request.given;
   input::Reading<input::CaseFile> read =
@@ -55,9 +43,7 @@ int check(const CheckRequest& request) {
     return read ? exit_done : exit_refused;
   }
   const input::CaseFile input = std::move(read).value();
-  write_output(fmt::format("{}: OK\n\n{}\nIn SI:\n{}", given.file,
-                           folded(output::case_text(input.impact, unit_system(request.units))),
-                           output::case_in_si(input.impact, input.options)));
+  write_output(output::checked_case(given.file, input.impact, input.options, unit_system(request.units)));
   return exit_done;
 }
 

@@ -1,13 +1,9 @@
 #include "live/answer.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/contact_snapshot.hpp"
@@ -19,10 +15,14 @@
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/output/margin.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 #include "input/toml_tree.hpp"
 #include "json/json_values.hpp"
 #include "live/case_tables.hpp"
+#include "live/request.hpp"
+#include "live/shown.hpp"
+#include "live/written.hpp"
 #include "output/page/html.hpp"
 #include "output/page/html_elements.hpp"
 
@@ -30,65 +30,13 @@ namespace dashpad::live {
 
 namespace {
 
-/// What a live page shows of a case has no name of a file.
-constexpr const char* name_of_case = "the case";
-
-Json faults_json(const std::vector<input::Fault>& faults) {
-  return {{"faults", array_of(faults, [](const input::Fault& fault) {
-             return Json{{"line", fault.line},
-                         {"key", fault.key},
-                         {"value", fault.value},
-                         {"rule", fault.rule},
-                         {"text", with_excerpt(fault)}};
-           })}};
-}
-Json fault_json(const std::string& key, const std::string& rule) {
-  return faults_json({{.file = name_of_case, .key = key, .value = "", .rule = rule}});
-}
-
-std::string text_of(const Json& request, const char* key) {
-  const auto found = request.find(key);
-  return found != request.end() && found->is_string() ? found->get<std::string>() : "";
-}
-bool is_set(const Json& request, const char* key) {
-  const auto found = request.find(key);
-  return found != request.end() && found->is_boolean() && found->get<bool>();
-}
-std::optional<double> number_of(const Json& request, const char* key) {
-  const auto found = request.find(key);
-  return found != request.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
-}
-
-input::Reading<input::CaseFile> read_case(const Json& request, const Folders& folders) {
-  const std::string text = request.contains("case") ? request["case"].dump() : "{}";
-  return input::read_case_json(text, 0, name_of_case, "", folders.materials).read;
-}
-
-/// The standard with the values of the user; absent without one.
-input::Reading<std::optional<injury::Standard>> read_standard(const Json& request, const Folders& folders) {
-  const std::string name = text_of(request, "standard");
-  if (name.empty()) return std::optional<injury::Standard>{};
-  const input::StandardChoice choice = input::standard_choice(name);
-  const auto file = input::find_standard(choice.name, folders.standards);
-  if (!file) return file.faults();
-  const auto standard = input::read_standard(*file);
-  if (!standard) return standard.faults();
-  for (const std::string& variant : choice.variants)
-    if (std::ranges::find(standard->variants, variant, &injury::StandardVariant::name) ==
-        standard->variants.end())
-      return input::fault_of_file(name, "has no variant " + variant);
-  const injury::UserValues values{.mass = number_of(request, "mass"),
-                                  .radius = number_of(request, "radius"),
-                                  .speed = number_of(request, "speed"),
-                                  .drop_height = {}};
-  return std::optional(injury::with_user_values(injury::with_variants(*standard, choice.variants), values));
-}
+const char* name_of(output::Tone tone) { return output::class_of_tone(tone); }
 
 /// Of the whole page, or of its lead alone, which takes a third of the time.
 void add_page(const Json& request, const UnitSystem& units, output::Document document, Json& answer) {
   if (!is_set(request, "whole")) document.sections.clear();
   answer["title"] = document.lead->answer;
-  answer["tone"] = output::class_of_tone(document.lead->tone);
+  answer["tone"] = name_of(document.lead->tone);
   answer["html"] = output::html_of({{&units, std::move(document)}}).body;
 }
 
@@ -101,96 +49,156 @@ Json numbers_of(const ImpactCase& impact) {
   return numbers;
 }
 
-Solution solved(const ImpactCase& impact, const Options& options, bool intervals,
-                const std::vector<double>& dwell_levels = {}) {
-  Solution solution = solve(impact, options);
-  if (intervals) uncertainty::add_intervals(impact, options, solution, dwell_levels);
-  return solution;
+/// As the command ends with it.
+int code_of(const Summary& summary) {
+  constexpr int done = 0, not_trusted = 3;
+  return summary.trustworthy() || bottomed_on_rigid_support(summary) ? done : not_trusted;
+}
+int code_of(injury::Verdict verdict, const Summary& summary) {
+  constexpr int not_trusted = 3, not_passed = 4;
+  if (verdict == injury::Verdict::pass) return code_of(summary);
+  return verdict == injury::Verdict::fail ? not_passed : not_trusted;
+}
+int code_of(const margin::Answer& answer) {
+  constexpr int done = 0, not_trusted = 3, not_passed = 4;
+  const auto any = [&](margin::Zone zone) {
+    return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
+  };
+  if (!answer.is_complete || answer.doubtful > 0) return not_trusted;
+  if (any(margin::Zone::pass)) return done;
+  return any(margin::Zone::undecided) || any(margin::Zone::unknown) ? not_trusted : not_passed;
 }
 
-/// As `dashpad assess`: with what another choice of nose or speed would change, where intervals are asked
-/// for.
-void add_assessment(const Json& request, const injury::Standard& standard, const input::CaseFile& given,
-                    const ImpactCase& impact, const Options& options, Json& answer) {
-  const UnitSystem& units = unit_system(text_of(request, "units"));
-  const bool intervals = is_set(request, "intervals");
-  const Solution solution = solved(impact, options, intervals, injury::dwell_levels(standard));
-  injury::Assessment assessment = injury::assess(standard, impact, solution);
+/// What the other choices of nose and speed would have changed.
+std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked& asked,
+                                               injury::Assessment& assessment) {
+  Options coarse = asked.given.options;
+  coarse.tolerance = 1e-3;
+  const auto judged = [&](const injury::Standard& standard, const ImpactCase& impact) {
+    Solution solution = solve(impact, coarse);
+    if (is_set(request, "intervals"))
+      uncertainty::add_intervals(impact, coarse, solution, injury::dwell_levels(standard));
+    return injury::assess(standard, impact, solution);
+  };
+  std::vector<injury::OtherChoice> others =
+      injury::turning_choices(*asked.own, asked.given.impact, asked.kept, assessment.verdict, judged);
+  for (const injury::OtherChoice& choice : others)
+    assessment.reservations.push_back(
+        output::other_choice(choice, *asked.own, asked.given.impact, units_of(request)));
+  return others;
+}
+
+Json assess_solution(const Json& request, const Asked& asked, const Solution& solution) {
+  const UnitSystem& units = units_of(request);
+  injury::Assessment assessment = injury::assess(*asked.standard, asked.impact, solution);
   std::vector<injury::OtherChoice> others;
-  if (intervals) {
-    Options coarse = options;
-    coarse.tolerance = 1e-3;
-    others = injury::turning_choices(
-        standard, given.impact, {}, assessment.verdict,
-        [&](const injury::Standard& other, const ImpactCase& with) {
-          return injury::assess(other, with, solved(with, coarse, true, injury::dwell_levels(other)));
-        });
-    for (const injury::OtherChoice& choice : others)
-      assessment.reservations.push_back(output::other_choice(choice, standard, given.impact, units));
+  if (is_set(request, "others")) others = other_choices(request, asked, assessment);
+  const output::AssessmentReport report{*asked.standard, asked.given.impact, asked.impact, solution,
+                                        assessment,      std::move(others),  asked.name};
+  const auto json = [&] { return output::assessment_json(report); };
+  const auto document = [&](output::Pictures pictures) {
+    return output::assessment_document(report, units, pictures);
+  };
+  Json answer{{"code", code_of(assessment.verdict, solution.summary)}};
+  if (request.contains("write")) {
+    answer["written"] = written(request, {.document = document, .json = json});
+  } else {
+    answer["result"] = Json::parse(json());
+    add_page(request, units, document(output::Pictures::drawn), answer);
   }
-  const output::AssessmentReport report{standard, given.impact, impact, solution, assessment, others};
-  answer["result"] = Json::parse(output::assessment_json(report));
-  add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
+  return answer;
 }
 
-/// As `dashpad run`.
-void add_impact(const Json& request, const ImpactCase& impact, const Options& options, Json& answer) {
-  const UnitSystem& units = unit_system(text_of(request, "units"));
-  std::vector<Blow> blows = solve_blows(impact, options);
-  Solution& solution = blows.back().solution;
-  if (is_set(request, "intervals")) uncertainty::add_intervals(impact, options, solution);
+Json report_blows(const Json& request, const Asked& asked, const Options& options,
+                  const std::vector<Blow>& blows) {
+  const UnitSystem& units = units_of(request);
+  const Solution& solution = blows.back().solution;
   const auto injury = injury::whole_pulse_figures(solution);
-  output::ImpactReport report{impact, options, solution, injury};
-  if (impact.blows) report.blows = output::blow_results(blows);
-  answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
-  if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
-  add_page(request, units, output::impact_document(report, units, output::Pictures::drawn), answer);
+  output::ImpactReport report{asked.impact, options, solution, injury};
+  if (asked.impact.blows) report.blows = output::blow_results(blows);
+  const auto look = [&] { report.snapshots = contact_snapshots(blows.back().impact, solution.history); };
+  const auto json = [&] { return output::result_json(asked.impact, solution.summary, injury, report.blows); };
+  const auto document = [&](output::Pictures pictures) {
+    return output::impact_document(report, units, pictures);
+  };
+  int code = 0;
+  for (const Blow& blow : blows) code = std::max(code, code_of(blow.solution.summary));
+  Json answer{{"code", code}};
+  if (request.contains("write")) {
+    const auto page = [&] {
+      look();
+      return output::impact_page(report, units);
+    };
+    answer["written"] = written(request, {.document = document, .json = json, .page = page});
+  } else {
+    answer["result"] = Json::parse(json());
+    if (is_set(request, "whole")) look();
+    add_page(request, units, document(output::Pictures::drawn), answer);
+  }
+  return answer;
 }
 
 Json solve_case(const Json& request, const Folders& folders) {
-  const auto given = read_case(request, folders);
-  const auto standard = read_standard(request, folders);
-  std::vector<input::Fault> faults = given.faults();
-  std::ranges::copy(standard.faults(), std::back_inserter(faults));
-  if (!faults.empty()) return faults_json(faults);
-  const ImpactCase impact = *standard ? injury::with_impactor_of(**standard, given->impact) : given->impact;
-  for (const Violation& violation : violations(impact))
-    faults.push_back({.file = name_of_case,
-                      .key = violation.key,
-                      .value = fmt::format("{}", violation.value),
-                      .rule = violation.rule});
-  if (!faults.empty()) return faults_json(faults);
-  Options options = given->options;
+  const auto asked = read_asked(request, folders);
+  if (!asked) return faults_json(asked.faults());
+  Options options = asked->given.options;
   constexpr double quick = 1e-3;
   if (is_set(request, "quick")) options.tolerance = std::max(options.tolerance, quick);
-  Json answer;
-  if (*standard)
-    add_assessment(request, **standard, *given, impact, options, answer);
-  else
-    add_impact(request, impact, options, answer);
+  const ImpactCase& impact = asked->impact;
+  const auto& standard = asked->standard;
+
+  std::vector<Blow> blows =
+      standard ? std::vector{Blow{impact, solve(impact, options)}} : solve_blows(impact, options);
+  Solution& solution = blows.back().solution;
+  if (is_set(request, "intervals"))
+    uncertainty::add_intervals(impact, options, solution,
+                               standard ? injury::dwell_levels(*standard) : std::vector<double>{});
+  Json answer =
+      standard ? assess_solution(request, *asked, solution) : report_blows(request, *asked, options, blows);
   answer["numbers"] = numbers_of(impact);
-  answer["toml"] = toml_of(request["case"]);
+  if (request.contains("case")) answer["toml"] = toml_of(request["case"]);
   return answer;
 }
 
 Json solve_for(const Json& request, const Folders& folders) {
-  const auto given = read_case(request, folders);
-  if (!given) return faults_json(given.faults());
+  std::vector<input::Fault> faults;
   const auto standard = read_standard(request, folders);
-  if (!standard) return faults_json(standard.faults());
+  if (!standard) faults = standard.faults();
+  const auto given = read_case(request, folders);
+  if (!given) add(given.faults(), faults);
+  if (!faults.empty()) return faults_json(faults);
   if (!*standard) return fault_json("standard", "choose a standard, whose limits the pad is to keep");
   margin::Question question{.impacts = {}, .key = text_of(request, "key"), .unit = {}};
   question.options = given->options;
+  if (const auto tolerance = number_of(request, "tolerance")) question.options.tolerance = *tolerance;
+  if (request.contains("intervals")) question.intervals = is_set(request, "intervals");
   const injury::Standard judged = injury::without_value_of(**standard, decided_by(question.key));
   question.impacts.push_back({.impact = injury::with_impactor_of(judged, given->impact), .standard = judged});
-  if (const CaseQuantity* const quantity = quantities_of(given->impact).find(question.key))
-    question.unit = quantity->unit;
-  else
-    return fault_json(question.key, "is no number of this case");
-  if (!margin::choose_range(question)) return fault_json(question.key, "has no value to search about");
+  const auto refused = [&](const std::string& rule) {
+    return faults_json({{.file = question.key, .key = "", .value = "", .rule = rule}});
+  };
+  const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
+  const auto key = std::ranges::find(known, question.key, &study::FactorKey::key);
+  if (key == known.end()) return refused(study::rule_for_unknown(question.key, given->impact, known));
+  if (key->unit.empty()) return refused("is no number; compare materials in a study (docs/studies.md)");
+  question.unit = key->unit;
+  if (!margin::choose_range(question)) return refused("the case has no value above 0 to search about");
+  for (const Violation& violation : margin::violations(question))
+    faults.push_back({.file = violation.key, .key = "", .value = "", .rule = violation.rule});
+  if (!faults.empty()) return faults_json(faults);
   const margin::Answer found = margin::solve_for(question);
-  return {{"result", Json::parse(output::margin_json(found))},
-          {"title", output::margin_answer(found, unit_system(text_of(request, "units")))}};
+  const UnitSystem& units = units_of(request);
+  const std::string name = request.contains("file") ? text_of(request, "file") : name_of_case;
+  Json answer{{"title", output::margin_answer(found, units)}, {"code", code_of(found)}};
+  const auto json = [&] { return output::margin_json(found); };
+  const auto document = [&](output::Pictures pictures) {
+    return output::margin_document(found, name, units, pictures);
+  };
+  if (request.contains("write"))
+    answer["written"] = written(request, {.document = document, .json = json});
+  else
+    answer["result"] = Json::parse(json());
+  return answer;
 }
 
 Json read_file(const Json& request) {
@@ -225,11 +233,17 @@ std::string answer(std::string_view request, const Folders& folders) {
   const Json asked = Json::parse(request, nullptr, false);
   if (!asked.is_object()) return fault_json("", "is not a request").dump();
   const std::string what = text_of(asked, "do");
-  const Json answer = what == "solve"       ? solve_case(asked, folders)
-                      : what == "solve-for" ? solve_for(asked, folders)
-                      : what == "read"      ? read_file(asked)
-                      : what == "list"      ? list_all(folders)
-                                            : fault_json("do", "must be solve, solve-for, read or list");
+  const Folders chosen = folders_of(asked, folders);
+  const Json answer =
+      what == "solve"       ? solve_case(asked, chosen)
+      : what == "solve-for" ? solve_for(asked, chosen)
+      : what == "check"     ? check_case(asked, chosen)
+      : what == "materials" ? show_materials(asked, chosen)
+      : what == "standards" ? show_standards(asked, chosen)
+      : what == "read"      ? read_file(asked)
+      : what == "list"
+          ? list_all(chosen)
+          : fault_json("do", "must be solve, solve-for, check, materials, standards, read or list");
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

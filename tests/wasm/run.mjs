@@ -3,6 +3,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { startEngine } from "../../web/engine/engine.mjs";
+import { differences } from "./differences.mjs";
 
 const [wasm, dashpad, root] = process.argv.slice(2);
 const module = await WebAssembly.compile(readFileSync(wasm));
@@ -13,29 +14,6 @@ const fail = (text) => {
   console.log(text);
   failures += 1;
 };
-
-// Both solve by the same operations, but round them differently, and a step that one of them divides the other may take
-// whole: figures then differ by some hundredths of their numerical error, and ends of intervals, which are solved to 1e-3,
-// by more. Errors, and energies that are differences of others, are not compared.
-function allowed(path) {
-  if (/error|residual|wall_time|seconds|steps|program|energy|_fraction/.test(path)) return Infinity;
-  return /intervals|flags/.test(path) ? 1e-3 : 1e-5;
-}
-
-// Figures that differ by more than they may, and the largest difference of the others.
-function differences(ours, theirs, path, found) {
-  if (typeof ours === "number" && typeof theirs === "number") {
-    const difference = ours === theirs ? 0 : Math.abs(ours - theirs) / Math.max(Math.abs(ours), Math.abs(theirs));
-    if (difference > allowed(path)) found.texts.push(`${path}: ${ours} and ${theirs}`);
-    if (!/intervals|flags/.test(path) && allowed(path) < 1) found.largest = Math.max(found.largest, difference);
-  } else if (ours && theirs && typeof ours === "object" && typeof theirs === "object") {
-    for (const key of new Set([...Object.keys(ours), ...Object.keys(theirs)]))
-      differences(ours[key], theirs[key], `${path}.${key}`, found);
-  } else if (ours !== theirs && allowed(path) < 1 && !/text$/.test(path)) {
-    found.texts.push(`${path}: ${ours} and ${theirs}`);
-  }
-  return found;
-}
 
 // A text that does not depend on the order of keys.
 function sorted(value) {
@@ -64,7 +42,7 @@ for (const name of readdirSync(join(root, "examples")).filter((name) => name.end
   const took = performance.now() - quick;
   if (!solved.result) { fail(`${name}: ${JSON.stringify(solved)}`); continue; }
   const theirs = JSON.parse(command("run", file, "--json", "-"));
-  const found = differences(solved.result, theirs, "", { texts: [], largest: 0 });
+  const found = differences(solved.result, theirs);
   if (process.env.SHOW) console.log(`${name}: ${(quick - begin).toFixed(1)} ms with intervals, ${took.toFixed(1)} ms without, ${solved.html.length} bytes, differs by ${found.largest.toExponential(1)}`);
   for (const each of found.texts.slice(0, 5)) fail(`${name}: ${each}`);
   if (found.largest < 1e-9) exact += 1;

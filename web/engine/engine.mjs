@@ -27,16 +27,23 @@ export function startEngine(module, files = {}) {
       proc_exit: () => refused("the engine has stopped"),
     },
   });
-  const { memory, _initialize, allocate, add_file, answer, result_size } = instance.exports;
+  const { memory, _initialize, allocate, add_file, refuse_file, missing_files, answer, result_size } = instance.exports;
   _initialize();
   const put = (words) => {
-    const bytes = new TextEncoder().encode(words);
+    const bytes = typeof words === "string" ? new TextEncoder().encode(words) : words;
     const place = allocate(bytes.length);
     new Uint8Array(memory.buffer, place, bytes.length).set(bytes);
     return [place, bytes.length];
   };
-  for (const [name, content] of Object.entries(files)) add_file(...put(name), ...put(content));
+  const addFile = (name, content) => add_file(...put(name), ...put(content));
+  for (const [name, content] of Object.entries(files)) addFile(name, content);
   return {
+    // A text or bytes.
+    addFile,
+    // A file that is there and cannot be read, or a folder that is not, and why.
+    refuseFile: (name, why) => refuse_file(...put(name), ...put(why)),
+    // The files that answers have looked for in vain since the last call.
+    missingFiles: () => text(missing_files(), result_size()).split("\n").slice(0, -1),
     ask: (request) => {
       const place = answer(...put(JSON.stringify(request)));
       return JSON.parse(text(place, result_size()));

@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,26 +60,45 @@ std::map<std::filesystem::path, std::string>& files() {
   return all;
 }
 
+/// Why files and folders that the host has looked for cannot be read, by path.
+std::map<std::filesystem::path, std::string>& refused() {
+  static std::map<std::filesystem::path, std::string> all;
+  return all;
+}
+
+/// What was looked for in vain; the host may add these files and ask again.
+std::set<std::filesystem::path>& missing() {
+  static std::set<std::filesystem::path> all;
+  return all;
+}
+
 std::string result;
 
 }  // namespace
 
 namespace dashpad::input {
 
-bool is_there(const std::filesystem::path& file) { return files().contains(file); }
+bool is_there(const std::filesystem::path& file) {
+  if (files().contains(file) || refused().contains(file)) return true;
+  missing().insert(file);
+  return false;
+}
 bool is_link(const std::filesystem::path& /*file*/) { return false; }
 
 Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /*most*/) {
   const auto found = files().find(file);
-  if (found == files().end()) return fault_of_file(file, "no such file");
-  return found->second;
+  if (found != files().end()) return found->second;
+  if (const auto why = refused().find(file); why != refused().end()) return fault_of_file(file, why->second);
+  missing().insert(file);
+  return fault_of_file(file, "no such file");
 }
 
 Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& folder,
                                                        std::string_view /*content*/) {
+  if (const auto why = refused().find(folder); why != refused().end()) return fault_of_file(folder, why->second);
   std::vector<std::filesystem::path> all;
   for (const auto& [file, text] : files())
-    if (file.parent_path() == folder) all.push_back(file);
+    if (file.parent_path() == folder && file.extension() == ".toml") all.push_back(file);
   return all;
 }
 
@@ -101,6 +121,22 @@ void add_file(char* name, std::size_t name_size, char* text, std::size_t text_si
   files()[std::string(name, name_size)] = std::string(text, text_size);
   std::free(name);
   std::free(text);
+}
+
+/// The same: a path, and why it cannot be read.
+EXPORTED(refuse_file)
+void refuse_file(char* name, std::size_t name_size, char* why, std::size_t why_size) {
+  refused()[std::string(name, name_size)] = std::string(why, why_size);
+  std::free(name);
+  std::free(why);
+}
+
+/// The paths that answers since the last call looked for in vain, a line each, as result of result_size().
+EXPORTED(missing_files) const char* missing_files() {
+  result.clear();
+  for (const std::filesystem::path& file : missing()) result += file.string() + "\n";
+  missing().clear();
+  return result.data();
 }
 
 EXPORTED(answer) const char* answer(char* request, std::size_t size) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 
 #include "model/parameter_values.hpp"
@@ -185,6 +186,14 @@ std::string case_in_si(const ImpactCase& impact, const Options& options) {
   if (impact.blows) lines("blows.", *impact.blows);
   lines("solver.", options);
   return text;
+}
+
+std::string checked_case(const std::string& name, const ImpactCase& impact, const Options& options,
+                         const UnitSystem& units) {
+  std::string text = name + ": OK\n\n";
+  std::istringstream lines(case_text(impact, units));
+  for (std::string line; std::getline(lines, line);) text += wrapped(line, 2) + "\n";
+  return text + "\nIn SI:\n" + case_in_si(impact, options);
 }
 
 }  // namespace dashpad::output

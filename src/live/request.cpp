@@ -1,0 +1,161 @@
+#include "live/request.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dashpad/impact/solve.hpp"
+#include "dashpad/input/standard_file.hpp"
+#include "dashpad/quantities/quantity.hpp"
+#include "input/fault_json.hpp"
+#include "live/case_tables.hpp"
+#include "quantities/magnitude_bounds.hpp"
+
+namespace dashpad::live {
+
+namespace {
+
+using Faults = std::vector<input::Fault>;
+
+/// A number in SI, or a text with its unit as an option of the command.
+std::optional<double> value_of(const Json& request, const char* key, const char* option, const char* unit,
+                               Faults& faults) {
+  const std::string text = text_of(request, key);
+  if (text.empty()) return number_of(request, key);
+  auto [value, rule] = read_si(text, unit);
+  if (rule.empty()) rule = rule_of(measured_magnitudes(unit), value, unit);
+  if (rule.empty() && value <= 0) rule = "must be more than 0";
+  if (rule.empty()) return value;
+  faults.push_back({.file = fmt::format("{} {}", option, text), .key = "", .value = "", .rule = rule});
+  return std::nullopt;
+}
+
+injury::UserValues user_values(const Json& request, Faults& faults) {
+  return {.mass = value_of(request, "mass", "--mass", "kg", faults),
+          .radius = value_of(request, "radius", "--radius", "m", faults),
+          .speed = value_of(request, "speed", "--speed", "m/s", faults),
+          .drop_height = value_of(request, "drop_height", "--drop-height", "m", faults)};
+}
+
+}  // namespace
+
+void add(const std::vector<input::Fault>& more, std::vector<input::Fault>& faults) {
+  std::ranges::copy(more, std::back_inserter(faults));
+}
+
+std::string text_of(const Json& request, const char* key) {
+  const auto found = request.find(key);
+  return found != request.end() && found->is_string() ? found->get<std::string>() : "";
+}
+bool is_set(const Json& request, const char* key) {
+  const auto found = request.find(key);
+  return found != request.end() && found->is_boolean() && found->get<bool>();
+}
+std::optional<double> number_of(const Json& request, const char* key) {
+  const auto found = request.find(key);
+  return found != request.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+std::vector<std::string> texts_of(const Json& request, const char* key) {
+  std::vector<std::string> texts;
+  if (const auto found = request.find(key); found != request.end() && found->is_array())
+    for (const Json& each : *found)
+      if (each.is_string()) texts.push_back(each.get<std::string>());
+  return texts;
+}
+const UnitSystem& units_of(const Json& request) {
+  const std::string name = text_of(request, "units");
+  const auto known = std::ranges::find(unit_systems(), name, &UnitSystem::name);
+  return known == unit_systems().end() ? unit_systems().front() : *known;
+}
+
+Folders folders_of(const Json& request, const Folders& own) {
+  const std::string materials = text_of(request, "materials"), standards = text_of(request, "standards");
+  return {.materials = materials.empty() ? own.materials : std::filesystem::path(materials),
+          .standards = standards.empty() ? own.standards : std::filesystem::path(standards)};
+}
+
+Json faults_json(const std::vector<input::Fault>& faults) {
+  std::vector<std::string> lines;
+  std::ranges::transform(faults, std::back_inserter(lines), input::with_excerpt);
+  return {{"faults", array_of(faults,
+                              [](const input::Fault& fault) {
+                                Json data = dashpad::fault_json(fault);
+                                data["text"] = with_excerpt(fault);
+                                return data;
+                              })},
+          {"lines", input::abridged(lines)}};
+}
+Json fault_json(const std::string& key, const std::string& rule) {
+  return faults_json({{.file = name_of_case, .key = key, .value = "", .rule = rule}});
+}
+
+input::Reading<input::CaseFile> read_case(const Json& request, const Folders& folders) {
+  const std::vector<std::string> settings = texts_of(request, "set");
+  if (const std::string file = text_of(request, "file"); !file.empty())
+    return input::read_case(file, folders.materials, settings);
+  if (!settings.empty() && request.contains("case"))
+    return input::read_case_text(toml_of(request["case"]), name_of_case, folders.materials, settings);
+  const std::string text = request.contains("case") ? request["case"].dump() : "{}";
+  return input::read_case_json(text, 0, name_of_case, "", folders.materials).read;
+}
+
+input::Reading<std::optional<injury::Standard>> read_standard(const Json& request, const Folders& folders) {
+  const std::string name = text_of(request, "standard");
+  if (name.empty()) return std::optional<injury::Standard>{};
+  const input::StandardChoice choice = input::standard_choice(name);
+  const auto file = input::find_standard(choice.name, folders.standards);
+  if (!file) return file.faults();
+  const auto standard = input::read_standard(*file);
+  if (!standard) return standard.faults();
+  for (const std::string& variant : choice.variants) {
+    if (std::ranges::find(standard->variants, variant, &injury::StandardVariant::name) !=
+        standard->variants.end())
+      continue;
+    std::string names;
+    for (const injury::StandardVariant& known : standard->variants)
+      names += (names.empty() ? "its variants are " : ", ") + known.name;
+    return input::fault_of_file("--standard", fmt::format("{} has no variant \"{}\"; {}", standard->name,
+                                                          variant, names.empty() ? "it has none" : names));
+  }
+  return std::optional(injury::with_variants(*standard, choice.variants));
+}
+
+std::optional<input::InputFile> standard_file(const Json& request, const Folders& folders) {
+  const std::string name = text_of(request, "standard");
+  if (name.empty()) return std::nullopt;
+  const auto file = input::find_standard(input::standard_choice(name).name, folders.standards);
+  return file ? std::optional(input::InputFile{"the standard", *file}) : std::nullopt;
+}
+
+input::Reading<Asked> read_asked(const Json& request, const Folders& folders) {
+  Faults faults;
+  Asked asked{.name = request.contains("file") ? text_of(request, "file") : name_of_case};
+  asked.kept = {.nose = is_set(request, "keep_nose"), .speed = is_set(request, "keep_speed")};
+  const injury::UserValues values = user_values(request, faults);
+  const auto standard = read_standard(request, folders);
+  if (!standard)
+    add(standard.faults(), faults);
+  else if (*standard)
+    asked.own = injury::with_user_values(**standard, values);
+  auto given = read_case(request, folders);
+  if (!given) add(given.faults(), faults);
+  if (!faults.empty()) return faults;
+
+  asked.given = *std::move(given);
+  if (const auto tolerance = number_of(request, "tolerance")) asked.given.options.tolerance = *tolerance;
+  asked.impact = asked.given.impact;
+  if (!asked.own) return asked;
+  asked.standard = injury::with_kept(*asked.own, asked.impact.impactor, asked.kept);
+  asked.impact = injury::with_impactor_of(*asked.standard, asked.given.impact);
+  for (const Violation& violation : violations(asked.impact))
+    faults.push_back({.file = fmt::format("{}, with the impactor of {}", asked.name, asked.standard->name),
+                      .key = violation.key,
+                      .value = fmt::format("{}", violation.value),
+                      .rule = violation.rule});
+  if (!faults.empty()) return faults;
+  return asked;
+}
+
+}  // namespace dashpad::live

@@ -1,0 +1,54 @@
+#pragma once
+/// What requests have in common: their values, the case and the standard that they name, and faults as an
+/// answer.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dashpad/injury/standard.hpp"
+#include "dashpad/input/case_file.hpp"
+#include "dashpad/quantities/unit_system.hpp"
+#include "json/json_values.hpp"
+#include "live/answer.hpp"
+
+namespace dashpad::live {
+
+/// What a live page shows of a case has no name of a file.
+inline constexpr const char* name_of_case = "the case";
+
+std::string text_of(const Json& request, const char* key);
+bool is_set(const Json& request, const char* key);
+std::optional<double> number_of(const Json& request, const char* key);
+std::vector<std::string> texts_of(const Json& request, const char* key);
+const UnitSystem& units_of(const Json& request);
+
+/// Those that the request names in place of what came with the engine.
+Folders folders_of(const Json& request, const Folders& own);
+
+void add(const std::vector<input::Fault>& more, std::vector<input::Fault>& faults);
+/// {"faults": [...], "lines": as the command shows them}.
+Json faults_json(const std::vector<input::Fault>& faults);
+Json fault_json(const std::string& key, const std::string& rule);
+
+input::Reading<input::CaseFile> read_case(const Json& request, const Folders& folders);
+/// The standard with its variants; absent without one.
+input::Reading<std::optional<injury::Standard>> read_standard(const Json& request, const Folders& folders);
+
+/// The file of the standard, among those that must not be overwritten.
+std::optional<input::InputFile> standard_file(const Json& request, const Folders& folders);
+
+/// A case that is to be solved.
+struct Asked {
+  std::string name;  ///< as faults call the case
+  input::CaseFile given = {};
+  ImpactCase impact = {};  ///< with the impactor of the standard
+  injury::Kept kept = {};
+  std::optional<injury::Standard> own = {};       ///< with its own nose and speed, and the values of the user
+  std::optional<injury::Standard> standard = {};  ///< with those of the case, if they are kept
+};
+/// All faults of standard and case.
+input::Reading<Asked> read_asked(const Json& request, const Folders& folders);
+
+}  // namespace dashpad::live
