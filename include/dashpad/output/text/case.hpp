@@ -25,7 +25,7 @@ CaseWords case_words(const ImpactCase& impact, const UnitSystem& units);
 /// Every value of the case as it is computed with: `key = value unit` in SI and full precision, a line each.
 std::string case_in_si(const ImpactCase& impact, const Options& options);
 
-/// What `dashpad check` says of the case `name`: its words, then every value.
+/// The case `name` as `dashpad check` shows it: its words, then every value.
 std::string checked_case(const std::string& name, const ImpactCase& impact, const Options& options,
                          const UnitSystem& units);
 

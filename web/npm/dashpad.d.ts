@@ -1,0 +1,122 @@
+/** Impact of rigid bodies on foam pads. */
+
+/** Something in the input that cannot be computed. */
+export interface Fault {
+  /** The case file, a card, or an option such as "--set". */
+  file: string;
+  /** null if unknown. */
+  line: number | null;
+  key: string;
+  /** As written. */
+  value: string;
+  /** What would be right. */
+  rule: string;
+  /** The whole message, with the line of the file if there is one. */
+  text: string;
+}
+
+/** Thrown for input that cannot be computed. */
+export class DashpadFaults extends Error {
+  readonly faults: Fault[];
+  /** The messages as the command shows them: many of one kind are abridged. */
+  readonly lines: string[];
+}
+
+/** A value of a case file: a text with a unit, a number, or tables of them. */
+export type CaseValue = string | number | boolean | CaseValue[] | { [key: string]: CaseValue };
+
+/** The tables of a case file, or its text. */
+export type Case = string | { [table: string]: CaseValue };
+
+export type Units = "si" | "us" | "engineering-metric";
+
+/** "KEY=VALUE" as of --set, or values by their keys: {"pad.thickness": "30 mm"}. */
+export type Settings = string[] | { [key: string]: string | number };
+
+export interface Options {
+  settings?: Settings;
+  /** Of texts and pages; results are in SI. Default: "si". */
+  units?: Units;
+  /** What is uncertain of foam and model, which takes further impacts. Default: true. */
+  intervals?: boolean;
+  /** Relative error allowed, from 1e-8 to 1e-2. */
+  tolerance?: number;
+  /** Name of a case given as text, for faults; files that it names are relative to its folder. Default: "case.toml". */
+  file?: string;
+  /** Files that the case names, by their paths. They stay with the engine. */
+  files?: { [path: string]: string | Uint8Array };
+}
+
+/** A number in SI, or a text with its unit, such as "15 mph". */
+export type Quantity = number | string;
+
+export interface StandardOptions extends Options {
+  /** Name of a standard, with its variants: "en-1078:kerbstone". */
+  standard: string;
+  mass?: Quantity;
+  radius?: Quantity;
+  speed?: Quantity;
+  dropHeight?: Quantity;
+  keepNose?: boolean;
+  keepSpeed?: boolean;
+}
+
+/** The figures of one impact, in SI units and g; the keys name the units. */
+export interface Result {
+  format: number;
+  status: string;
+  peak_force_N: number | null;
+  peak_acceleration_g: number | null;
+  peak_penetration_m: number | null;
+  /** All others: schema/summary.schema.json. */
+  [key: string]: unknown;
+}
+
+export interface Assessment {
+  verdict: "pass" | "fail" | "undecided";
+  [key: string]: unknown;
+}
+
+export interface SolveForAnswer {
+  [key: string]: unknown;
+}
+
+export interface MaterialEntry {
+  name: string;
+  title: string;
+}
+
+export interface StandardEntry {
+  name: string;
+  title: string;
+  variants: string[];
+}
+
+export class Engine {
+  private constructor();
+  /** As `dashpad assess --json` writes it. */
+  solve(given: Case, options: StandardOptions): Assessment;
+  /** As `dashpad run --json` writes it. */
+  solve(given: Case, options?: Options): Result;
+  assess(given: Case, options: StandardOptions): Assessment;
+  /** The values of a number of the case, such as "pad.thickness", at which the verdict turns. */
+  solveFor(key: string, given: Case, options: StandardOptions): SolveForAnswer;
+  /** The case in SI as it is read: as `dashpad check --json` writes it. */
+  check(given: Case, options?: Options): { [key: string]: unknown };
+  /** The answer as one HTML file. */
+  page(given: Case, options?: Options | StandardOptions): string;
+  /** The answer as on a terminal; `all` for every figure with its error. */
+  text(given: Case, options?: (Options | StandardOptions) & { all?: boolean }): string;
+  materials(): MaterialEntry[];
+  standards(): StandardEntry[];
+  /** A file that cases may name, or a card ("materials/NAME.toml") or a standard ("standards/NAME.toml"). */
+  addFile(path: string, content: string | Uint8Array): void;
+}
+
+export interface LoadOptions {
+  /** The engine, packed by gzip or not, or in browsers where it is. Default: beside the package. */
+  wasm?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module;
+  files?: { [path: string]: string | Uint8Array };
+}
+
+export function loadEngine(options?: LoadOptions): Promise<Engine>;
