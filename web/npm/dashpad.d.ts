@@ -74,10 +74,32 @@ export interface Result {
 
 export interface Assessment {
   verdict: "pass" | "fail" | "undecided";
+  /** A pass without reservations. */
+  unqualified: boolean;
+  criteria: { [key: string]: unknown }[];
+  /** Figures of the impact by their keys. */
+  figures: { [key: string]: unknown };
+  result: Result;
+  [key: string]: unknown;
+}
+
+/** A value at which the verdict turns, in the SI unit of the key; null where the range has no end of its interval. */
+export interface Turn {
+  value: number;
+  low: number | null;
+  high: number | null;
+  passes_above: boolean;
+  jumps: boolean;
+  figure: string;
   [key: string]: unknown;
 }
 
 export interface SolveForAnswer {
+  /** One sentence. */
+  answer: string;
+  turns: Turn[];
+  stretches: { from: number; to: number; verdict: "pass" | "fail" | "undecided" | "unknown" }[];
+  complete: boolean;
   [key: string]: unknown;
 }
 
