@@ -378,6 +378,15 @@ shipped_files() {
   printf '};\n  return all;\n}\n}  // namespace dashpad\n'
 }
 
+# Packs a module by gzip, as small as can be, if it has changed.
+packed() {
+  local module="$root/build/wasm/$1.wasm"
+  if [[ "$module" -nt "$module.gz" ]]; then
+    zopfli -c "$module" >"$module.gz.new"
+    mv "$module.gz.new" "$module.gz"
+  fi
+}
+
 # Exceptions end the program, since the C++ library has none; std::filesystem::path is there, the rest of it is not.
 # Highway 1.0.3 has no lanes of doubles for WebAssembly.
 task_wasm() {
@@ -403,7 +412,7 @@ flags = --target=wasm32-wasi -std=c++20 -DNDEBUG -fignore-exceptions -fno-rtti -
   -DFMT_HEADER_ONLY -DHWY_COMPILE_ONLY_SCALAR -DBOOST_MATH_PROMOTE_DOUBLE_POLICY=false -D__s390x__ -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Wno-shorten-64-to-32 \$
   -I$root/include -I$root/src -isystem $root/web/engine/serial -isystem $folder/headers
 rule compile
-  command = clang++-19 \$flags \$optimisation -include-pch headers\$optimisation.pch -MD -MF \$out.d -c \$in -o \$out
+  command = clang++-19 \$flags \$optimisation \$define -include-pch headers\$optimisation.pch -MD -MF \$out.d -c \$in -o \$out
   depfile = \$out.d
   deps = gcc
 rule precompile
@@ -430,24 +439,29 @@ TEXT
       name="$(basename "$source" .cpp)"
       printf 'build %s.o: compile %s | headers-Oz.pch\n  optimisation = -Oz\n' "$name" "$source"
     done
-    printf 'build engine.wasm: link host.o |%s shipped.o page.o version.o\n  libraries = shipped.o page.o version.o%s\n' "$objects" "$objects"
+    printf 'build command_host.o: compile %s | headers-Oz.pch\n  optimisation = -Oz\n  define = -DANSWER=dashpad::live::command_answer\n' \
+      "$root/web/engine/host.cpp"
+    # That of the command writes whole pages, documents of cards and more, which a live page does without.
+    for name in engine:host command:command_host; do
+      printf 'build %s.wasm: link %s.o |%s shipped.o page.o version.o\n  libraries = shipped.o page.o version.o%s\n' \
+        "${name%:*}" "${name#*:}" "$objects" "$objects"
+    done
   } >"$folder/build.ninja"
   say "Compiling for WebAssembly ..."
   logged ninja -C "$folder" -j "$jobs"
-  if [[ "$folder/engine.wasm" -nt "$folder/engine.wasm.gz" ]]; then
-    zopfli -c "$folder/engine.wasm" >"$folder/engine.wasm.gz.new"
-    mv "$folder/engine.wasm.gz.new" "$folder/engine.wasm.gz"
-  fi
+  packed engine
 }
 
 # The package of web/npm with the engine, as npm packs it: a tar with a folder "package". The same files give the same bytes.
 task_npm() {
   task_wasm
+  packed command
   local version folder="$root/build/npm"
   version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
   rm -rf "$folder"
   mkdir -p "$folder/package"
-  cp -R "$root/web/npm/." "$root/LICENSE" "$root/web/engine/engine.mjs" "$root/build/wasm/engine.wasm.gz" "$folder/package"
+  cp -R "$root/web/npm/." "$root/LICENSE" "$root/web/engine/engine.mjs" "$folder/package"
+  cp "$root/build/wasm/command.wasm.gz" "$folder/package/engine.wasm.gz"
   sed -i "s/\"version\": \"[^\"]*\"/\"version\": \"$version\"/" "$folder/package/package.json"
   chmod -R u=rwX,go=rX "$folder/package"
   chmod 755 "$folder/package/bin/dashpad.mjs"

@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/quantities/quantity.hpp"
+#include "dashpad/study/study.hpp"
+#include "dashpad/uncertainty/intervals.hpp"
 #include "input/fault_json.hpp"
 #include "live/case_tables.hpp"
 #include "quantities/magnitude_bounds.hpp"
@@ -156,6 +159,74 @@ input::Reading<Asked> read_asked(const Json& request, const Folders& folders) {
                       .rule = violation.rule});
   if (!faults.empty()) return faults;
   return asked;
+}
+
+std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Options& options) {
+  const auto& standard = asked.standard;
+  std::vector<Blow> blows = standard ? std::vector{Blow{asked.impact, solve(asked.impact, options)}}
+                                     : solve_blows(asked.impact, options);
+  if (is_set(request, "intervals"))
+    uncertainty::add_intervals(asked.impact, options, blows.back().solution,
+                               standard ? injury::dwell_levels(*standard) : std::vector<double>{});
+  return blows;
+}
+
+input::Reading<margin::Question> read_question(const Json& request, const Folders& folders) {
+  Faults faults;
+  const auto standard = read_standard(request, folders);
+  if (!standard) faults = standard.faults();
+  const auto given = read_case(request, folders);
+  if (!given) add(given.faults(), faults);
+  if (!faults.empty()) return faults;
+  if (!*standard)
+    return Faults{{.file = name_of_case,
+                   .key = "standard",
+                   .value = "",
+                   .rule = "choose a standard, whose limits the pad is to keep"}};
+  margin::Question question{.impacts = {}, .key = text_of(request, "key"), .unit = {}};
+  question.options = given->options;
+  if (const auto tolerance = number_of(request, "tolerance")) question.options.tolerance = *tolerance;
+  if (request.contains("intervals")) question.intervals = is_set(request, "intervals");
+  const injury::Standard judged = injury::without_value_of(**standard, decided_by(question.key));
+  question.impacts.push_back({.impact = injury::with_impactor_of(judged, given->impact), .standard = judged});
+  const auto refused = [&](const std::string& rule) {
+    return Faults{{.file = question.key, .key = "", .value = "", .rule = rule}};
+  };
+  const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
+  const auto key = std::ranges::find(known, question.key, &study::FactorKey::key);
+  if (key == known.end()) return refused(study::rule_for_unknown(question.key, given->impact, known));
+  if (key->unit.empty()) return refused("is no number; compare materials in a study (docs/studies.md)");
+  question.unit = key->unit;
+  if (!margin::choose_range(question)) return refused("the case has no value above 0 to search about");
+  for (const Violation& violation : margin::violations(question))
+    faults.push_back({.file = violation.key, .key = "", .value = "", .rule = violation.rule});
+  if (!faults.empty()) return faults;
+  return question;
+}
+
+Json list_all(const Folders& folders) {
+  Json list{{"foams", Json::array()}, {"standards", Json::array()}};
+  if (const auto cards = input::list_materials(folders.materials))
+    for (const std::filesystem::path& card : *cards)
+      if (const auto material = input::read_material(card))
+        list["foams"].push_back({{"name", material->name}, {"title", material->title}});
+  if (const auto files = input::list_standards(folders.standards))
+    for (const std::filesystem::path& file : *files)
+      if (const auto standard = input::read_standard(file)) {
+        Json variants = Json::array();
+        for (const injury::StandardVariant& variant : standard->variants) variants.push_back(variant.name);
+        list["standards"].push_back(
+            {{"name", standard->name}, {"title", standard->title}, {"variants", variants}});
+      }
+  return list;
+}
+
+std::string answered(std::string_view request, const std::function<Json(const Json&)>& answer_to) {
+  constexpr std::size_t max_request = std::size_t{1} << 20;
+  if (request.size() > max_request) return fault_json("", "is larger than 1 MiB").dump();
+  const Json asked = Json::parse(request, nullptr, false);
+  if (!asked.is_object()) return fault_json("", "is not a request").dump();
+  return answer_to(asked).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace dashpad::live

@@ -3,12 +3,16 @@
 /// answer.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/input/case_file.hpp"
+#include "dashpad/margin/margin.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "json/json_values.hpp"
 #include "live/answer.hpp"
@@ -50,5 +54,16 @@ struct Asked {
 };
 /// All faults of standard and case.
 input::Reading<Asked> read_asked(const Json& request, const Folders& folders);
+/// The blows of a case, or the only one of a standard; with "intervals" of the last.
+std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Options& options);
+
+/// "key" of the case, which is to keep the limits of the standard.
+input::Reading<margin::Question> read_question(const Json& request, const Folders& folders);
+
+/// Names and titles of all cards and standards, in the order of the names.
+Json list_all(const Folders& folders);
+
+/// The text of the answer that `answer_to` gives to the text of a request.
+std::string answered(std::string_view request, const std::function<Json(const Json&)>& answer_to);
 
 }  // namespace dashpad::live

@@ -21,7 +21,13 @@
 #include "dashpad/input/fault.hpp"
 #include "input/disk.hpp"
 #include "live/answer.hpp"
+#include "live/command.hpp"
 #include "margin/evaluation.hpp"
+
+// Of a live page, or of the command in node.
+#ifndef ANSWER
+#define ANSWER dashpad::live::answer
+#endif
 
 #define EXPORTED(name) extern "C" __attribute__((export_name(#name)))
 
@@ -142,7 +148,7 @@ EXPORTED(missing_files) const char* missing_files() {
 EXPORTED(answer) const char* answer(char* request, std::size_t size) {
   const std::string text(request, size);
   std::free(request);
-  result = dashpad::live::answer(text, {"materials", "standards"});
+  result = ANSWER(text, {"materials", "standards"});
   return result.data();
 }
 

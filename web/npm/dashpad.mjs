@@ -71,7 +71,7 @@ export class Engine {
     return this.#do("missingFiles");
   }
 
-  // A request of src/live/answer.hpp. After an answer that ended the engine, the next one has a new engine.
+  // A request of src/live/command.hpp. After an answer that ended the engine, the next one has a new engine.
   ask(request) {
     try {
       return this.#do("ask", request);
