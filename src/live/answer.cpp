@@ -23,13 +23,11 @@ namespace dashpad::live {
 
 namespace {
 
-const char* name_of(output::Tone tone) { return output::class_of_tone(tone); }
-
 /// Of the whole page, or of its lead alone, which takes a third of the time.
 void add_page(const Json& request, const UnitSystem& units, output::Document document, Json& answer) {
   if (!is_set(request, "whole")) document.sections.clear();
   answer["title"] = document.lead->answer;
-  answer["tone"] = name_of(document.lead->tone);
+  answer["tone"] = output::class_of_tone(document.lead->tone);
   answer["html"] = output::html_of({{&units, std::move(document)}}).body;
 }
 
@@ -54,9 +52,11 @@ Json solve_case(const Json& request, const Folders& folders) {
   const Solution& solution = blows.back().solution;
   Json answer;
   if (asked->standard) {
-    const injury::Assessment assessment = injury::assess(*asked->standard, impact, solution);
-    const output::AssessmentReport report{*asked->standard, asked->given.impact, impact, solution,
-                                          assessment};
+    injury::Assessment assessment = injury::assess(*asked->standard, impact, solution);
+    std::vector<injury::OtherChoice> others;
+    if (is_set(request, "intervals")) others = other_choices(request, *asked, assessment);
+    const output::AssessmentReport report{*asked->standard, asked->given.impact, impact,
+                                          solution,         assessment,          std::move(others)};
     answer["result"] = Json::parse(output::assessment_json(report));
     add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
   } else {

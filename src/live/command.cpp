@@ -38,25 +38,6 @@ int code_of(const margin::Answer& answer) {
   return any(margin::Zone::undecided) || any(margin::Zone::unknown) ? not_trusted : not_passed;
 }
 
-/// What the other choices of nose and speed would have changed.
-std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked& asked,
-                                               injury::Assessment& assessment) {
-  Options coarse = asked.given.options;
-  coarse.tolerance = 1e-3;
-  const auto judged = [&](const injury::Standard& standard, const ImpactCase& impact) {
-    Solution solution = solve(impact, coarse);
-    if (is_set(request, "intervals"))
-      uncertainty::add_intervals(impact, coarse, solution, injury::dwell_levels(standard));
-    return injury::assess(standard, impact, solution);
-  };
-  std::vector<injury::OtherChoice> others =
-      injury::turning_choices(*asked.own, asked.given.impact, asked.kept, assessment.verdict, judged);
-  for (const injury::OtherChoice& choice : others)
-    assessment.reservations.push_back(
-        output::other_choice(choice, *asked.own, asked.given.impact, units_of(request)));
-  return others;
-}
-
 Json assessed(const Json& request, const Asked& asked, const Solution& solution) {
   injury::Assessment assessment = injury::assess(*asked.standard, asked.impact, solution);
   std::vector<injury::OtherChoice> others;

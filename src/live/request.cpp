@@ -9,6 +9,7 @@
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/standard_file.hpp"
+#include "dashpad/output/assessment.hpp"
 #include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/study.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
@@ -227,6 +228,24 @@ std::string answered(std::string_view request, const std::function<Json(const Js
   const Json asked = Json::parse(request, nullptr, false);
   if (!asked.is_object()) return fault_json("", "is not a request").dump();
   return answer_to(asked).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked& asked,
+                                               injury::Assessment& assessment) {
+  Options coarse = asked.given.options;
+  coarse.tolerance = 1e-3;
+  const auto judged = [&](const injury::Standard& standard, const ImpactCase& impact) {
+    Solution solution = solve(impact, coarse);
+    if (is_set(request, "intervals"))
+      uncertainty::add_intervals(impact, coarse, solution, injury::dwell_levels(standard));
+    return injury::assess(standard, impact, solution);
+  };
+  std::vector<injury::OtherChoice> others =
+      injury::turning_choices(*asked.own, asked.given.impact, asked.kept, assessment.verdict, judged);
+  for (const injury::OtherChoice& choice : others)
+    assessment.reservations.push_back(
+        output::other_choice(choice, *asked.own, asked.given.impact, units_of(request)));
+  return others;
 }
 
 }  // namespace dashpad::live

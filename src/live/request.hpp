@@ -57,6 +57,11 @@ input::Reading<Asked> read_asked(const Json& request, const Folders& folders);
 /// The blows of a case, or the only one of a standard; with "intervals" of the last.
 std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Options& options);
 
+/// The choices of nose and speed that would have changed the verdict; each is a reservation of the
+/// assessment, too.
+std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked& asked,
+                                               injury::Assessment& assessment);
+
 /// "key" of the case, which is to keep the limits of the standard.
 input::Reading<margin::Question> read_question(const Json& request, const Folders& folders);
 
