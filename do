@@ -28,8 +28,7 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines that they cover
   fuzz [TARGET] [SECONDS]  fuzz the file readers, each for SECONDS (default: 300), or only TARGET
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
-  wasm                     compile the engine of the live page for WebAssembly: build/wasm/engine.wasm.gz
-                           there
+  wasm                     compile the engine for WebAssembly: build/wasm/engine.wasm.gz, which explore puts into pages
   npm                      pack the engine, its module and its command for npm: build/npm/dashpad-VERSION.tgz
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,

@@ -1,5 +1,6 @@
-// The engine of the live page as a WebAssembly module: src/live/answer.hpp for a host that is no C++. It needs
-// no import but refuse() and a few of WASI, which may do nothing.
+// The engine of the live page, and that of the command in node, as a WebAssembly module: src/live/answer.hpp and
+// src/live/command.hpp for a host that is no C++. It needs no import but refuse() and a few of WASI, which may do
+// nothing.
 //
 // A request is written to the memory that allocate() gives; answer() takes it and leaves the answer at the
 // place that it returns, result_size() bytes long, until the next request. Exceptions end the program, since
