@@ -11,14 +11,14 @@ onmessage = ({ data }) => {
     if (data.request) postMessage({ id: data.id, answer: engine.ask(data.request) });
   } catch (error) {
     engine = undefined;
-    postMessage({ id: data.id, answer: { faults: [{ key: "", text: "cannot be computed: " + error.message }] } });
+    postMessage({ id: data.id, answer: { faults: [{ key: "", rule: "cannot be computed: " + error.message, text: error.message }] } });
   }
 };`;
 
 class EngineWorker {
-  constructor(module) {
+  constructor(module, cards = {}) {
     this.module = module;
-    this.cards = {};
+    this.cards = { ...cards };
     this.url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
     this.count = 0;
     this.start();
@@ -27,6 +27,10 @@ class EngineWorker {
   start() {
     this.worker = new Worker(this.url);
     this.worker.onmessage = ({ data }) => this.took(data);
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      if (this.asked) this.giveUp("this case cannot be computed here");
+    };
     this.worker.postMessage({ module: this.module, cards: this.cards });
     this.asked = null;
   }
@@ -53,7 +57,8 @@ class EngineWorker {
     if (this.asked || !this.waiting) return;
     this.asked = { ...this.waiting, id: ++this.count };
     this.waiting = null;
-    this.asked.guard = setTimeout(() => this.giveUp(), 1000 * this.asked.seconds);
+    const { seconds } = this.asked;
+    this.asked.guard = setTimeout(() => this.giveUp(`no answer within ${seconds} s; this case is too much for a page`), 1000 * seconds);
     this.worker.postMessage({ id: this.asked.id, request: this.asked.request });
   }
 
@@ -66,11 +71,12 @@ class EngineWorker {
     this.send();
   }
 
-  giveUp() {
-    const { resolve, seconds } = this.asked;
+  giveUp(rule) {
+    const { resolve, guard } = this.asked;
+    clearTimeout(guard);
     this.worker.terminate();
     this.start();
-    resolve({ faults: [{ key: "", text: `no answer within ${seconds} s; this case is too much for a page` }] });
+    resolve({ faults: [{ key: "", rule, text: rule }] });
     this.send();
   }
 }

@@ -10,8 +10,11 @@ class LivePage {
     this.serial = 0;
     byId("controls").hidden = false;
     byId("more").open = matchMedia("(min-width: 62rem)").matches;
+    this.cards = new Map();
     this.fillChoices();
     this.listen();
+    history.replaceState(state, "");
+    this.link = linkOf(state);
     this.refresh(true);
   }
 
@@ -72,16 +75,18 @@ class LivePage {
     }
     for (const { key, value, unit } of all) {
       const row = box.querySelector(`[data-key="${key}"]`);
-      const [range, field] = row.querySelectorAll("input");
+      const [field, range] = row.querySelectorAll("input");
+      const text = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`;
+      range.setAttribute("aria-valuetext", text);
+      // What is dragged or typed at this moment is the reader's.
+      if (this.dragged === key) continue;
+      if (!row.dataset.typed) field.value = text;
       const place = Math.log(value);
-      // The range stays where it is while something in it is dragged.
-      if (!row.dataset.middle || Math.abs(place - row.dataset.middle) > 1.2) {
+      if (!row.dataset.middle || (Math.abs(place - row.dataset.middle) > 1.2 && document.activeElement !== range)) {
         row.dataset.middle = place;
         Object.assign(range, { min: place - Math.log(4), max: place + Math.log(4) });
       }
-      if (document.activeElement !== range) range.value = place;
-      if (document.activeElement !== field) field.value = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`;
-      range.setAttribute("aria-valuetext", `${Number((value / unit[1]).toPrecision(3))} ${unit[0]}`);
+      range.value = place;
     }
   }
 
@@ -90,44 +95,49 @@ class LivePage {
     row.dataset.key = key;
     const name = Object.assign(document.createElement("label"), { htmlFor: `field ${key}`, textContent: label });
     const field = Object.assign(document.createElement("input"), { type: "text", id: `field ${key}`, autocomplete: "off" });
-    const range = Object.assign(document.createElement("input"), { type: "range", step: "any" });
-    range.setAttribute("aria-label", label);
+    const range = Object.assign(document.createElement("input"), { type: "range", step: 0.005 });
+    range.setAttribute("aria-label", `${label}, slider`);
     range.addEventListener("input", () => {
-      const value = Math.exp(Number(range.value)) / unit[1];
-      const text = `${Number(value.toPrecision(3))} ${unit[0]}`;
+      const text = `${Number((Math.exp(Number(range.value)) / unit[1]).toPrecision(3))} ${unit[0]}`;
       field.value = text;
-      this.set(key, text);
+      this.set(key, text, key);
     });
-    field.addEventListener("change", () => this.set(key, /[a-z]/i.test(field.value) ? field.value.trim() : `${field.value.trim()} ${unit[0]}`));
-    row.append(name, range, field);
+    field.addEventListener("input", () => (row.dataset.typed = "yes"));
+    field.addEventListener("change", () => {
+      delete row.dataset.typed;
+      const text = field.value.trim();
+      this.set(key, /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? `${text} ${unit[0]}` : text);
+    });
+    row.append(name, field, range);
     return row;
   }
 
   // --- Changes
 
-  change(make, isDone = false) {
+  // `dragged` is the key of a slider that makes the change.
+  change(make, isDone = false, dragged = null) {
     this.state = structuredClone(this.state);
+    this.dragged = dragged;
+    byId("found").textContent = "";
     make(this.state);
     this.refresh(isDone);
   }
 
-  set(key, text) {
-    this.change((state) => {
+  set(key, text, dragged) {
+    const make = (state) => {
       const pad = state.pads[state.active];
       const layer = /^pad\.layers\[(\d)\]/.exec(key);
+      const name = key.slice(key.lastIndexOf(".") + 1);
       if (layer) pad.layers[layer[1] - 1].thickness = text;
-      if (key === "pad.thickness") pad.thickness = text;
-      if (!key.startsWith("impactor.")) return;
-      const name = key.slice(9);
-      const impactor = (state.case.impactor ??= {});
+      else if (name === "thickness") pad.thickness = text;
       // A number of a standard gives way to one of the user.
-      const value = Number(/^[\d.eE+-]+/.exec(text)?.[0]) * { m: 1, "m/s": 1, mph: 0.44704, "km/h": 1 / 3.6, kg: 1, lb: 0.45359237 }[/[a-z/]+$/i.exec(text)?.[0]];
-      if (state.standard && Number.isFinite(value)) state.user[name] = value;
+      else if (state.standard) state.user[name] = text;
       else {
-        delete impactor[name === "speed" ? "drop_height" : "weight"];
-        impactor[name] = text;
+        delete state.case.impactor?.[name === "speed" ? "drop_height" : "weight"];
+        state.case.impactor = { ...state.case.impactor, [name]: text };
       }
-    });
+    };
+    this.change(make, false, dragged);
   }
 
   listen() {
@@ -156,9 +166,12 @@ class LivePage {
       event.preventDefault();
       if (event.dataTransfer.files[0]) this.read(event.dataTransfer.files[0]);
     });
-    addEventListener("popstate", ({ state }) => {
-      if (!isState(state)) return;
-      this.state = state;
+    // The browser's back and forward, and a link that is put into the address of this page.
+    addEventListener("popstate", (event) => {
+      const state = isState(event.state) ? event.state : stateOf(location.hash);
+      if (!state) return this.showFaults([{ rule: "this link cannot be read" }]);
+      [this.state, this.link, this.dragged] = [state, linkOf(state), null];
+      byId("found").textContent = "";
       this.refresh(true, false);
     });
   }
@@ -176,30 +189,34 @@ class LivePage {
 
   request(whole, pad = this.state.active) {
     const { state } = this;
-    return { do: "solve", case: caseOf(state, pad), standard: state.standard, units: state.units, quick: !whole, whole, intervals: whole, ...(state.standard ? state.user : {}) };
+    return { ...(state.standard ? state.user : {}), do: "solve", case: caseOf(state, pad), standard: state.standard, units: state.units, quick: !whole, whole, intervals: whole };
   }
 
   refresh(isDone, isNew = true) {
     this.showChoices();
     const serial = ++this.serial;
     clearTimeout(this.timer);
-    const settle = () => this.settle(serial, isNew);
+    document.body.classList.add("pending");
+    byId("pads").hidden = this.state.pads.length < 2;
     this.animate();
+    const settle = () => this.settle(serial, isNew);
     if (isDone) settle();
     else this.timer = setTimeout(settle, pause);
   }
 
-  // The answer without what is uncertain, once a frame at most.
+  // The answer without what is uncertain, for the last of the states that wait.
   async animate() {
-    if (this.isAnimating) return (this.isStale = true);
+    this.isStale = true;
+    if (this.isAnimating) return;
     this.isAnimating = true;
-    do {
+    while (this.isStale) {
       this.isStale = false;
       const { serial } = this;
       const answer = await this.quick.ask(this.request(false));
-      if (answer && serial > (this.settled ?? 0)) this.show(answer, false);
-      if (this.state.pads.length > 1) await this.comparePads();
-    } while (this.isStale);
+      const isOld = () => (this.settled ?? 0) >= serial;
+      if (answer && !isOld()) this.show(answer, false);
+      if (!this.isStale) await this.comparePads(false, () => this.isStale || isOld());
+    }
     this.isAnimating = false;
   }
 
@@ -208,13 +225,12 @@ class LivePage {
     if (!answer || serial !== this.serial) return;
     this.settled = serial;
     this.show(answer, true);
-    await this.comparePads(true);
-    if (isNew && !answer.faults) {
-      const link = linkOf(this.state);
-      // The first state needs no link, and one that is too long would not be read.
-      if (link.length < largestLink && link !== location.hash) history[location.hash || this.hasMoved ? "pushState" : "replaceState"](this.state, "", this.hasMoved ? link : location.hash || "#");
-      this.hasMoved = true;
-    }
+    await this.comparePads(true, () => serial !== this.serial);
+    const link = linkOf(this.state);
+    if (serial !== this.serial || !isNew || answer.faults || link === this.link) return;
+    this.link = link;
+    // One that is too long would not be read.
+    history.pushState(this.state, "", link.length < largestLink ? link : "#");
   }
 
   show(answer, isWhole) {
@@ -223,68 +239,120 @@ class LivePage {
     if (answer.faults) return;
     this.showSliders(answer.numbers);
     byId("case").textContent = answer.toml;
-    document.title = `${answer.title} - Dashpad`;
-    Object.assign(byId("brief"), { textContent: answer.title, className: `brief ${answer.tone}` });
-    const parts = document.createElement("template");
-    parts.innerHTML = answer.html;
+    this.showCommand();
+    const parts = this.partsOf(answer, isWhole);
+    const [title, tone] = this.titleOf(answer, parts, isWhole);
+    document.title = `${title} - Dashpad`;
+    Object.assign(byId("brief"), { textContent: title, className: `brief ${tone}` });
+    const onTime = this.time?.slider && document.activeElement === this.time.slider;
     this.time?.stop();
-    const lead = parts.content.querySelector(".lead");
-    byId("result").querySelector(".lead").replaceWith(lead);
+    byId("result").querySelector(".lead").replaceWith(parts.querySelector(".lead"));
     if (!isWhole) return;
-    byId("result").querySelector("main").replaceWith(parts.content.querySelector("main"));
+    byId("announced").textContent = title;
+    byId("result").querySelector("main").replaceWith(parts.querySelector("main"));
     this.listeners?.abort();
     this.listeners = new AbortController();
     this.time = enliven(this.listeners.signal);
+    if (onTime) this.time?.slider?.focus();
     if (!this.hasPlayed && this.time?.button) this.time.play();
     this.hasPlayed = true;
     byId("result").dataset.answer = this.serial;
   }
 
+  // Without its interval a figure is no verdict yet.
+  isVerdict(isWhole) {
+    return isWhole || this.state.standard === "";
+  }
+  titleOf(answer, parts, isWhole) {
+    const figure = parts.querySelector(".key-figures li");
+    if (this.isVerdict(isWhole) || !figure) return [answer.title, answer.tone];
+    return [`${figure.querySelector(".label").textContent} ${figure.querySelector("b").firstChild.textContent.trim()}`, "plain"];
+  }
+  partsOf(answer, isWhole) {
+    const parts = document.createElement("template");
+    parts.innerHTML = answer.html;
+    const { content } = parts;
+    if (this.isVerdict(isWhole)) return content;
+    content.querySelector("h1").textContent = this.titleOf(answer, content, isWhole)[0];
+    content.querySelector("h1").className = "plain";
+    for (const sign of content.querySelectorAll(".key-figures .sign")) sign.remove();
+    for (const each of content.querySelectorAll(".key-figures :is(.good, .doubtful, .bad)")) each.classList.replace(each.classList[0], "plain");
+    return content;
+  }
+
+  // What solves the case that is shown as text.
+  showCommand() {
+    const { standard, user } = this.state;
+    const replaced = Object.entries(user).map(([name, value]) => ` --${name} "${value}"`).join("");
+    byId("solves").textContent = standard ? `dashpad assess case.toml --standard ${standard}${replaced}` : "dashpad run case.toml";
+  }
+
   showFaults(faults) {
+    const keys = { "--mass": "impactor.mass", "--speed": "impactor.speed" };
+    const known = faults.map((fault) => ({ ...fault, key: fault.key || keys[fault.file?.split(" ")[0]] || "" }));
+    document.body.classList.toggle("fault", faults.length > 0);
     const list = byId("faults");
     list.hidden = faults.length === 0;
-    list.replaceChildren(...faults.map(({ key, text }) => Object.assign(document.createElement("li"), { textContent: text || key })));
-    for (const row of document.querySelectorAll("[data-key]"))
-      for (const input of row.matches("select") ? [row] : row.querySelectorAll("input"))
-        if (faults.some(({ key }) => key && key === row.dataset.key)) input.setAttribute("aria-invalid", "true");
-        else input.removeAttribute("aria-invalid");
+    const words = ({ key, value, rule, text }) => {
+      const label = document.querySelector(`[data-key="${CSS.escape(key)}"] label, label:has(+ [data-key="${CSS.escape(key)}"])`)?.textContent ?? key;
+      return rule ? `${label}${label && value ? ` ${value}` : ""}${label ? ": " : ""}${rule}` : text;
+    };
+    list.replaceChildren(...known.map((fault) => textElement("li", words(fault))));
+    for (const row of document.querySelectorAll("[data-key]")) {
+      const input = row.matches("select") ? row : row.querySelector('input[type="text"]');
+      if (known.some(({ key }) => key && key === row.dataset.key)) input.setAttribute("aria-invalid", "true");
+      else input.removeAttribute("aria-invalid");
+    }
   }
 
-  // The other pads below the same impact, side by side.
-  async comparePads(isWhole = false) {
-    const { state } = this;
-    byId("pads").hidden = state.pads.length < 2;
-    if (state.pads.length < 2) return;
-    const answers = [];
-    for (let i = 0; i < state.pads.length; ++i) {
-      const answer = await (isWhole ? this.thorough : this.quick).ask({ ...this.request(false, i), quick: !isWhole, intervals: isWhole });
-      if (answer === null) return;
+  // The pads below the same impact, side by side, unless `isOver` says that another state is to be shown. What has not
+  // changed is not solved again.
+  async comparePads(isWhole, isOver) {
+    const { pads } = this.state;
+    if (pads.length < 2) return;
+    const engine = isWhole ? this.thorough : this.quick;
+    const [kept, answers] = [new Map(), []];
+    for (let i = 0; i < pads.length; ++i) {
+      const request = { ...this.request(false, i), quick: !isWhole, intervals: isWhole };
+      const text = JSON.stringify(request);
+      const answer = this.cards.get(text) ?? (await engine.ask(request));
+      if (answer === null || isOver()) return;
+      kept.set(text, answer);
       answers.push(answer);
     }
-    byId("pads").replaceChildren(...answers.map((answer, i) => this.padCard(answer, i)));
+    // Those with intervals stay while others are dragged, and the other way round.
+    this.cards = new Map([...[...this.cards].slice(-8), ...kept]);
+    byId("pads").classList.toggle("provisional", !isWhole);
+    byId("pads").replaceChildren(...answers.map((answer, i) => this.padCard(answer, i, isWhole)));
   }
 
-  padCard(answer, i) {
+  padCard(answer, i, isWhole) {
     const { state } = this;
     const pad = state.pads[i];
+    const letter = "ABCD"[i];
     const card = Object.assign(document.createElement("section"), { className: i === state.active ? "pad active" : "pad" });
     const thickness = pad.layers ? `${pad.layers.length} layers` : pad.thickness;
-    card.append(textElement("h2", `${"ABCD"[i]}: ${pad.layers ? "" : `${pad.material ?? "foam of the case"}, `}${thickness}`));
+    card.append(textElement("h2", `${letter}: ${pad.layers ? "" : `${pad.material ?? "foam of the case"}, `}${thickness}`));
     if (answer.faults) {
       card.append(textElement("p", answer.faults[0].text));
     } else {
-      card.append(Object.assign(textElement("p", answer.title), { className: `answer ${answer.tone}` }));
-      const parts = document.createElement("template");
       // The names of the drawing's parts are those of one page.
-      parts.innerHTML = answer.html.replace(/\bdd-[0-9a-f]{8}(?=-)/g, `$&-${"abcd"[i]}`);
-      const [drawing, figures] = [".drawing", ".key-figures"].map((each) => parts.content.querySelector(each));
-      if (drawing) card.append(drawing);
-      if (figures) card.append(figures);
+      const own = { ...answer, html: answer.html.replace(/\bdd-[0-9a-f]{8}(?=-)/g, `$&-${letter}`) };
+      const parts = this.partsOf(own, isWhole);
+      const [title, tone] = this.titleOf(own, parts, isWhole);
+      card.append(Object.assign(textElement("p", title), { className: `answer ${tone}` }));
+      card.append(...[".drawing", ".key-figures"].flatMap((each) => parts.querySelector(each) ?? []));
     }
     const buttons = Object.assign(document.createElement("p"), { className: "buttons" });
     const button = (text, make) => {
       const element = Object.assign(textElement("button", text), { type: "button" });
-      element.addEventListener("click", () => this.change(make, true));
+      element.setAttribute("aria-label", text === "Remove" ? `Remove pad ${letter}` : `Change pad ${letter}`);
+      element.addEventListener("click", () => {
+        // These cards may be of a state before.
+        if (this.state.pads.length !== state.pads.length) return;
+        this.change(make, true);
+        byId("foam").focus();
+      });
       buttons.append(element);
     };
     if (i !== state.active) button("Change this pad", (next) => (next.active = i));
@@ -297,17 +365,18 @@ class LivePage {
   }
 
   async findThinnest() {
-    const { state } = this;
-    byId("found").textContent = "Searching ...";
-    const answer = await this.thorough.ask({ ...this.request(true), do: "solve-for", key: "pad.thickness" }, 60);
-    if (!answer) return;
-    if (answer.faults) return (byId("found").textContent = answer.faults[0].text);
-    byId("found").textContent = `${answer.title}.`;
+    const found = byId("found");
+    found.textContent = "Searching ...";
+    const { serial } = this;
+    this.searching ??= new EngineWorker(this.quick.module, this.quick.cards);
+    const answer = await this.searching.ask({ ...this.request(true), do: "solve-for", key: "pad.thickness" }, 60);
+    if (!answer || serial !== this.serial) return;
+    if (answer.faults) return (found.textContent = answer.faults[0].text);
     const turn = answer.result.turns.find(({ passes_above: above }) => above);
-    if (turn === undefined) return;
     // The place from which it passes for certain, if there is one, rounded up to a tenth of a millimetre.
-    const value = Math.ceil((turn.high ?? turn.value) * 1e4) / 10;
-    this.change((next) => (next.pads[state.active].thickness = `${value} mm`), true);
+    const thickness = turn && `${Math.ceil((turn.high ?? turn.value) * 1e4) / 10} mm`;
+    if (turn) this.change((next) => (next.pads[next.active].thickness = thickness), true);
+    found.textContent = `${answer.title}.${turn ? ` The thickness is set to ${thickness}.` : ""}`;
   }
 
   // A case, or a card of a foam, which the case then uses.
@@ -315,13 +384,17 @@ class LivePage {
     if (file.size > 1 << 20) return this.showFaults([{ text: `${file.name} is larger than 1 MiB` }]);
     const text = await file.text();
     if (/^\s*law\s*=/m.test(text) && !/^\s*\[impactor\]/m.test(text)) {
-      const name = file.name.replace(/\.toml$/, "").replace(/[^\w-]/g, "-");
+      // A card of the reader takes no other's name.
+      const own = file.name.replace(/\.toml$/, "").replace(/[^\w-]/g, "-") || "card";
+      const name = this.lists.foams.some((foam) => foam.name === own) ? `${own}-dropped` : own;
       for (const engine of [this.quick, this.thorough]) engine.addCard(name, text);
-      byId("foam").add(new Option(name, name));
+      this.searching?.addCard(name, text);
+      this.choose(byId("foam"), name);
       return this.change((state) => (state.pads[state.active] = { thickness: state.pads[state.active].thickness ?? "25 mm", material: name }), true);
     }
     const answer = await this.quick.ask({ do: "read", text });
-    if (answer?.faults) return this.showFaults(answer.faults);
+    // Its lines are those of the file.
+    if (answer?.faults) return this.showFaults(answer.faults.map((fault) => ({ text: fault.text.replace(/^the case/, file.name) })));
     if (answer) this.change((state) => Object.assign(state, { case: { ...answer.case, pad: undefined }, pads: [answer.case.pad ?? {}], active: 0, user: {} }), true);
   }
 }
@@ -330,7 +403,10 @@ async function begin() {
   const module = await compiledEngine();
   const [quick, thorough] = [new EngineWorker(module), new EngineWorker(module)];
   const lists = await quick.ask({ do: "list" });
-  new LivePage({ quick, thorough }, stateOf(location.hash) ?? JSON.parse(byId("state").textContent), lists);
+  const linked = stateOf(location.hash);
+  const page = new LivePage({ quick, thorough }, linked ?? JSON.parse(byId("state").textContent), lists);
+  if (!linked && location.hash.length > 1) byId("found").textContent = "The link cannot be read; this is the case of the page itself.";
+  return page;
 }
 
 begin().catch((error) => {

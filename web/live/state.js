@@ -6,12 +6,17 @@ const largestLink = 60000;
 const isText = (value, most = 200) => typeof value === "string" && value.length <= most;
 const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
 
+const deepest = 12;
+const isShallow = (value, depth = 0) =>
+  value === null || typeof value !== "object" || (depth < deepest && Object.values(value).every((each) => isShallow(each, depth + 1)));
+
 // Whether a value of a stranger is such data; what is in the case the engine judges.
 function isState(state) {
   return (
-    isTable(state) && isTable(state.case) && Array.isArray(state.pads) && state.pads.length >= 1 && state.pads.length <= 4 &&
+    isTable(state) && isShallow(state) && isTable(state.case) && Array.isArray(state.pads) && state.pads.length >= 1 && state.pads.length <= 4 &&
     state.pads.every(isTable) && Number.isInteger(state.active) && state.active >= 0 && state.active < state.pads.length &&
-    isText(state.standard) && ["si", "us", "engineering-metric"].includes(state.units) && isTable(state.user) && Object.values(state.user).every(Number.isFinite)
+    isText(state.standard) && ["si", "us", "engineering-metric"].includes(state.units) && isTable(state.user) &&
+    Object.entries(state.user).every(([key, value]) => ["mass", "radius", "speed"].includes(key) && (Number.isFinite(value) || isText(value)))
   );
 }
 
