@@ -11,6 +11,7 @@ class LivePage {
     byId("controls").hidden = false;
     byId("more").open = matchMedia("(min-width: 62rem)").matches;
     this.cards = new Map();
+    this.sliders = new Sliders(byId("sliders"), (...chosen) => this.set(...chosen));
     this.fillChoices();
     this.listen();
     history.replaceState(state, "");
@@ -50,66 +51,6 @@ class LivePage {
     byId("thinnest").disabled = state.standard === "" || Boolean(pad.layers);
     byId("thinnest").title = state.standard === "" ? "Choose a standard first" : "";
     byId("add").disabled = state.pads.length >= 4;
-  }
-
-  // --- Sliders: places are logarithms, so that thin pads can be set as finely as thick ones
-
-  slidersOf(numbers) {
-    const { units } = this.state;
-    const length = units === "us" ? ["in", 0.0254] : ["mm", 1e-3];
-    const speed = units === "us" ? ["mph", 0.44704] : units === "engineering-metric" ? ["km/h", 1 / 3.6] : ["m/s", 1];
-    const mass = units === "us" ? ["lb", 0.45359237] : ["kg", 1];
-    const pads = numbers.layers.length
-      ? numbers.layers.map((value, i) => ({ key: `pad.layers[${i + 1}].thickness`, label: `Layer ${i + 1}`, unit: length, value }))
-      : [{ key: "pad.thickness", label: "Thickness", unit: length, value: numbers.thickness }];
-    return [...pads, { key: "impactor.speed", label: "Speed", unit: speed, value: numbers.speed }, { key: "impactor.mass", label: "Mass", unit: mass, value: numbers.mass }];
-  }
-
-  showSliders(numbers) {
-    const all = this.slidersOf(numbers);
-    const names = all.map(({ key, unit }) => key + unit[0]).join();
-    const box = byId("sliders");
-    if (box.dataset.names !== names) {
-      box.dataset.names = names;
-      box.replaceChildren(...all.map((slider) => this.sliderRow(slider)));
-    }
-    for (const { key, value, unit } of all) {
-      const row = box.querySelector(`[data-key="${key}"]`);
-      const [field, range] = row.querySelectorAll("input");
-      const text = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`;
-      range.setAttribute("aria-valuetext", text);
-      // What is dragged or typed at this moment is the reader's.
-      if (this.dragged === key) continue;
-      if (!row.dataset.typed) field.value = text;
-      const place = Math.log(value);
-      if (!row.dataset.middle || (Math.abs(place - row.dataset.middle) > 1.2 && document.activeElement !== range)) {
-        row.dataset.middle = place;
-        Object.assign(range, { min: place - Math.log(4), max: place + Math.log(4) });
-      }
-      range.value = place;
-    }
-  }
-
-  sliderRow({ key, label, unit }) {
-    const row = Object.assign(document.createElement("p"), { className: "control slider" });
-    row.dataset.key = key;
-    const name = Object.assign(document.createElement("label"), { htmlFor: `field ${key}`, textContent: label });
-    const field = Object.assign(document.createElement("input"), { type: "text", id: `field ${key}`, autocomplete: "off" });
-    const range = Object.assign(document.createElement("input"), { type: "range", step: 0.005 });
-    range.setAttribute("aria-label", `${label}, slider`);
-    range.addEventListener("input", () => {
-      const text = `${Number((Math.exp(Number(range.value)) / unit[1]).toPrecision(3))} ${unit[0]}`;
-      field.value = text;
-      this.set(key, text, key);
-    });
-    field.addEventListener("input", () => (row.dataset.typed = "yes"));
-    field.addEventListener("change", () => {
-      delete row.dataset.typed;
-      const text = field.value.trim();
-      this.set(key, /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? `${text} ${unit[0]}` : text);
-    });
-    row.append(name, field, range);
-    return row;
   }
 
   // --- Changes
@@ -237,7 +178,7 @@ class LivePage {
     this.showFaults(answer.faults ?? []);
     document.body.classList.toggle("pending", !isWhole || Boolean(answer.faults));
     if (answer.faults) return;
-    this.showSliders(answer.numbers);
+    this.sliders.show(answer.numbers, this.state.units, this.dragged);
     byId("case").textContent = answer.toml;
     this.showCommand();
     const parts = this.partsOf(answer, isWhole);
