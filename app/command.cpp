@@ -53,23 +53,6 @@ std::optional<double> tolerance_of(const std::optional<std::string>& text, std::
 
 void add_force(CLI::App& app, bool& force) { add_flag(app, "--force", force, "Overwrite existing files"); }
 
-ExitCode exit_code(const Summary& summary) {
-  return summary.trustworthy() || bottomed_on_rigid_support(summary) ? exit_done : exit_not_trusted;
-}
-
-ExitCode exit_code(injury::Verdict verdict) {
-  switch (verdict) {
-    case injury::Verdict::fail: return exit_not_passed;
-    case injury::Verdict::undecided: return exit_not_trusted;
-    case injury::Verdict::pass: break;
-  }
-  return exit_done;
-}
-
-ExitCode exit_code(injury::Verdict verdict, const Summary& summary) {
-  return verdict == injury::Verdict::pass ? exit_code(summary) : exit_code(verdict);
-}
-
 std::optional<injury::Standard> standard_of(const std::string& name, const std::filesystem::path& folder,
                                             std::vector<input::InputFile>& files,
                                             std::vector<std::string>& errors) {

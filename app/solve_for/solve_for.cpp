@@ -39,19 +39,6 @@ Exit codes: 0 some value passes, or the aim is reached; 4 no value of the range 
 value passes for certain, but some may, or the search is incomplete or not reliable; 1 a result could not be written;
 2 invalid input or command line (nothing was run).)";
 
-int code_of(const margin::Answer& answer) {
-  const auto any = [&](margin::Zone zone) {
-    return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
-  };
-  if (!answer.is_complete || answer.doubtful > 0) return exit_not_trusted;
-  if (margin::is_aim(answer.question))
-    return std::ranges::any_of(answer.turns, [](const margin::Turn& turn) { return !turn.jumps; })
-               ? exit_done
-               : exit_not_passed;
-  if (any(margin::Zone::pass)) return exit_done;
-  return any(margin::Zone::undecided) || any(margin::Zone::unknown) ? exit_not_trusted : exit_not_passed;
-}
-
 int run_solve_for(const SolveForRequest& request) {
   const margin::Answer answer = solve_for_with_progress(question_of(request));
   const UnitSystem& units = unit_system(request.files.units);
@@ -63,7 +50,7 @@ int run_solve_for(const SolveForRequest& request) {
            {"--csv", [&](const Target&) { return output::margin_csv(answer); }},
            {"--picture",
             [&](const Target& target) { return picture_text(output::margin_plot(answer, units), target); }}});
-  return code_of(answer);
+  return exit_code(answer);
 }
 
 }  // namespace

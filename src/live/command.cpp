@@ -9,7 +9,7 @@
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/output/margin.hpp"
-#include "dashpad/uncertainty/intervals.hpp"
+#include "live/exit_code.hpp"
 #include "live/request.hpp"
 #include "live/shown.hpp"
 #include "live/written.hpp"
@@ -17,26 +17,6 @@
 namespace dashpad::live {
 
 namespace {
-
-/// As the command ends with it.
-int code_of(const Summary& summary) {
-  constexpr int done = 0, not_trusted = 3;
-  return summary.trustworthy() || bottomed_on_rigid_support(summary) ? done : not_trusted;
-}
-int code_of(injury::Verdict verdict, const Summary& summary) {
-  constexpr int not_trusted = 3, not_passed = 4;
-  if (verdict == injury::Verdict::pass) return code_of(summary);
-  return verdict == injury::Verdict::fail ? not_passed : not_trusted;
-}
-int code_of(const margin::Answer& answer) {
-  constexpr int done = 0, not_trusted = 3, not_passed = 4;
-  const auto any = [&](margin::Zone zone) {
-    return std::ranges::find(answer.stretches, zone, &margin::Stretch::zone) != answer.stretches.end();
-  };
-  if (!answer.is_complete || answer.doubtful > 0) return not_trusted;
-  if (any(margin::Zone::pass)) return done;
-  return any(margin::Zone::undecided) || any(margin::Zone::unknown) ? not_trusted : not_passed;
-}
 
 Json assessed(const Json& request, const Asked& asked, const Solution& solution) {
   injury::Assessment assessment = injury::assess(*asked.standard, asked.impact, solution);
@@ -48,7 +28,7 @@ Json assessed(const Json& request, const Asked& asked, const Solution& solution)
     return output::assessment_document(report, units_of(request), pictures);
   };
   const auto json = [&] { return output::assessment_json(report); };
-  return {{"code", code_of(assessment.verdict, solution.summary)},
+  return {{"code", exit_code(assessment.verdict, solution.summary)},
           {"written", written(request, {.document = document, .json = json})}};
 }
 
@@ -66,8 +46,8 @@ Json reported(const Json& request, const Asked& asked, const std::vector<Blow>& 
     report.snapshots = contact_snapshots(blows.back().impact, solution.history);
     return output::impact_page(report, units);
   };
-  int code = 0;
-  for (const Blow& blow : blows) code = std::max(code, code_of(blow.solution.summary));
+  ExitCode code = exit_done;
+  for (const Blow& blow : blows) code = std::max(code, exit_code(blow.solution.summary));
   return {{"code", code}, {"written", written(request, {.document = document, .json = json, .page = page})}};
 }
 
@@ -88,7 +68,7 @@ Json write_turns(const Json& request, const Folders& folders) {
     return output::margin_document(found, name, units_of(request), pictures);
   };
   const auto json = [&] { return output::margin_json(found); };
-  return {{"code", code_of(found)}, {"written", written(request, {.document = document, .json = json})}};
+  return {{"code", exit_code(found)}, {"written", written(request, {.document = document, .json = json})}};
 }
 
 }  // namespace

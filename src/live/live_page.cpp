@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/impact.hpp"
-#include "input/toml_tree.hpp"
 #include "json/json_values.hpp"
 #include "live/case_tables.hpp"
 #include "output/page/html.hpp"
