@@ -1,7 +1,5 @@
 // dashpad solve-for: where the verdict about a case turns as one of its numbers varies.
 
-#include <algorithm>
-
 #include "command.hpp"
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/output/margin.hpp"
