@@ -18,7 +18,7 @@ Usage: ./do TASK [arguments]
   bench PROGRAM [arguments]
                            run only impact, injury, work-precision, study or report, with its own arguments
   bench --check            check that the tables in bench/README.md match bench/results
-  pictures                 redraw the pictures in README and docs, except the one that was drawn by hand
+  pictures                 redraw the pictures in README and docs, except those that were drawn by hand
   docs                     make the site of the documents in build/site, with all examples and the C++ API, and check
                            its links
   format                   format the C++ code with clang-format
@@ -207,9 +207,9 @@ task_docs() {
   say "Open build/site/index.html; its search needs a server: python3 -m http.server --directory build/site"
 }
 
-# The pictures of the documents, by the command that users have.
+# The pictures of the documents, by the command that users have; those of the theory, by a script that calls it.
 task_pictures() {
-  need_packages run
+  need_packages run pictures
   say "Building the command ..."
   configure release
   build release dashpad-command
@@ -221,6 +221,7 @@ task_pictures() {
     "$dashpad" material-test "ensolite-aac-$law" --test parabolic --strain 0.95 --rate 1,100 --explicit-1984 \
       --units us --picture "$images/figure-2-$((law == 9 ? 9 : 10)).svg" --force >/dev/null
   done
+  python3 "$images/theory/draw_impact.py" "$dashpad"
   "$dashpad" validate --figures "$stills" --force >/dev/null
   for still in "$images"/validation/*.svg; do cp "$stills/$(basename "$still")" "$still"; done
   git status --short "$images"
