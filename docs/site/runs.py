@@ -25,7 +25,7 @@ class Runner:
             "DASHPAD_MATERIALS": f"{root}/materials",
             "DASHPAD_STANDARDS": f"{root}/standards",
             "DASHPAD_VALIDATION_DATA": f"{root}/data/validation",
-            "DASHPAD_ENGINE": f"{root}/build/wasm/engine.wasm.gz",
+            "DASHPAD_ENGINE": f"{root}/build/wasm/engine.wasm.lzma",
         }
         examples = self.folder / "examples"
         if not examples.exists():

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "impact/numerics.hpp"
 #include "impact/trial.hpp"
 
@@ -23,7 +24,7 @@ class RateTrend {
 
   /// Adds the mean rate, not 0, over a step of length `step`; all rates since the restart have one sign.
   void add(double rate, double step) {
-    const double log_rate = std::log(std::abs(rate));
+    const double log_rate = portable::log(std::abs(rate));
     if (steps_ > 0) {
       const double slope = (log_rate - log_rate_) * 2 / (step_ + step);
       bend_ = steps_ > 1 ? (slope - slope_) * 2 / (step_before_ + 2 * step_ + step) : 0;
@@ -41,12 +42,14 @@ class RateTrend {
   [[nodiscard]] double over(double step) const {
     const double ahead = (step_ + step) / 2;
     const double change = ahead * (slope_ + bend_ * (ahead + (step_before_ + step_) / 2));
-    return rate_ * std::exp(std::clamp(change, -max_change, max_change));
+    return rate_ * portable::exp(std::clamp(change, -max_change, max_change));
   }
   /// Time in which the rate changes by a factor of e, s; infinite while it is not known.
   [[nodiscard]] double time_scale() const { return slope_ != 0 ? 1 / std::abs(slope_) : infinite; }
   /// Rate at the end of the last step.
-  [[nodiscard]] double now() const { return rate_ * std::exp(std::clamp(slope_ * step_ / 2, -1.0, 1.0)); }
+  [[nodiscard]] double now() const {
+    return rate_ * portable::exp(std::clamp(slope_ * step_ / 2, -1.0, 1.0));
+  }
 
  private:
   static constexpr double max_change = 2;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dashpad/impact/flags.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "impact/contacts.hpp"
 #include "impact/figures.hpp"
 #include "impact/march.hpp"
@@ -50,8 +50,8 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   Refinement refinement(impact.impactor, options.tolerance);
   March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
-  double left =
-      numerics.max_work * std::clamp(std::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.max_patience);
+  double left = numerics.max_work *
+                std::clamp(portable::pow(1e-3 / options.tolerance, 7.0 / 8), 1.0, numerics.max_patience);
   double cost = 0;    // estimate for the next run, s
   double steps = 0;   // steps of the next run
   double before = 0;  // work of the last run that got through

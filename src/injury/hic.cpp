@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "injury/hic_search.hpp"
 #include "injury/pulse_line.hpp"
 
@@ -149,7 +150,7 @@ std::optional<Pulse> part_of_best_window(const Pulse& pulse, std::size_t peak, d
   if (!(value > 0 && std::isfinite(value))) return std::nullopt;
   constexpr double less = 0.999;  // far more than rounding
   const bool is_limited = longest < length;
-  const double level = (is_limited ? 1 : 0.6) * less * std::pow(value / longest, 0.4);
+  const double level = (is_limited ? 1 : 0.6) * less * portable::pow(value / longest, 0.4);
   const auto counts = [&](double acceleration) { return std::abs(acceleration) >= level; };
   const std::vector<double>& all = pulse.acceleration;
   const auto first = std::ranges::find_if(all, counts) - all.begin();

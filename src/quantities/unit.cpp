@@ -68,10 +68,17 @@ struct Unit {
   bool has_offset = false;
 };
 
+/// Not by std::pow, which for a long double is no more accurate than a double in some C libraries.
+long double raised(long double base, int power) {
+  long double result = 1;
+  for (int i = 0; i < power; ++i) result *= base;
+  return result;
+}
+
 /// `a` times `by` raised to a power. Nothing where an exponent grows beyond all use.
 std::optional<Unit> product(const Unit& a, const Unit& by, int power) {
-  const long double raised = std::pow(by.number, static_cast<long double>(std::abs(power)));
-  Unit result{power < 0 ? a.number / raised : a.number * raised};
+  const long double factor = raised(by.number, std::abs(power));
+  Unit result{power < 0 ? a.number / factor : a.number * factor};
   bool is_sound = std::isfinite(result.number) && result.number > 0;
   const auto sum = [&](int left, int right) {
     const int exponent = left + right * power;  // both are at most largest_exponent, power at most 99
@@ -223,7 +230,7 @@ UnitFactor unit_factor(std::string_view unit, std::string_view si_unit) {
   if (!one || !si) return {UnitMatch::unknown};
   if (one->dimension != si->dimension || one->has_offset) return {UnitMatch::other_dimension};
   const int ten = one->ten - si->ten;
-  const long double number = one->number / si->number, power = std::pow(10.0L, std::abs(ten));
+  const long double number = one->number / si->number, power = raised(10, std::abs(ten));
   return {UnitMatch::same_dimension, static_cast<double>(ten < 0 ? number / power : number * power)};
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/foam_curve.hpp"
 #include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/overstress.hpp"
@@ -79,11 +80,11 @@ void grow_beyond(FoamCurves& curves, double reached, double exponent) {
   const double tested = tested_rates(curves).back();
   std::visit(
       [&]<class Effect>(Effect& effect) {
-        const double factor = std::pow(reached / tested, exponent);
+        const double factor = portable::pow(reached / tested, exponent);
         if constexpr (std::is_same_v<Effect, PowerRateEffect>) {
           // The card's own power, up to the rate at which it has grown by that factor.
           const double own = std::max(effect.exponent + effect.exponent_slope / 3, 1e-6);
-          effect.highest_rate = tested * std::pow(reached / tested, std::min(exponent / own, 1.0));
+          effect.highest_rate = tested * portable::pow(reached / tested, std::min(exponent / own, 1.0));
         } else if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
           effect.rate.push_back(reached);
           effect.factor.push_back(factor * effect.factor.back());
@@ -107,7 +108,7 @@ struct Growth {
 
 void grow(Material& material, PadCondition& condition, const Growth& by, double place) {
   if (by.reached < by.tested) {
-    condition.scale *= std::pow(by.reached / by.tested, place * by.exponent);
+    condition.scale *= portable::pow(by.reached / by.tested, place * by.exponent);
     return;
   }
   std::visit(
@@ -115,9 +116,9 @@ void grow(Material& material, PadCondition& condition, const Growth& by, double 
         if constexpr (SharesSlip<Law>) grow_beyond(law.curves, by.reached, place * by.exponent);
         // The power of laws 4 and 5 continues anyway; the other end is that it stops.
         if constexpr (std::is_same_v<Law, NineParameter>)
-          law.rate_modulus *= std::pow(by.tested / by.reached, place * by.exponent);
+          law.rate_modulus *= portable::pow(by.tested / by.reached, place * by.exponent);
         if constexpr (std::is_same_v<Law, TwentyOneParameter>)
-          law.rate_stress *= std::pow(by.tested / by.reached, place * by.exponent);
+          law.rate_stress *= portable::pow(by.tested / by.reached, place * by.exponent);
       },
       material.law);
 }

@@ -8,6 +8,7 @@
 
 #include "dashpad/case/case_quantity.hpp"
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "uncertainty/open_sources.hpp"
 
 namespace dashpad::uncertainty {
@@ -78,7 +79,7 @@ void add_scatter(const std::vector<Part>& parts, Open& open) {
 /// if they are positive, else by equal steps.
 double moved(double value, double nominal, double minus, double plus, double deviations) {
   const double end = deviations < 0 ? minus : plus, by = std::abs(deviations);
-  return nominal > 0 && end > 0 ? value * std::pow(end / nominal, by) : value + by * (end - nominal);
+  return nominal > 0 && end > 0 ? value * portable::pow(end / nominal, by) : value + by * (end - nominal);
 }
 
 /// The line along an axis; on it lie the values of the case that are unknowns of a fit.
@@ -197,9 +198,9 @@ void add_way_back(const ImpactCase& impact, const Summary& summary, Open& open) 
                             if (foam == nullptr) return;
                             const ValueRange range =
                                 around(foam->lag_strain, material.uncertainty.lag_strain.value_or(usual_lag));
-                            foam->lag_strain =
-                                std::exp(towards(std::log(foam->lag_strain),
-                                                 {std::log(range.low), std::log(range.high)}, place));
+                            foam->lag_strain = portable::exp(
+                                towards(portable::log(foam->lag_strain),
+                                        {portable::log(range.low), portable::log(range.high)}, place));
                           });
                         }});
 }

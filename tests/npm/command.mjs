@@ -20,7 +20,7 @@ export async function tryCommand({ check, examples, folder, native, program, roo
     check(mine.status === other.status, `${words.join(" ")}: ended with ${mine.status} and ${other.status}: ${mine.stderr}`);
     if (!mine.stdout || !other.stdout) return check(mine.stdout === other.stdout, `${words.join(" ")}: only one has a result: ${mine.stderr}`);
     const found = differences(JSON.parse(mine.stdout), JSON.parse(other.stdout));
-    for (const text of found.texts.slice(0, 5)) check(false, `${words.join(" ")}: ${text}`);
+    for (const text of found.slice(0, 5)) check(false, `${words.join(" ")}: ${text}`);
   };
   const same_text = (words) => {
     const [mine, other] = [ours(words), theirs(words)];

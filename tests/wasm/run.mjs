@@ -30,27 +30,18 @@ function command(...words) {
   }
 }
 
-let exact = 0;
 for (const name of readdirSync(join(root, "examples")).filter((name) => name.endsWith(".toml"))) {
   const file = `examples/${name}`;
   const read = engine.ask({ do: "read", text: readFileSync(join(root, file), "utf8") });
   if (!read.case) { fail(`${name}: ${JSON.stringify(read)}`); continue; }
-  const begin = performance.now();
   const solved = engine.ask({ do: "solve", case: read.case, units: "si", intervals: true });
-  const quick = performance.now();
-  engine.ask({ do: "solve", case: read.case, units: "si" });
-  const took = performance.now() - quick;
   if (!solved.result) { fail(`${name}: ${JSON.stringify(solved)}`); continue; }
   const theirs = JSON.parse(command("run", file, "--json", "-"));
-  const found = differences(solved.result, theirs);
-  if (process.env.SHOW) console.log(`${name}: ${(quick - begin).toFixed(1)} ms with intervals, ${took.toFixed(1)} ms without, ${solved.html.length} bytes, differs by ${found.largest.toExponential(1)}`);
-  for (const each of found.texts.slice(0, 5)) fail(`${name}: ${each}`);
-  if (found.largest < 1e-9) exact += 1;
+  for (const each of differences(solved.result, theirs).slice(0, 5)) fail(`${name}: ${each}`);
   const again = engine.ask({ do: "read", text: solved.toml });
   if (sorted(again.case) !== sorted(read.case)) fail(`${name}: the case as TOML reads differently`);
 }
 const refused = engine.ask({ do: "solve", case: { pad: { thicknes: "1 in" } }, units: "si" });
 if (!refused.faults?.length) fail(`not refused: ${JSON.stringify(refused)}`);
-if (exact < 8) fail(`only ${exact} examples agree to 1e-9`);
-console.log(failures === 0 ? `The engine agrees with the command on all examples, on ${exact} to 1e-9.` : `${failures} failures`);
+console.log(failures === 0 ? "The engine gives the bits of the command on all examples." : `${failures} failures`);
 process.exitCode = failures === 0 ? 0 : 1;

@@ -100,10 +100,12 @@ inline void fill_within(const FoamNodes& nodes, const NodeRow& row, NodeValues& 
   const LanesTag tag;
   const FoamCurve::Rows& base = nodes.stress.base;
   // Rows begin with the middle of a panel.
-  const Lanes for_middle = hn::OddEven(hn::Zero(tag), hn::Set(tag, row.step * row.step));
+  const Lanes square(row.step * row.step);
+  const Lanes for_middles = hn::OddEven(hn::Zero(tag), square.v);
   for (std::size_t j = 0; j < row.count; j += hn::Lanes(tag)) {
     const Lanes even = row.from + row.step * numbers_of(row, j);
-    const Lanes strain = even * even + for_middle;
+    const bool one_at_an_end = hn::Lanes(tag) == 1 && j % 2 == 1;
+    const Lanes strain = even * even + (one_at_an_end ? Lanes(0.0) : for_middles);
     const Places at = places_of(sqrt(strain) * base.cells.per_width);
     put(nodes, strain, 1.0 - strain, at, work_within(base, at), 1 + j, values);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
 namespace dashpad {
@@ -32,7 +33,7 @@ struct NodeRow {
     return i % 2 == 0 ? even : std::sqrt(even * even + step * step);
   }
   [[nodiscard]] double complement(std::size_t i) const {
-    return std::exp(from - step * static_cast<double>(i));
+    return portable::exp(from - step * static_cast<double>(i));
   }
 };
 

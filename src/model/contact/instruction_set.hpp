@@ -17,12 +17,8 @@ inline std::int64_t instruction_sets() {
   if (__builtin_cpu_supports("ssse3")) sets |= HWY_SSSE3;
   if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes"))
     sets |= HWY_SSE4;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
-    sets |= HWY_AVX2;
-  // AVX3_DL adds nothing for doubles.
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
-    sets |= HWY_AVX3;
+  // Without its fused operations, so that all sets give the same bits; those of AVX-512 cannot be left out.
+  if (__builtin_cpu_supports("avx2")) sets |= HWY_AVX2;
 #endif
   return sets;
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/contact/foam_nodes.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 
@@ -73,8 +74,8 @@ class WorkIntegral {
       add(low, range, panels, ends_within ? &over.end : nullptr, values, within);
     }
     if (ends_within) return;
-    const double outer = std::log(std::min(from.complement, 1 - last));
-    const double range = outer - std::log(to.complement);
+    const double outer = portable::log(std::min(from.complement, 1 - last));
+    const double range = outer - portable::log(to.complement);
     add(outer, range, count(over.panels_beyond * range, 1), &over.end, values, beyond);
   }
 

@@ -4,12 +4,14 @@
 #include <memory>
 #include <numbers>
 
+#include "dashpad/quantities/portable_math.hpp"
+
 namespace dashpad {
 namespace {
 
 /// x - sin(x), accurate where the two are nearly equal, too.
 double beyond_sine(double x) {
-  if (x > 1) return x - std::sin(x);
+  if (x > 1) return x - portable::sin(x);
   double term = x * x * x / 6;
   double sum = 0;
   for (int n = 5; n < 24 && sum + term != sum; n += 2) {
@@ -22,8 +24,8 @@ double beyond_sine(double x) {
 /// sin(x) - x cos(x) - sin(x)^3 / 3, accurate for small x, too; the series begins with 2/15 x^5.
 double second_integral(double x) {
   if (x > 0.5) {
-    const double sine = std::sin(x);
-    return sine - x * std::cos(x) - sine * sine * sine / 3;
+    const double sine = portable::sin(x);
+    return sine - x * portable::cos(x) - sine * sine * sine / 3;
   }
   double power = x * x * x * x * x / 120;  // x^n / n!
   double nines = 81;                       // 3^(n - 1)
@@ -60,12 +62,12 @@ class CylinderSections final : public SectionShape {
   [[nodiscard]] std::vector<SectionPiece> pieces(double grading) const override {
     // Share of the radius below which a contact has next to no force.
     constexpr double shallowest = 1e-9;
-    const int count = static_cast<int>(std::ceil(-std::log(shallowest) / grading));
+    const int count = static_cast<int>(std::ceil(-portable::log(shallowest) / grading));
     std::vector<SectionPiece> pieces;
     pieces.reserve(static_cast<std::size_t>(count) + 1);
     double from = 0;
     for (int i = count; i >= 0; --i) {
-      const double to = i == 0 ? radius_ : radius_ * std::exp(std::log(shallowest) * i / count);
+      const double to = i == 0 ? radius_ : radius_ * portable::exp(portable::log(shallowest) * i / count);
       pieces.push_back(piece(from, to));
       from = to;
     }
@@ -74,7 +76,7 @@ class CylinderSections final : public SectionShape {
 
  private:
   [[nodiscard]] double half_width(double s) const { return std::sqrt(s * (2 * radius_ - s)); }
-  [[nodiscard]] double angle(double s) const { return 2 * std::asin(std::sqrt(s / (2 * radius_))); }
+  [[nodiscard]] double angle(double s) const { return 2 * portable::asin(std::sqrt(s / (2 * radius_))); }
   [[nodiscard]] SectionPiece piece(double from, double to) const {
     const double height = to - from;
     const double rise = area(to) - area(from);

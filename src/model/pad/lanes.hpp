@@ -4,7 +4,7 @@
 /// HWY_AFTER_NAMESPACE, after hwy/highway.h and hwy/contrib/math/math-inl.h.
 
 namespace hn = hwy::HWY_NAMESPACE;
-using LanesTag = hn::ScalableTag<double>;
+using LanesTag = hn::CappedTag<double, 4>;
 
 struct Lanes {
   using Vector = hn::Vec<LanesTag>;
@@ -53,5 +53,4 @@ struct Register<Lanes> {
   static HWY_INLINE Lanes first(std::size_t count, Lanes x) {
     return hn::IfThenElseZero(hn::FirstN(LanesTag(), count), x.v);
   }
-  static HWY_INLINE double sum(Lanes x) { return hn::GetLane(hn::SumOfLanes(LanesTag(), x.v)); }
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/column_law.hpp"
 
 namespace dashpad {
@@ -21,7 +22,7 @@ struct ChebyshevTable {
     for (std::size_t j = 0; j < N; ++j)
       for (std::size_t k = 0; k < N; ++k)
         polynomial[j][k] =
-            std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
+            portable::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / N);
     point = polynomial[1];
     monomial[0][0] = monomial[1][1] = 1;
     for (std::size_t j = 2; j < N; ++j)
@@ -58,7 +59,7 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
       sum += c / (m + 1 + k);
       c *= (n + k) / (k + 1) * e;
     }
-    return std::pow(1 - e, n) * sum;
+    return portable::pow(1 - e, n) * sum;
   });
   // The power q^(k+1-n) integrates to a logarithm where n = k + 1.
   near_bottom_ = interpolate<terms>([this, m, n](double q) {
@@ -74,11 +75,12 @@ PowerShape::PowerShape(PowerExponents exponents) : exponents_(exponents) {
       c *= ratio * q;
       c0 *= ratio;
     }
-    return std::pow(1 - q, -m) * sum;
+    return portable::pow(1 - q, -m) * sum;
   });
-  const double shape = std::exp2(n - m);
+  const double shape = portable::pow(2, n - m);
   const double measure_at_half = shape / 2 * scalar::polynomial(near_contact_, 0.5);
-  offset_ = measure_at_half + shape / 2 * scalar::polynomial(near_bottom_, 0.5) + log_weight_ * std::log(0.5);
+  offset_ =
+      measure_at_half + shape / 2 * scalar::polynomial(near_bottom_, 0.5) + log_weight_ * portable::log(0.5);
 }
 
 PowerShape::Value PowerShape::at(Strain strain) const {

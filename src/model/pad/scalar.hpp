@@ -1,14 +1,15 @@
 #pragma once
 /// Doubles, and a number with its derivative by the strain, as number types of src/model/pad/formulas.hpp.
 
-#include <cmath>
 #include <cstddef>
+
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad::scalar {
 
-using std::exp;
-using std::log;
-using std::pow;
+using portable::exp;
+using portable::log;
+using portable::pow;
 
 /// Evaluates only the chosen alternative.
 template <class Yes, class No>
@@ -31,7 +32,6 @@ struct Register<double> {
   static double load(const double* from) { return *from; }
   static void store(double x, double* to) { *to = x; }
   static double first(std::size_t, double x) { return x; }
-  static double sum(double x) { return x; }
 };
 
 struct Dual {
@@ -51,10 +51,10 @@ struct Dual {
   }
   friend bool operator<=(Dual a, Dual b) { return a.value <= b.value; }
   friend Dual exp(Dual x) {
-    const double power = std::exp(x.value);
+    const double power = portable::exp(x.value);
     return {power, power * x.slope};
   }
-  friend Dual log(Dual x) { return {std::log(x.value), x.slope / x.value}; }
+  friend Dual log(Dual x) { return {portable::log(x.value), x.slope / x.value}; }
 };
 
 }  // namespace dashpad::scalar

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
+
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 namespace {
@@ -66,7 +67,7 @@ std::vector<Violation> violations(const PadCondition& condition, const Material&
 double stress_factor(const PadCondition& condition, const Material& material) {
   double factor = condition.scale;
   if (condition.density)
-    factor *= std::pow(*condition.density / *material.density, *material.density_exponent);
+    factor *= portable::pow(*condition.density / *material.density, *material.density_exponent);
   if (condition.temperature) factor *= factor_at(material.temperature_table, *condition.temperature);
   return factor;
 }

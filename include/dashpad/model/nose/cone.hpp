@@ -4,11 +4,11 @@
 ///   a(s) = pi (r0 + s tan(alpha))^2 up to s = (R - r0) / tan(alpha)                   (theory.md, Eq. 3)
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "dashpad/model/nose/sections.hpp"
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -21,7 +21,7 @@ struct Cone {
   static const std::array<Parameter<Cone>, 3> parameters;
 
   [[nodiscard]] Sections sections() const {
-    const double slope = std::tan(half_angle);
+    const double slope = portable::tan(half_angle);
     return {.tip = std::numbers::pi * tip_radius * tip_radius,
             .width = tip_radius * slope,
             .taper = -slope * slope,

@@ -17,6 +17,7 @@
 #include "dashpad/model/pad/power_shape.hpp"
 #include "dashpad/model/pad/strain.hpp"
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -46,14 +47,14 @@ struct NineParameter {
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
   [[nodiscard]] RatePart rate_part(double rate) const {
     if (rate == 0) return {asymptotic_modulus, 0, false};
-    const double log_rate = std::log(std::abs(rate));
-    RatePart part{asymptotic_modulus + rate_modulus * std::exp(rate_exponent * log_rate), 0, rate < 0};
+    const double log_rate = portable::log(std::abs(rate));
+    RatePart part{asymptotic_modulus + rate_modulus * portable::exp(rate_exponent * log_rate), 0, rate < 0};
     if (part.unloading)
       part.residual_ratio = residual_ratio(log_rate, residual_strain_time, residual_strain_exponent);
     return part;
   }
   [[nodiscard]] TimePart time_part(double from, double to) const {
-    return {std::exp((from - to) / relaxation_time)};
+    return {portable::exp((from - to) / relaxation_time)};
   }
   /// h at strain zero, 1/s.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / relaxation_time; }

@@ -2,7 +2,8 @@
 /// Strain of a pad column, kept together with its distance from full compression.
 
 #include <algorithm>
-#include <cmath>
+
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -27,7 +28,7 @@ inline constexpr double largest_residual_ratio = 1 - 1e-6;
 
 /// D at a strain rate given by the logarithm of its magnitude in 1/s; `scale_time`: tau*, s.
 inline double residual_ratio(double log_rate, double scale_time, double exponent) {
-  return std::min(std::exp(exponent * (std::log(scale_time) + log_rate)), largest_residual_ratio);
+  return std::min(portable::exp(exponent * (portable::log(scale_time) + log_rate)), largest_residual_ratio);
 }
 
 }  // namespace dashpad

@@ -18,6 +18,7 @@
 #include "dashpad/model/pad/power_shape.hpp"
 #include "dashpad/model/pad/strain.hpp"
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -57,7 +58,7 @@ struct TwentyOneParameter {
   [[nodiscard]] PowerExponents exponents() const { return {contact_exponent, compaction_exponent}; }
   [[nodiscard]] RatePart rate_part(double rate) const {
     if (rate == 0) return {};
-    RatePart part{std::log(std::abs(rate)), 0, false, rate < 0};
+    RatePart part{portable::log(std::abs(rate)), 0, false, rate < 0};
     if (part.unloading)
       part.residual_ratio = residual_ratio(part.log_rate, residual_strain_time, residual_strain_exponent);
     return part;
@@ -65,8 +66,8 @@ struct TwentyOneParameter {
   /// 0 <= from < to.
   [[nodiscard]] TimePart time_part(double from, double to) const {
     const double a = relaxation_exponent;
-    const double early = std::pow(from, a);
-    const double late = std::pow(to, a);
+    const double early = portable::pow(from, a);
+    const double late = portable::pow(to, a);
     const double step = to - from;
     // First moment of t^(a-1) about the start of the step; for a short step the middle is accurate enough.
     double centre = 0.5;
@@ -76,7 +77,7 @@ struct TwentyOneParameter {
   }
   /// h at strain zero, a t^(a-1) / b, 1/s.
   [[nodiscard]] double relaxation_rate(double time) const {
-    return relaxation_exponent * std::pow(time, relaxation_exponent - 1) / relaxation_scale;
+    return relaxation_exponent * portable::pow(time, relaxation_exponent - 1) / relaxation_scale;
   }
   [[nodiscard]] double edge_ratio(RatePart) const { return asymptotic_modulus; }
 };
@@ -127,7 +128,7 @@ struct Formulas<TwentyOneParameter> {
   const PowerShape& power;
   const TwentyOneParameter::RatePart rate;
   const TwentyOneParameter::TimePart time;
-  const double log_base = std::log(law.relaxation_strain_base);  ///< ln c
+  const double log_base = portable::log(law.relaxation_strain_base);  ///< ln c
 
   /// part: E_inf A, S_r (exp(e^W/X) - exp(-e^Y/Z)), R exp(-e^U/V).
   template <class N>

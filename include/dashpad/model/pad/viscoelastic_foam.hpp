@@ -11,10 +11,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "dashpad/model/pad/power_shape.hpp"
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -51,7 +51,7 @@ struct ViscoelasticFoam {
   [[nodiscard]] TimePart time_part(double from, double to) const {
     const double first = (to - from) / first_time;
     const double second = (to - from) / second_time;
-    return {first, second, std::exp(-first), std::exp(-second)};
+    return {first, second, portable::exp(-first), portable::exp(-second)};
   }
   /// Relaxation rate of the faster branch, 1/s.
   [[nodiscard]] double relaxation_rate(double) const { return 1 / std::min(first_time, second_time); }

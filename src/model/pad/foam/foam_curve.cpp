@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
 namespace dashpad {
@@ -58,7 +59,7 @@ FoamCurve::FoamCurve(const BaseCurve& base, double continuation_exponent)
   moment_.assign(Cells::count, 0);
   for (std::size_t i = 0; i + 1 < Cells::count; ++i) moment_[i + 1] = moment_within({i, 1});
   last_moment_ = moment_within({Cells::count - 1, 1});
-  last_.power = std::pow(last_.complement, -last_.exponent);
+  last_.power = portable::pow(last_.complement, -last_.exponent);
   last_.growth = last_slope * last_.complement / (last_.exponent * last_.power);
 }
 

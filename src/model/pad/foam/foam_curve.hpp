@@ -10,6 +10,7 @@
 
 #include "dashpad/model/pad/foam.hpp"
 #include "dashpad/model/pad/strain.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/cell_table.hpp"
 #include "model/pad/scalar.hpp"
 
@@ -89,7 +90,7 @@ class FoamCurve {
   /// The strain beyond the last tested one at which the stress has the slope `slope`, or at which the slope
   /// changes over `ahead` by as much as itself, whichever is larger.
   [[nodiscard]] double strain_where_steep(double slope, double ahead) const {
-    const double steep = std::pow(last_.growth * last_.exponent / slope, 1 / (last_.exponent + 1));
+    const double steep = portable::pow(last_.growth * last_.exponent / slope, 1 / (last_.exponent + 1));
     return std::max(1 - std::min(steep, (last_.exponent + 1) * ahead), last_.strain);
   }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/foam_memo.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
@@ -37,7 +38,7 @@ FoamStress::FoamStress(const Foam& law, FoamCurve curve, FoamMemo* memo)
     const auto make = [&law] {
       CellTable table;
       table.fill(Cells(1), [&law](double root) {
-        return 1 - (1 - law.unloading_factor) * (1 - std::pow(root * root, law.unloading_shape));
+        return 1 - (1 - law.unloading_factor) * (1 - portable::pow(root * root, law.unloading_shape));
       });
       return table;
     };

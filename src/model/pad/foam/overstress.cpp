@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/foam_rules.hpp"
 #include "model/pad/foam/monotone_curve.hpp"
 
@@ -21,7 +22,7 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
         } else if constexpr (std::is_same_v<Effect, FactorRateEffect>) {
           kind_ = Kind::tested;
           log_factors_.push_back(0);
-          for (const double factor : effect.factor) log_factors_.push_back(std::log(factor));
+          for (const double factor : effect.factor) log_factors_.push_back(portable::log(factor));
         } else if constexpr (std::is_same_v<Effect, CurvesRateEffect>) {
           kind_ = Kind::tested;
           linear_ = effect.linear;
@@ -32,7 +33,7 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
               // Both curves start at 0; within the first cell their ratio is that at its end.
               const double e = std::clamp(root * root, base.cells().width * base.cells().width, last);
               const double m = curve.stress(e) / base.at(strain_of(e)).stress;
-              return linear_ ? m : std::log(m);
+              return linear_ ? m : portable::log(m);
             };
             // Curves that touch must not cross between their points.
             const CellTable* slower = tables_.empty() ? nullptr : &tables_.back();
@@ -46,7 +47,7 @@ Overstress::Overstress(const FoamCurves& curves, const FoamCurve& base, double f
         }
       },
       curves.rate_effect);
-  for (const double rate : rates_) log_rates_.push_back(std::log(rate));
+  for (const double rate : rates_) log_rates_.push_back(portable::log(rate));
 }
 
 Overstress::AtRate Overstress::at(double slip_rate) const {
@@ -75,7 +76,7 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
   if (kind_ == Kind::none || u <= rates_.front()) return result;
   result.share = slip_rate > 0 ? 1 : -recoil_;
   if (kind_ == Kind::power) {
-    result.log_rate = std::log(std::min(u, rates_.back())) - log_rates_.front();
+    result.log_rate = portable::log(std::min(u, rates_.back())) - log_rates_.front();
     result.weight_rise = u < rates_.back() ? 1 : 0;
     return result;
   }
@@ -93,7 +94,7 @@ Overstress::AtRate Overstress::rates_at(double slip_rate) const {
   } else {
     const double* log_rate = &log_rates_[result.segment];
     result.weight_rise = 1 / (log_rate[1] - log_rate[0]);
-    result.weight = (std::log(u) - log_rate[0]) * result.weight_rise;
+    result.weight = (portable::log(u) - log_rate[0]) * result.weight_rise;
   }
   return result;
 }

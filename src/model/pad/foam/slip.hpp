@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "dashpad/quantities/portable_math.hpp"
+
 namespace dashpad {
 
 struct SlipScale {
@@ -25,13 +27,13 @@ struct SlipScale {
     double side = 1;
   };
   [[nodiscard]] State state_of(double g) const {
-    return {std::exp(-std::abs(g) / strain), g < 0 ? -1.0 : 1.0};
+    return {portable::exp(-std::abs(g) / strain), g < 0 ? -1.0 : 1.0};
   }
-  [[nodiscard]] double strain_of(State state) const { return -state.side * strain * std::log(state.z); }
+  [[nodiscard]] double strain_of(State state) const { return -state.side * strain * portable::log(state.z); }
 
   /// u, 1/s.
   [[nodiscard]] double slip_rate(double g) const {
-    return std::copysign(rate * std::expm1(std::abs(g) / strain), g);
+    return std::copysign(rate * portable::expm1(std::abs(g) / strain), g);
   }
   [[nodiscard]] double slip_rate(State state) const { return state.side * rate * (1 - state.z) / state.z; }
 
@@ -81,7 +83,7 @@ struct SlipScale {
     const double from = state.side * from_rate;
     const auto with_even_rate = [&](double mean_rate) {
       const double pull = mean_rate + rate;
-      const double lags = std::log1p(pull * (1 - state.z) / std::abs(mean_rate));
+      const double lags = portable::log1p(pull * (1 - state.z) / std::abs(mean_rate));
       return pull == 0 ? strain * (1 - state.z) / rate : strain / pull * lags;
     };
     double before = 0, after = time;
@@ -91,11 +93,11 @@ struct SlipScale {
       const double rate_there = from + growth * t;
       const double z = followed(state, from_rate, state.side * rate_there, t);
       (z > 1 ? after : before) = t;
-      const double step = strain * std::log(z) / (rate_there + rate * (1 - 1 / z));
+      const double step = strain * portable::log(z) / (rate_there + rate * (1 - 1 / z));
       const double next = t + step;
       const double missed = (rate + std::abs(growth / rate_there)) / strain * step * step;
       // Near overflow the slope is meaningless.
-      if (next >= before && next <= after && z < std::exp(max_growth / 2)) {
+      if (next >= before && next <= after && z < portable::exp(max_growth / 2)) {
         if (missed <= precision * time) return next;
         t = next;
       } else {
@@ -116,7 +118,7 @@ struct SlipScale {
   [[nodiscard]] double followed(double z, double from, double to, double time) const {
     const double lags = (from + to) / 2 * time / strain;
     const double change = (to - from) * time / strain;
-    const double left = std::exp(std::min(-lags, max_growth));
+    const double left = portable::exp(std::min(-lags, max_growth));
     if (std::abs(lags) < 1e-3)
       return z * left + rate * time / strain * (1 - lags / 2 + lags * lags / 6 - change / 12);
     const double growth = strain * (to - from) / time;
@@ -135,7 +137,7 @@ struct SlipScale {
     const double unit = sign * std::sqrt(2 * std::abs(growth));
     const double x = pull / unit;
     if (growth > 0) return 2 * rate / unit * dawson(x);
-    return rate / (unit * std::numbers::inv_sqrtpi) * std::exp(x * x) * std::erfc(x);
+    return rate / (unit * std::numbers::inv_sqrtpi) * portable::scaled_erfc(x);
   }
   /// exp(-x^2) int exp(y^2) dy from 0 to x >= 0, to 2e-7: Rybicki's sum over odd multiples of h.
   [[nodiscard]] static double dawson(double x) {
@@ -144,7 +146,7 @@ struct SlipScale {
                                  0.00039366904065507759, 2.3525752000097709e-06, 3.90893843426485e-09};
     const double even = 2 * std::floor(x / (2 * h) + 0.5);
     const double off = x - even * h;
-    double power = std::exp(2 * off * h);
+    double power = portable::exp(2 * off * h);
     const double square = power * power;
     double sum = 0;
     double odd = 1;
@@ -153,7 +155,7 @@ struct SlipScale {
       power *= square;
       odd += 2;
     }
-    return std::numbers::inv_sqrtpi * std::exp(-off * off) * sum;
+    return std::numbers::inv_sqrtpi * portable::exp(-off * off) * sum;
   }
 };
 

@@ -10,6 +10,7 @@
 #include "dashpad/model/pad/elastic.hpp"
 #include "dashpad/model/pad/linear_viscoelastic.hpp"
 #include "dashpad/model/pad/strain.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 #include "model/pad/foam/foam_stress.hpp"
 #include "model/pad/layer/layer_law.hpp"
 #include "model/root.hpp"
@@ -148,7 +149,7 @@ class LinearLayer {
     const double from = std::max(now.strain, 0.0);
     const double whole = end.value - now.strain;
     const double time = now.strain < 0 && whole > 0 ? step.time * (end.value - from) / whole : step.time;
-    const double fall = -std::expm1(-time / time_);
+    const double fall = -portable::expm1(-time / time_);
     const double rate = whole / step.time;
     return now.memory * (1 - fall) + relaxing_ * rate * time_ * fall;
   }
@@ -184,14 +185,14 @@ struct LogStrain {
   /// Share of the thickness at which a layer counts as closed, below that at which a pad locks (Eq. 29).
   static constexpr double min_complement = 1e-10;
 
-  static double most() { return -std::log(min_complement); }
-  static double of(double strain) { return -std::log1p(-strain); }
+  static double most() { return -portable::log(min_complement); }
+  static double of(double strain) { return -portable::log1p(-strain); }
   static double of(Strain strain) {
-    return strain.complement < 0.5 ? -std::log(strain.complement) : of(strain.value);
+    return strain.complement < 0.5 ? -portable::log(strain.complement) : of(strain.value);
   }
   static Strain strain(double x) {
-    const double complement = std::exp(-x);
-    return {complement > 0.5 ? -std::expm1(-x) : 1 - complement, complement};
+    const double complement = portable::exp(-x);
+    return {complement > 0.5 ? -portable::expm1(-x) : 1 - complement, complement};
   }
 };
 

@@ -7,9 +7,9 @@
 /// Engineering 34 (2007) 3-27. Stress in Pa, compression positive.
 
 #include <array>
-#include <cmath>
 
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -25,9 +25,9 @@ struct AvalleCurve {
   static const std::array<Parameter<AvalleCurve>, 6> parameters;
 
   [[nodiscard]] double stress(double e) const {
-    const double plateau =
-        -plateau_stress * std::expm1(-modulus / plateau_stress * e * std::pow(1 - e, plateau_exponent));
-    return plateau + densification_stress * std::pow(e / (1 - e), densification_exponent);
+    const double plateau = -plateau_stress * portable::expm1(-modulus / plateau_stress * e *
+                                                             portable::pow(1 - e, plateau_exponent));
+    return plateau + densification_stress * portable::pow(e / (1 - e), densification_exponent);
   }
   friend bool operator==(const AvalleCurve&, const AvalleCurve&) = default;
 };

@@ -8,9 +8,9 @@
 /// L. J. Gibson, M. F. Ashby: Cellular Solids, 2nd ed., Cambridge 1997, section 5.3. Stress in Pa.
 
 #include <array>
-#include <cmath>
 
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -25,7 +25,7 @@ struct GibsonAshbyCurve {
   static const std::array<Parameter<GibsonAshbyCurve>, 5> parameters;
 
   [[nodiscard]] double stress(double e) const {
-    return -plateau_stress * std::expm1(-modulus * e / plateau_stress) +
+    return -plateau_stress * portable::expm1(-modulus * e / plateau_stress) +
            gas_pressure * e / (1 - e - relative_density);
   }
   friend bool operator==(const GibsonAshbyCurve&, const GibsonAshbyCurve&) = default;

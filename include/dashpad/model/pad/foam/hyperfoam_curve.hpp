@@ -6,9 +6,9 @@
 /// Nominal stress of uniaxial compression; Poisson's ratio 0. Stress in Pa, compression positive.
 
 #include <array>
-#include <cmath>
 
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -23,10 +23,11 @@ struct HyperfoamCurve {
   static const std::array<Parameter<HyperfoamCurve>, 5> parameters;
 
   [[nodiscard]] double stress(double e) const {
-    const double log_stretch = std::log1p(-e);
+    const double log_stretch = portable::log1p(-e);
     const auto term = [&](double mu, double a) {
       // For a = 0 the term is its limit, the logarithm.
-      return a == 0 ? -2 * mu * log_stretch / (1 - e) : -2 * mu / (a * (1 - e)) * std::expm1(a * log_stretch);
+      return a == 0 ? -2 * mu * log_stretch / (1 - e)
+                    : -2 * mu / (a * (1 - e)) * portable::expm1(a * log_stretch);
     };
     return term(first_modulus, first_exponent) + term(second_modulus, second_exponent);
   }

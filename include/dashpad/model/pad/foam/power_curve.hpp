@@ -6,9 +6,9 @@
 /// Stress in Pa, compression positive.
 
 #include <array>
-#include <cmath>
 
 #include "dashpad/model/parameter.hpp"
+#include "dashpad/quantities/portable_math.hpp"
 
 namespace dashpad {
 
@@ -22,7 +22,7 @@ struct PowerCurve {
   static const std::array<Parameter<PowerCurve>, 4> parameters;
 
   [[nodiscard]] double stress(double e) const {
-    return modulus * std::pow(e, contact_exponent) * std::pow(1 - e, -compaction_exponent);
+    return modulus * portable::pow(e, contact_exponent) * portable::pow(1 - e, -compaction_exponent);
   }
   friend bool operator==(const PowerCurve&, const PowerCurve&) = default;
 };
