@@ -28,7 +28,7 @@ Usage: ./do TASK [arguments]
   coverage                 run the tests and report the lines that they cover
   fuzz [TARGET] [SECONDS]  fuzz the file readers, each for SECONDS (default: 300), or only TARGET
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
-  wasm                     compile the engine for WebAssembly: build/wasm/engine.wasm.gz, which explore puts into pages
+  wasm                     compile the engine for WebAssembly: build/wasm/engine.wasm.lzma, which explore puts into pages
   npm                      pack the engine, its module and its command for npm: build/npm/dashpad-VERSION.tgz
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
@@ -345,19 +345,21 @@ wasm_batches() {
   local left_out=(
     input/disk.cpp                   # the disk itself: web/engine/host.cpp has functions of its own
     'input/iso_mme/\(archive\|folder\|iso_mme\|test_files\).cpp'  # a test is a folder or an archive
-    'input/material_deck/.*'         # files that no page reads
+    'input/material_deck/\(abaqus\|deck\|include\|ls_dyna\|material\|radioss\|stated\).*'  # files that no page reads
+    fit/session.cpp                  # keeps finished work on the disk
     'study/\(answers\|answers_of_store\|ranking\|run_study\|sqlite\|store.*\|study_.*\|turning_level\).cpp'
     laboratory/creep.cpp             # tests of hours
     live/live_page.cpp               # writes the page that has the engine
     margin/draws.cpp                 # no page asks for a probability
     output/svg/rendered.cpp          # librsvg
-    'output/.*/\(study_\([^wg]\|grid_\).*\|fit\|fall_height\|sensitivity\|proposal\|pulse\|material_.*\|post_impact\|filled\|test_plan\).*'
+    output/text/proposal_toml.cpp    # names files beside it
+    'output/.*/\(study_\([^wg]\|grid_\).*\|fall_height\|sensitivity\|pulse\|material_.*\|post_impact\|filled\|test_plan\).*'
     'output/\(csv\|deck\)/.*'
   )
-  # These include themselves once for each instruction set.
-  local alone=(model/contact/sweep.cpp model/contact/foam_nodes.cpp)
+  # Two include themselves once for each instruction set, the third must be fast.
+  local alone=(model/contact/sweep.cpp model/contact/foam_nodes.cpp quantities/portable_math.cpp)
   printf -- '-O2 %s\n' "${alone[@]}"
-  (cd "$root/src" && find quantities model impact result injury case json input laboratory uncertainty study margin output live \
+  (cd "$root/src" && find quantities model impact result injury case json input laboratory uncertainty study margin fit output live \
     -name '*.cpp' | sort) | grep -vx "$(printf '%s\n' "${left_out[@]}" "${alone[@]}")" |
     awk '{ folder = $0; sub("/[^/]*$", "", folder)
            printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") (folder ~ "^(model|impact)" ? "-O2 " : "-Oz ") : " ", $0
@@ -378,12 +380,12 @@ shipped_files() {
   printf '};\n  return all;\n}\n}  // namespace dashpad\n'
 }
 
-# Packs a module by gzip, as small as can be, if it has changed.
+# packed MODULE ENDING COMMAND...: packs a module, if it has changed, as small as can be.
 packed() {
-  local module="$root/build/wasm/$1.wasm"
-  if [[ "$module" -nt "$module.gz" ]]; then
-    zopfli -c "$module" >"$module.gz.new"
-    mv "$module.gz.new" "$module.gz"
+  local module="$root/build/wasm/$1.wasm" file="$root/build/wasm/$1.wasm.$2"
+  if [[ "$module" -nt "$file" ]]; then
+    "${@:3}" "$module" >"$file.new"
+    mv "$file.new" "$file"
   fi
 }
 
@@ -397,7 +399,9 @@ task_wasm() {
   [[ -f "$folder/headers.hpp" ]] ||  # a file that is new is compiled, and all that include it
     printf '#include <%s>\n' algorithm functional ranges variant fmt/format.h dashpad/impact/solve.hpp \
       >"$folder/headers.hpp"
-  for name in boost fast_float fmt hwy nlohmann toml++; do ln -sfn "/usr/include/$name" "$folder/headers/$name"; done
+  for name in boost eigen3/Eigen fast_float fmt hwy nlohmann toml++; do
+    ln -sfn "/usr/include/$name" "$folder/headers/${name##*/}"
+  done
   logged cmake "-DSOURCE_DIR=$root" "-DTEMPLATE=$root/src/version.cpp.in" "-DOUTPUT=$folder/version.cpp" \
     "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
     "-Dcompiler_flags=-O2" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
@@ -449,13 +453,14 @@ TEXT
   } >"$folder/build.ninja"
   say "Compiling for WebAssembly ..."
   logged ninja -C "$folder" -j "$jobs"
-  packed engine
+  # The numbers are those of code: context of four bits, no period.
+  packed engine lzma xz --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout
 }
 
 # The package of web/npm with the engine, as npm packs it: a tar with a folder "package". The same files give the same bytes.
 task_npm() {
   task_wasm
-  packed command
+  packed command gz zopfli -c
   local version folder="$root/build/npm"
   version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
   rm -rf "$folder"

@@ -122,7 +122,7 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
                                             std::vector<std::string>& errors);
 /// The same for measured tests: $DASHPAD_VALIDATION_DATA, share/dashpad/data/validation, data/validation/.
 std::filesystem::path chosen_measured_tests(const std::string& folder);
-/// The engine of the live page: $DASHPAD_ENGINE, share/dashpad/engine.wasm.gz, build/wasm/engine.wasm.gz.
+/// The engine of the live page: $DASHPAD_ENGINE, share/dashpad/engine.wasm.lzma, build/wasm/engine.wasm.lzma.
 std::filesystem::path chosen_engine();
 /// The file of the running program, or the name by which it was called.
 std::filesystem::path running_executable();

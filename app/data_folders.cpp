@@ -47,8 +47,8 @@ fs::path chosen_measured_tests(const std::string& folder) {
 }
 
 fs::path chosen_engine() {
-  return chosen("", {"DASHPAD_ENGINE", DASHPAD_INSTALLED_DATA "/engine.wasm.gz",
-                     DASHPAD_SOURCE_DATA "/build/wasm/engine.wasm.gz"});
+  return chosen("", {"DASHPAD_ENGINE", DASHPAD_INSTALLED_DATA "/engine.wasm.lzma",
+                     DASHPAD_SOURCE_DATA "/build/wasm/engine.wasm.lzma"});
 }
 
 fs::path running_executable() {

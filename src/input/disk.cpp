@@ -27,6 +27,11 @@ bool is_link(const std::filesystem::path& file) {
   return std::filesystem::is_symlink(file, none);
 }
 
+bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(file, other, ignored);
+}
+
 bool is_there(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);

@@ -14,6 +14,8 @@ namespace dashpad::input {
 
 bool is_there(const std::filesystem::path& file);
 bool is_link(const std::filesystem::path& file);
+/// Whether two names are those of one file that is there.
+bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other);
 
 /// The bytes of a regular file, but not many more than `most`, so that the caller sees whether it is larger.
 /// Anything else is a fault: missing, a folder, a pipe or a device, unreadable.

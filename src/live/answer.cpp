@@ -15,20 +15,17 @@
 #include "input/toml_tree.hpp"
 #include "json/json_values.hpp"
 #include "live/case_tables.hpp"
+#include "live/fitted.hpp"
 #include "live/request.hpp"
-#include "output/page/html.hpp"
-#include "output/page/html_elements.hpp"
 
 namespace dashpad::live {
 
 namespace {
 
-/// Of the whole page, or of its lead alone, which takes a third of the time.
-void add_page(const Json& request, const UnitSystem& units, output::Document document, Json& answer) {
+/// The whole document, or its lead alone, which takes a third of the time.
+output::Document of_request(const Json& request, output::Document document) {
   if (!is_set(request, "whole")) document.sections.clear();
-  answer["title"] = document.lead->answer;
-  answer["tone"] = output::class_of_tone(document.lead->tone);
-  answer["html"] = output::html_of({{&units, std::move(document)}}).body;
+  return document;
 }
 
 Json numbers_of(const ImpactCase& impact) {
@@ -58,14 +55,16 @@ Json solve_case(const Json& request, const Folders& folders) {
     const output::AssessmentReport report{*asked->standard, asked->given.impact, impact,
                                           solution,         assessment,          std::move(others)};
     answer["result"] = Json::parse(output::assessment_json(report));
-    add_page(request, units, output::assessment_document(report, units, output::Pictures::drawn), answer);
+    add_page(answer, of_request(request, output::assessment_document(report, units, output::Pictures::drawn)),
+             units);
   } else {
     const auto injury = injury::whole_pulse_figures(solution);
     output::ImpactReport report{impact, options, solution, injury};
     if (impact.blows) report.blows = output::blow_results(blows);
     answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
     if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
-    add_page(request, units, output::impact_document(report, units, output::Pictures::drawn), answer);
+    add_page(answer, of_request(request, output::impact_document(report, units, output::Pictures::drawn)),
+             units);
   }
   answer["numbers"] = numbers_of(impact);
   answer["toml"] = toml_of(request["case"]);
@@ -94,8 +93,9 @@ std::string answer(std::string_view request, const Folders& folders) {
     return what == "solve"       ? solve_case(asked, folders)
            : what == "solve-for" ? solve_for(asked, folders)
            : what == "read"      ? read_file(asked)
+           : what == "fit"       ? fit_tests(asked)
            : what == "list"      ? list_all(folders)
-                                 : fault_json("do", "must be solve, solve-for, read or list");
+                                 : fault_json("do", "must be solve, solve-for, read, fit or list");
   });
 }
 

@@ -15,6 +15,8 @@
 #include "dashpad/uncertainty/intervals.hpp"
 #include "input/fault_json.hpp"
 #include "live/case_tables.hpp"
+#include "output/page/html.hpp"
+#include "output/page/html_elements.hpp"
 #include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::live {
@@ -203,6 +205,12 @@ input::Reading<margin::Question> read_question(const Json& request, const Folder
     faults.push_back({.file = violation.key, .key = "", .value = "", .rule = violation.rule});
   if (!faults.empty()) return faults;
   return question;
+}
+
+void add_page(Json& answer, output::Document document, const UnitSystem& units) {
+  answer["title"] = document.lead->answer;
+  answer["tone"] = output::class_of_tone(document.lead->tone);
+  answer["html"] = output::html_of({{&units, std::move(document)}}).body;
 }
 
 Json list_all(const Folders& folders) {

@@ -13,6 +13,7 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/input/case_file.hpp"
 #include "dashpad/margin/margin.hpp"
+#include "dashpad/output/document.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "json/json_values.hpp"
 #include "live/answer.hpp"
@@ -64,6 +65,9 @@ std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked&
 
 /// "key" of the case, which is to keep the limits of the standard.
 input::Reading<margin::Question> read_question(const Json& request, const Folders& folders);
+
+/// "title", "tone" and "html" of a document that has a lead.
+void add_page(Json& answer, output::Document document, const UnitSystem& units);
 
 /// Names and titles of all cards and standards, in the order of the names.
 Json list_all(const Folders& folders);

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "dashpad/input/fault.hpp"
+#include "fit/determine.hpp"
 #include "input/disk.hpp"
 #include "live/answer.hpp"
 #include "live/command.hpp"
@@ -91,6 +92,7 @@ bool is_there(const std::filesystem::path& file) {
   return false;
 }
 bool is_link(const std::filesystem::path& /*file*/) { return false; }
+bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other) { return file == other; }
 
 Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /*most*/) {
   const auto found = files().find(file);
@@ -119,6 +121,15 @@ std::vector<Contributor> contributors_of(const Question& /*question*/, double /*
 }
 Place place_of(const Question& /*question*/, double /*value*/, const Draws& /*draws*/) { std::abort(); }
 }  // namespace dashpad::margin
+
+// What a fit has finished is kept nowhere.
+namespace dashpad::fit {
+Session::Session(const Fit& /*fit*/, const RunOptions& options) : options_(options) {}
+void Session::throw_if_stopped() const {}
+void Session::begin(const char* /*what*/, std::size_t /*pieces*/) {}
+Minimum Session::piece(const std::string& /*name*/, const std::function<Minimum()>& compute) { return compute(); }
+ProfileEnd Session::piece(const std::string& /*name*/, const std::function<ProfileEnd()>& compute) { return compute(); }
+}  // namespace dashpad::fit
 
 EXPORTED(allocate) void* allocate(std::size_t size) { return std::malloc(size == 0 ? 1 : size); }
 

@@ -82,8 +82,4 @@ class EngineWorker {
 }
 
 // The module, which the page holds packed and in Base64.
-async function compiledEngine() {
-  const packed = Uint8Array.from(atob(document.getElementById("engine").textContent), (letter) => letter.charCodeAt(0));
-  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
-}
+const compiledEngine = async () => WebAssembly.compile(unpacked(Uint8Array.from(atob(byId("engine").textContent), (letter) => letter.charCodeAt(0))));

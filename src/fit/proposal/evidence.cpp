@@ -10,6 +10,7 @@
 
 #include "dashpad/quantities/constants.hpp"
 #include "fit/fit_tables.hpp"
+#include "input/disk.hpp"
 #include "input/material_deck/test_parts.hpp"
 #include "quantities/text.hpp"
 
@@ -145,8 +146,7 @@ ReadTests read_tests(const std::vector<std::filesystem::path>& files, std::span<
     const std::optional<double> rate = i < rates.size() ? std::optional{rates[i]} : std::nullopt;
     std::vector<TestSource> sources = sources_in(files[i], rate, wanted, faults);
     const auto is_same = [&](const std::filesystem::path& other) {
-      std::error_code ignored;
-      return std::filesystem::equivalent(files[i], other, ignored);
+      return input::is_same_file(files[i], other);
     };
     if (std::any_of(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), is_same))
       faults.push_back({files[i].string(), 0, "", "", "is given twice; one test counts once"});

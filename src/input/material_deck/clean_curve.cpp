@@ -162,4 +162,8 @@ bool add_air(CleanCurve& curve, const DeckAir& air, const DeckCurve& deck_curve,
   return true;
 }
 
+std::string too_many_points(std::size_t count) {
+  return fmt::format("has {} points; at most {} are allowed", count, TableCurve::max_points);
+}
+
 }  // namespace dashpad::input

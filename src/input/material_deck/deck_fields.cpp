@@ -170,8 +170,4 @@ std::string contains_no(const char* materials, const OutOfReach& why) {
   return text + elsewhere(why);
 }
 
-std::string too_many_points(std::size_t count) {
-  return fmt::format("has {} points; at most {} are allowed", count, TableCurve::max_points);
-}
-
 }  // namespace dashpad::input
