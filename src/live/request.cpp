@@ -25,19 +25,6 @@ namespace {
 
 using Faults = std::vector<input::Fault>;
 
-/// A number in SI, or a text with its unit as an option of the command.
-std::optional<double> value_of(const Json& request, const char* key, const char* option, const char* unit,
-                               Faults& faults) {
-  const std::string text = text_of(request, key);
-  if (text.empty()) return number_of(request, key);
-  auto [value, rule] = read_si(text, unit);
-  if (rule.empty()) rule = rule_of(measured_magnitudes(unit), value, unit);
-  if (rule.empty() && value <= 0) rule = "must be more than 0";
-  if (rule.empty()) return value;
-  faults.push_back({.file = fmt::format("{} {}", option, text), .key = "", .value = "", .rule = rule});
-  return std::nullopt;
-}
-
 injury::UserValues user_values(const Json& request, Faults& faults) {
   return {.mass = value_of(request, "mass", "--mass", "kg", faults),
           .radius = value_of(request, "radius", "--radius", "m", faults),
@@ -69,6 +56,17 @@ std::vector<std::string> texts_of(const Json& request, const char* key) {
     for (const Json& each : *found)
       if (each.is_string()) texts.push_back(each.get<std::string>());
   return texts;
+}
+std::optional<double> value_of(const Json& request, const char* key, const char* option, const char* unit,
+                               Faults& faults) {
+  const std::string text = text_of(request, key);
+  if (text.empty()) return number_of(request, key);
+  auto [value, rule] = read_si(text, unit);
+  if (rule.empty()) rule = rule_of(measured_magnitudes(unit), value, unit);
+  if (rule.empty() && value <= 0) rule = "must be more than 0";
+  if (rule.empty()) return value;
+  faults.push_back({.file = fmt::format("{} {}", option, text), .key = "", .value = "", .rule = rule});
+  return std::nullopt;
 }
 const UnitSystem& units_of(const Json& request) {
   const std::string name = text_of(request, "units");

@@ -22,6 +22,7 @@
 #include "dashpad/input/fault.hpp"
 #include "fit/determine.hpp"
 #include "input/disk.hpp"
+#include "input/measurement/measurement_text.hpp"
 #include "live/answer.hpp"
 #include "live/command.hpp"
 #include "margin/evaluation.hpp"
@@ -100,6 +101,12 @@ Reading<std::string> content_of(const std::filesystem::path& file, std::size_t /
   if (const auto why = refused().find(file); why != refused().end()) return fault_of_file(file, why->second);
   missing().insert(file);
   return fault_of_file(file, "no such file");
+}
+
+std::string read_measurement(const std::filesystem::path& file, std::size_t /*most*/) {
+  const auto found = files().find(file);
+  if (found == files().end()) refuse_file(file.string(), "no such file");
+  return found->second;
 }
 
 Reading<std::vector<std::filesystem::path>> toml_files(const std::filesystem::path& folder,

@@ -11,7 +11,7 @@ onmessage = ({ data }) => {
     if (data.request) postMessage({ id: data.id, answer: engine.ask(data.request) });
   } catch (error) {
     engine = undefined;
-    postMessage({ id: data.id, answer: { faults: [{ key: "", rule: "cannot be computed: " + error.message, text: error.message }] } });
+    postMessage({ id: data.id, answer: { faults: [{ key: "", rule: "", text: error.message }] } });
   }
 };`;
 
@@ -29,15 +29,18 @@ class EngineWorker {
     this.worker.onmessage = ({ data }) => this.took(data);
     this.worker.onerror = (event) => {
       event.preventDefault();
-      if (this.asked) this.giveUp("this case cannot be computed here");
+      if (this.asked) this.giveUp("this cannot be computed in a browser");
     };
     this.worker.postMessage({ module: this.module, cards: this.cards });
     this.asked = null;
   }
 
-  // A card that was dropped on the page; the engine starts anew with it.
-  addCard(name, text) {
-    this.cards[`materials/${name}.toml`] = text;
+  // Cards of the reader's own, by name; where one is new the engine starts anew with it.
+  addCards(cards) {
+    const isNew = ([name, text]) => this.cards[`materials/${name}.toml`] !== text;
+    const added = Object.entries(cards).filter(isNew);
+    if (added.length === 0) return;
+    for (const [name, text] of added) this.cards[`materials/${name}.toml`] = text;
     this.worker.terminate();
     if (this.asked) clearTimeout(this.asked.guard);
     this.asked?.resolve(null);
@@ -58,7 +61,7 @@ class EngineWorker {
     this.asked = { ...this.waiting, id: ++this.count };
     this.waiting = null;
     const { seconds } = this.asked;
-    this.asked.guard = setTimeout(() => this.giveUp(`no answer within ${seconds} s; this case is too much for a page`), 1000 * seconds);
+    this.asked.guard = setTimeout(() => this.giveUp(`no answer within ${seconds} s; use the command for it`), 1000 * seconds);
     this.worker.postMessage({ id: this.asked.id, request: this.asked.request });
   }
 

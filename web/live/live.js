@@ -100,12 +100,15 @@ class LivePage {
     byId("thinnest").addEventListener("click", () => this.findThinnest());
     byId("copy-link").addEventListener("click", () => this.copy(location.href.split("#")[0] + linkOf(this.state), "The link is copied."));
     byId("copy-case").addEventListener("click", () => this.copy(byId("case").textContent, "The case is copied."));
-    byId("open").addEventListener("change", ({ target }) => target.files[0] && this.read(target.files[0]));
+    byId("open").addEventListener("change", ({ target }) => this.open([...target.files]));
+    byId("tests").addEventListener("change", ({ target }) => this.open([...target.files]));
+    byId("fit").addEventListener("click", () => this.fitTests());
+    byId("copy-card").addEventListener("click", () => this.copy(this.state.cards[this.fitted.name], "The card is copied.", "fit-found"));
     byId("controls").addEventListener("submit", (event) => event.preventDefault());
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
-      if (event.dataTransfer.files[0]) this.read(event.dataTransfer.files[0]);
+      this.open([...event.dataTransfer.files]);
     });
     // The browser's back and forward, and a link that is put into the address of this page.
     addEventListener("popstate", (event) => {
@@ -117,12 +120,12 @@ class LivePage {
     });
   }
 
-  async copy(text, words) {
+  async copy(text, words, place = "found") {
     try {
       await navigator.clipboard.writeText(text);
-      byId("found").textContent = words;
+      byId(place).textContent = words;
     } catch {
-      byId("found").textContent = "The browser does not let a page copy; the address line has the link, and the case stands below.";
+      byId(place).textContent = "This browser does not let a page copy. The link is in the address bar, and the case is shown below.";
     }
   }
 
@@ -134,6 +137,7 @@ class LivePage {
   }
 
   refresh(isDone, isNew = true) {
+    for (const engine of [this.quick, this.thorough, this.searching]) engine?.addCards(this.state.cards ?? {});
     this.showChoices();
     const serial = ++this.serial;
     clearTimeout(this.timer);
@@ -191,6 +195,7 @@ class LivePage {
     if (!isWhole) return;
     byId("announced").textContent = title;
     byId("result").querySelector("main").replaceWith(parts.querySelector("main"));
+    this.showFit();
     this.listeners?.abort();
     this.listeners = new AbortController();
     this.time = enliven(this.listeners.signal);
@@ -320,23 +325,71 @@ class LivePage {
     found.textContent = `${answer.title}.${turn ? ` The thickness is set to ${thickness}.` : ""}`;
   }
 
+  // --- Files: cases, cards of foams, compression tests
+
+  async open(files) {
+    const large = files.find(({ size }) => size > 1 << 20);
+    if (large) return this.showFaults([{ text: `${large.name} is larger than 1 MiB` }]);
+    const isCase = ({ name }) => /\.toml$/i.test(name);
+    for (const file of files.filter(isCase)) await this.read(file);
+    const tables = files.filter((file) => !isCase(file));
+    if (tables.length === 0) return;
+    this.tests = await Promise.all(tables.map(async (file) => [file.name, await file.text()]));
+    byId("fit").disabled = false;
+    byId("own").open = true;
+    await this.fitTests();
+  }
+
   // A case, or a card of a foam, which the case then uses.
   async read(file) {
-    if (file.size > 1 << 20) return this.showFaults([{ text: `${file.name} is larger than 1 MiB` }]);
     const text = await file.text();
-    if (/^\s*law\s*=/m.test(text) && !/^\s*\[impactor\]/m.test(text)) {
-      // A card of the reader takes no other's name.
-      const own = file.name.replace(/\.toml$/, "").replace(/[^\w-]/g, "-") || "card";
-      const name = this.lists.foams.some((foam) => foam.name === own) ? `${own}-dropped` : own;
-      for (const engine of [this.quick, this.thorough]) engine.addCard(name, text);
-      this.searching?.addCard(name, text);
-      this.choose(byId("foam"), name);
-      return this.change((state) => (state.pads[state.active] = { thickness: state.pads[state.active].thickness ?? "25 mm", material: name }), true);
-    }
+    if (/^\s*law\s*=/m.test(text) && !/^\s*\[impactor\]/m.test(text)) return this.useCard(file.name, text);
     const answer = await this.quick.ask({ do: "read", text });
     // Its lines are those of the file.
     if (answer?.faults) return this.showFaults(answer.faults.map((fault) => ({ text: fault.text.replace(/^the case/, file.name) })));
     if (answer) this.change((state) => Object.assign(state, { case: { ...answer.case, pad: undefined }, pads: [answer.case.pad ?? {}], active: 0, user: {} }), true);
+  }
+
+  // Cards travel in the link; one of the reader takes no other's name.
+  useCard(file, text) {
+    const own = file.replace(/\.\w+$/, "").replace(/[^\w-]/g, "-").slice(0, 50) || "card";
+    const name = this.lists.foams.some((foam) => foam.name === own) ? `${own}-own` : own;
+    this.change((state) => {
+      state.pads[state.active] = { thickness: state.pads[state.active].thickness ?? "25 mm", material: name };
+      const used = new Set(state.pads.map(({ material }) => material));
+      state.cards = Object.fromEntries([...Object.entries(state.cards ?? {}).filter(([card]) => used.has(card)), [name, text]]);
+    }, true);
+    return name;
+  }
+
+  // A card from the tests that were chosen; what they lack are the fields beside them.
+  async fitTests() {
+    const found = byId("fit-found");
+    found.textContent = "Fitting ...";
+    const engine = new EngineWorker(this.quick.module, Object.fromEntries(this.tests));
+    const given = Object.fromEntries(["thickness", "area", "rate"].map((what) => [what, byId(`test-${what}`).value.trim()]).filter(([, text]) => text));
+    const answer = await engine.ask({ do: "fit", files: this.tests.map(([name]) => name), units: this.state.units, ...given }, 60);
+    engine.worker.terminate();
+    found.textContent = "";
+    byId("test-faults").hidden = !answer.faults;
+    byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text)));
+    if (answer.faults) return;
+    found.textContent = `${answer.title}.${answer.card ? "" : " The fit did not converge, so there is no card."}`;
+    this.fitted = { html: answer.html, title: answer.title };
+    if (answer.card) this.fitted.name = this.useCard(this.tests[0][0], answer.card);
+    byId("copy-card").hidden = !answer.card;
+    this.showFit();
+  }
+
+  // The page of the fit, made anew with that of the case, whose script it shares.
+  showFit() {
+    byId("fitted").hidden = !this.fitted;
+    if (!this.fitted) return;
+    const parts = document.createElement("template");
+    parts.innerHTML = this.fitted.html;
+    for (const each of parts.content.querySelectorAll("section[id], figure[id]")) each.removeAttribute("id");
+    byId("fitted").firstElementChild.textContent = `The fit: ${this.fitted.title}`;
+    byId("fitted").lastElementChild.replaceChildren(parts.content.querySelector(".pictures"), ...parts.content.querySelector("main").childNodes);
   }
 }
 
@@ -346,7 +399,7 @@ async function begin() {
   const lists = await quick.ask({ do: "list" });
   const linked = stateOf(location.hash);
   const page = new LivePage({ quick, thorough }, linked ?? JSON.parse(byId("state").textContent), lists);
-  if (!linked && location.hash.length > 1) byId("found").textContent = "The link cannot be read; this is the case of the page itself.";
+  if (!linked && location.hash.length > 1) byId("found").textContent = "The link cannot be read; the page shows its original case.";
   return page;
 }
 

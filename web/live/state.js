@@ -15,6 +15,7 @@ function isState(state) {
   return (
     isTable(state) && isShallow(state) && isTable(state.case) && Array.isArray(state.pads) && state.pads.length >= 1 && state.pads.length <= 4 &&
     state.pads.every(isTable) && Number.isInteger(state.active) && state.active >= 0 && state.active < state.pads.length &&
+    (state.cards === undefined || (isTable(state.cards) && Object.entries(state.cards).every(([name, text]) => /^[\w-]{1,60}$/.test(name) && isText(text, 20000)))) &&
     isText(state.standard) && ["si", "us", "engineering-metric"].includes(state.units) && isTable(state.user) &&
     Object.entries(state.user).every(([key, value]) => ["mass", "radius", "speed"].includes(key) && (Number.isFinite(value) || isText(value)))
   );
