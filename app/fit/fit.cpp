@@ -19,10 +19,10 @@ namespace dashpad::app {
 namespace {
 
 constexpr const char* fit_footer = R"(Examples:
-  dashpad fit examples/fits/vn600.toml                         the fitted values, and what the data leave open
+  dashpad fit examples/fits/vn600.toml                         the fitted values, and what the data do not determine
   dashpad fit examples/fits/vn600.toml --output my-foam.toml   the card, which states its origin
   dashpad fit my-fit.toml --json fit.json --posterior 1000 draws.csv
-  dashpad fit my-fit.toml --report fit.html                    a page: model and data, intervals, unknowns left open
+  dashpad fit my-fit.toml --report fit.html                    a page: model and data, intervals, what is not determined
   dashpad fit my-fit.toml --case fitted.toml                   the case with the fitted support, nose or mass
   dashpad fit my-fit.toml --state my-fit.state                 saves the fit's progress; repeat the command to resume
   dashpad fit --auto examples/fits/vn600-quasi-static.csv --strain-unit fraction --rate "8.4e-5 1/s"   without a fit file
@@ -60,9 +60,9 @@ A fit file states the law with its starting values, the unknowns with their boun
   pulse = {file = "drop.csv", deviation = "3 g", filter = "CFC180"}   # or relative to its peak, "5 %"
 
 With --auto, the files are compression tests (as for dashpad material import), one foam in all of them. The law, its
-base curve and the unknowns are proposed by what was measured (rates, way back, holds, highest strain), several are
-tried, and the answer says what the tests leave open and what to measure next. Rates follow from the times in the files,
-or from --rate, one for each. --proposal writes the fit file, to which [[impacts]] can be added.
+base curve and the unknowns are chosen from what was measured (rates, unloading, holds, highest strain); several are
+tried, and the answer states what the tests do not determine and what to measure next. Rates are computed from the times
+in the files, or given by --rate, one for each. --proposal writes the fit file, to which [[impacts]] can be added.
 
 docs/fits.md describes every key and what the results mean.
 
@@ -240,12 +240,12 @@ void add_fit(CLI::App& app, Action& action) {
   add_option(sub, "FILE", request.inputs, "Fit file (TOML), or with --auto tables of compression tests")
       ->required();
   add_flag(sub, "--auto", request.is_auto,
-           "Propose law, base curve and unknowns by what the tests measured, and fit them");
+           "Propose law, base curve and unknowns from what the tests measured, and fit them");
   add_file(sub, request.files, "--proposal",
            "Write the proposed fit file, to be edited (- for standard output)");
   add_test_columns(sub, request.tests);
   add_option(sub, "--time COLUMN", request.tests.columns.time,
-             "Column of times, from which the rates follow (default: the only one)");
+             "Column of times, from which the rates are computed (default: the only one)");
   add_option(sub, "--time-unit UNIT", request.tests.columns.time_unit, "Unit of the times, such as s");
   add_file(sub, request.files, "-o,--output", "Write the material card (- for standard output)");
   add_file(sub, request.files, "--case",

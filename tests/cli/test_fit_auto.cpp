@@ -49,8 +49,8 @@ TEST_F(FitAutoTest, AnswersFirstAndSaysWhatIsOpen) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               AllOf(testing::StartsWith("Proposed: law foam with the measured curve as its base"),
-                    HasSubstr("\nWhy:\nLaw: foam, since slow.csv pressed on the way back"),
-                    HasSubstr("What these tests leave open:\n1. The way back at the rate of an impact"),
+                    HasSubstr("\nWhy:\nLaw: foam, since slow.csv kept pressing during unloading"),
+                    HasSubstr("What these tests do not determine:\n1. Unloading at the rate of an impact"),
                     HasSubstr("What to measure next, the most valuable first:\n1. A drop of a flat weight")));
   EXPECT_THAT(read_file(file("page.html")), HasSubstr("What to measure next"));
   EXPECT_EQ(dashpad({"material-test", file("card.toml")}).exit_code, 0);

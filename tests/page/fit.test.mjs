@@ -11,11 +11,11 @@ const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
 const file = join(scratch, "fit.html");
 execFileSync(command, ["fit", join(source, "examples/fits/vn600.toml"), "--report", file], { stdio: "pipe" });
 
-test("the answer is the heading, what is left open stands below it", async () => {
+test("the answer is the heading, what is not determined stands below it", async () => {
   const page = await open(file, { viewport: { width: 1300, height: 2700 } });
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
-  assert.match(await words(page.locator("h1")), /^The data determine 4 of 5 unknowns and leave 1 open; the model deviates from the tests by 1\.2 %/);
-  assert.match(await page.locator(".reservation").innerText(), /LEFT OPEN: the data do not determine the modulus of the foam/);
+  assert.match(await words(page.locator("h1")), /^The data determine 4 of 5 unknowns and do not determine 1; the model deviates from the tests by 1\.2 %/);
+  assert.match(await page.locator(".reservation").innerText(), /NOT DETERMINED: the data do not determine the modulus of the foam/);
   assert.equal(await page.locator("main .dp-panel").count(), 2);
   for (const { size } of await drawn(page)) assert.ok(size > 300);
   assert.equal(await page.locator(".ranges > li").count(), 5);

@@ -55,7 +55,7 @@ const answers = {
   indices: /^Peak acceleration depends most on the impact speed, which explains \d\d\.?\d? % of its variance$/,
   probability: /^Peak acceleration exceeds 130 g in [\d.]+ % of the draws \(95 % interval [\d.]+ % to [\d.]+ %\)$/,
   grid: /^Peak acceleration ranges from [\d.]+ to [\d.]+ g$/,
-  fit: /^The data determine 4 of 5 unknowns and leave 1 open; the model deviates from the tests by 1\.2 % of their largest stress \(root mean square\)$/,
+  fit: /^The data determine 4 of 5 unknowns and do not determine 1; the model deviates from the tests by 1\.2 % of their largest stress \(root mean square\)$/,
   validation: /^✕ The report's foam law does not meet all the rules for the 1986 tests: it meets 2 of 6, and a foam fitted with the predicted test left out meets 3 of 5$/,
 };
 

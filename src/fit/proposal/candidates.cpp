@@ -61,8 +61,8 @@ BaseChoice base_for(const std::vector<Evidence>& tests, const Beginning& from) {
                         at_its_rate)
       : farther != tests.end()
           ? fmt::format(
-                "{} goes to a strain of {}, beyond the slowest test's {}, and a formula carries the curve "
-                "there",
+                "{} goes to a strain of {}, beyond the slowest test's {}, and a formula extends the curve to "
+                "it",
                 farther->file, brief(farther->highest_strain, 3), brief(slow.highest_strain, 3))
           : std::string(
                 "with one loading there is nothing else to fit, and a formula has few numbers, whose "
@@ -72,7 +72,7 @@ BaseChoice base_for(const std::vector<Evidence>& tests, const Beginning& from) {
 
 std::string words_on_law(const std::vector<Evidence>& tests) {
   const auto shown = std::ranges::find_if(tests, has_way_back);
-  if (shown == tests.end()) return "Law: foam. No test shows the way back, so its unloading is not fitted.";
+  if (shown == tests.end()) return "Law: foam. No test includes unloading, so it is not fitted.";
   if (const Evidence* const stays = crushed(tests))
     return fmt::format(
         "Law: {} returned {} of its energy and was without stress from a strain of {} down. It may "
@@ -80,8 +80,8 @@ std::string words_on_law(const std::vector<Evidence>& tests) {
         "unloading_shape) and crushable-foam (unknown unloading_modulus) were tried.",
         stays->file, percent(*stays->returned), brief(stays->strain_left, 3));
   return fmt::format(
-      "Law: foam, since {} pressed on the way back and returned {} of its energy. Unknowns of the way back: "
-      "unloading_factor and unloading_shape.",
+      "Law: foam, since {} kept pressing during unloading and returned {} of its energy. Unknowns of the "
+      "unloading: unloading_factor and unloading_shape.",
       shown->file, percent(*shown->returned));
 }
 
@@ -273,9 +273,8 @@ Proposal proposal_for(ReadTests tests, std::vector<input::Fault>& faults) {
     candidates.add_viscoelastic("");
   else if (shows_relaxation)
     candidates.add_viscoelastic(
-        "Foams miss these ways back at several rates, so viscoelastic-foam was tried too: a hyperfoam curve "
-        "that "
-        "relaxes.");
+        "The other laws do not reproduce the unloading at several rates, so viscoelastic-foam was tried too: "
+        "a hyperfoam curve that relaxes.");
   for (std::string& remark : remarks) reasons.push_back("REMARK: " + std::move(remark));
   if (proposal.candidates.empty())
     faults.push_back(

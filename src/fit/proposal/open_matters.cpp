@@ -70,47 +70,43 @@ void say_what_is_open(AutoFit& result) {
   }
   if (std::holds_alternative<ViscoelasticFoam>(law)) {
     if (!returns_at(0))
-      open.emplace_back("The way back: it follows from the relaxation, which no unloading has checked.");
+      open.emplace_back("Unloading: it follows from the relaxation; no measured unloading confirms it.");
   } else if (!returns_at(0)) {
     open.emplace_back(
-        "The way back: no test unloads, so rebound and loss are unknown; until they are measured, intervals "
-        "go from "
-        "no loss to all of it.");
+        "Unloading: no test unloads the foam, so rebound and loss are unknown; until they are measured, "
+        "intervals range from no loss to complete loss.");
   } else if (recovers && !returns_at(of_impacts)) {
     open.emplace_back(
-        "The way back at the rate of an impact: whether the stress that the rate adds is lost or comes back "
-        "(recoil, "
-        "0 to 1). For vinyl nitrile that is 0.13 or 0.73 of the energy.");
+        "Unloading at the rate of an impact: whether the stress added by the rate is lost or returned "
+        "(recoil, 0 to 1). For vinyl nitrile at 10 1/s, up to a strain of 0.55, this means that 0.07 or 0.27 "
+        "of the energy is returned.");
   }
   if (!returns_at(of_impacts))
     next.emplace_back(
         "A drop of a flat weight or a headform onto the pad at the speed of use, with the whole pulse or at "
-        "least peak "
-        "and rebound speed: it tells the loss that no slow test does. Add it to the proposed fit as "
-        "[[impacts]].");
+        "least peak and rebound speed: it determines the loss, which no slow test does. Add it to the "
+        "proposed fit as [[impacts]].");
   if (!has_rates && std::holds_alternative<ViscoelasticFoam>(law)) {
     open.emplace_back(
-        "Relaxation within milliseconds, which is that of an impact, as it is faster than the loading of the "
-        "tests, and relaxation that takes longer than they do.");
+        "Relaxation within milliseconds, as in an impact, since it is faster than the loading of the tests, "
+        "and relaxation that takes longer than the tests.");
   } else if (!has_rates) {
     open.push_back(fmt::format(
         "The rate: all tests are at about {} 1/s. An impact at 5 m/s strains a pad of 50 mm at 100 1/s; with "
-        "exponents "
-        "of 0.03 to 0.2, as among the foams of the cards, its stress is {} to {} times that of the test.",
+        "exponents of 0.03 to 0.2, as in the cards of the foams, its stress is {} to {} times that of the "
+        "test.",
         brief(fastest, 2), brief(std::pow(100 / fastest, 0.03), 2), brief(std::pow(100 / fastest, 0.2), 2)));
     next.emplace_back("Loading at a second rate, a hundred times the first or more, to the same strain.");
   } else if (fastest < of_impacts) {
     open.emplace_back(
         fmt::format("Rates above {} 1/s: an impact at 5 m/s strains a pad of 50 mm at 100 1/s, to which the "
-                    "power of the rate is "
-                    "extrapolated.",
+                    "power of the rate is extrapolated.",
                     brief(fastest, 2)));
     next.emplace_back("Loading at 10 1/s or more, or a drop.");
   }
   open.push_back(
-      fmt::format("Strains above {}, the highest tested: beyond it the stress is a guess, on which every pad "
-                  "that comes near "
-                  "bottoming depends.",
+      fmt::format("Strains above {}, the highest tested: beyond it the stress is a guess, and every pad that "
+                  "comes near bottoming depends on it.",
                   brief(highest_strain, 3)));
   if (highest_strain < full_strain)
     next.emplace_back(
@@ -122,12 +118,12 @@ void say_what_is_open(AutoFit& result) {
   }
   if (std::ranges::any_of(tests, &Evidence::has_cycles))
     open.emplace_back(
-        "Softening by earlier loading: the law has one curve for all cycles. Fresh and conditioned foam are "
-        "two cards; "
-        "cut the files after the first cycle, or before the last.");
+        "Softening by earlier loading: the law has one curve for all cycles. Fresh and conditioned foam need "
+        "two cards; cut the files after the first cycle, or before the last.");
   open.emplace_back("Temperatures other than that of the tests.");
   next.emplace_back(
-      "If the pad works in the cold or in the heat: the slow test there (material import --temperature).");
+      "If the pad is used in cold or heat: the slow test at that temperature (material import "
+      "--temperature).");
 }
 
 }  // namespace dashpad::fit

@@ -56,7 +56,7 @@ std::vector<std::string> fit_warnings(const fit::FitReport& report, const UnitSy
   for (const std::string& line : open_matters(report)) all.push_back("NOT DISTINGUISHED: " + line);
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (!unknown.is_identified() && !unknown.is_nuisance)
-      all.push_back(fmt::format("LEFT OPEN: the data do not determine the {} (95 % interval {}).",
+      all.push_back(fmt::format("NOT DETERMINED: the data do not determine the {} (95 % interval {}).",
                                 factor_words(unknown.key), interval_words(unknown, units)));
   for (const fit::FittedUnknown& unknown : report.unknowns)
     if (unknown.is_identified() && unknown.rests_on_prior() && !unknown.is_nuisance)

@@ -56,7 +56,7 @@ Table table_of_tests(const fit::Proposal& proposal) {
 
 Table table_of_tried(const fit::AutoFit& result) {
   Table table{.caption = "What was tried",
-              .columns = {"law", "base curve", "rate", "unknowns", "left open", "root mean square", ""}};
+              .columns = {"law", "base curve", "rate", "unknowns", "not determined", "root mean square", ""}};
   for (std::size_t i = 0; i < result.tried.size(); ++i) {
     const fit::Tried& how = result.tried[i];
     table.rows.push_back({how.law, how.base, how.rate, fmt::format("{}", how.unknowns),
@@ -85,15 +85,16 @@ Document proposal_document(const fit::AutoFit& result, const UnitSystem& units, 
       "each test, on average over the tests.");
   std::vector<std::string> reasons;
   for (const std::string& reason : result.proposal.reasons) reasons.push_back(one_line(reason));
-  const std::vector<Section> sections{
-      {.heading = "Why",
-       .seen = Seen::always,
-       .paragraphs = std::move(reasons),
-       .tables = {table_of_tests(result.proposal), table_of_tried(result)}},
-      {.heading = "What these tests leave open", .seen = Seen::always, .paragraphs = numbered(result.open)},
-      {.heading = "What to measure next, the most valuable first",
-       .seen = Seen::always,
-       .paragraphs = numbered(result.next)}};
+  const std::vector<Section> sections{{.heading = "Why",
+                                       .seen = Seen::always,
+                                       .paragraphs = std::move(reasons),
+                                       .tables = {table_of_tests(result.proposal), table_of_tried(result)}},
+                                      {.heading = "What these tests do not determine",
+                                       .seen = Seen::always,
+                                       .paragraphs = numbered(result.open)},
+                                      {.heading = "What to measure next, the most valuable first",
+                                       .seen = Seen::always,
+                                       .paragraphs = numbered(result.next)}};
   document.sections.insert(document.sections.begin(), sections.begin(), sections.end());
   return document;
 }

@@ -49,13 +49,13 @@ Determined determined(const fit::FitReport& report) {
   return count;
 }
 
-/// ", leave 1 to its prior and leave 1 open"
+/// ", leave 1 to its prior and do not determine 1"
 std::string beside_data(const Determined& determined) {
   std::string text;
   if (determined.by_prior > 0)
     text += fmt::format("{} leave {} to {}", determined.open > 0 ? "," : " and", determined.by_prior,
                         determined.by_prior == 1 ? "its prior" : "their priors");
-  if (determined.open > 0) text += fmt::format(" and leave {} open", determined.open);
+  if (determined.open > 0) text += fmt::format(" and do not determine {}", determined.open);
   return text;
 }
 
