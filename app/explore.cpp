@@ -26,9 +26,9 @@ constexpr const char* explore_footer = R"(Examples:
   dashpad explore examples/dashboard-20mph.toml --set pad.thickness="30 mm" --units us --out ./my-page.html
 
 The page is one file of 1.2 MB that opens in a browser without a network, also on a phone. It contains the solver:
-thickness, speed, mass, foam, nose, support and standard can be changed, the answer, its drawing and its curves follow.
-Up to four pads are compared side by side, the thinnest one that passes is found, and the case is there to copy, as a
-file or as a link. Numbers are those of dashpad run and dashpad assess.
+change thickness, speed, mass, foam, nose, support or standard, and the answer, the drawing and the curves follow. The
+page compares up to four pads side by side, finds the thinnest one that passes, and lets you copy the case as a file or
+a link. Its numbers are those of dashpad run and dashpad assess.
 
 The engine of the page is compiled once, by ./do wasm.
 
@@ -61,7 +61,7 @@ int explore(const ExploreRequest& request) {
   publish(
       request.files.targets(), request.files.force,
       [&](const Target&) { return live::live_page(page, folders); },
-      fmt::format("Wrote {}: it solves the case anew while its numbers change.\n",
+      fmt::format("Wrote {}: it solves the case again as you change its numbers.\n",
                   request.files.of("--out")));
   return exit_done;
 }
@@ -96,7 +96,7 @@ void check_live_standard(const char* option, const std::string& name, std::vecto
 
 void add_explore(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<ExploreRequest>(
-      app, action, "explore", "Write a page on which a case is solved while its numbers are dragged",
+      app, action, "explore", "Write a live page that solves the case again as you drag its numbers",
       explore_footer, explore);
   add_case(sub, request.given);
   add_file(sub, request.files, "--out", "The page (.html)");

@@ -36,10 +36,10 @@ DROPS is a table (CSV) with a row for each drop. Its columns:
                            all other columns are kept as remarks. Drops that differ in a column that begins
                            with position, surface, sample, specimen, spot or temperature are evaluated apart.
 
-A curve through the drops of each place is followed to where it first meets each limit: that is the height. Of several
-limits and places the lowest height counts. The interval (95 %) has the scatter of the drops about the curve and what
-the instrument adds to all of them alike. Where no drop exceeds a limit, or all do, the answer says so and is no height.
-docs/fall-height.md has the method, and what of the standards was read where.
+The height is where a curve fitted to the drops of each place first reaches a limit; the lowest height of all places and
+limits counts. The 95 % interval covers the scatter of the drops about the curve and the uncertainty of the instrument,
+which all drops share. If no drop exceeds a limit, or all do, the answer says so and no height is given.
+docs/fall-height.md describes the method and states the sources of what is taken from the standards.
 
 CASE is a case file (.toml): the lowest fall height from which a limit is exceeded, as solve-for finds it.
 

@@ -32,7 +32,7 @@ constexpr const char* description =
 constexpr const char* main_footer = R"(Start here:
   dashpad check examples/dashboard-20mph.toml    is the case read as you intended?
   dashpad run examples/dashboard-20mph.toml      solve an impact and show the result
-  dashpad solve-for --help                       how thick, how high, how sure
+  dashpad solve-for --help                       how thick, how high, how certain
   dashpad fall-height --help                     the critical fall height of a surface
   dashpad sensitivity --help                     which number of a case matters most
   dashpad materials                              list the foams

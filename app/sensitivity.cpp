@@ -1,4 +1,4 @@
-// dashpad sensitivity: what each number of a case does to the figures of its impact.
+// dashpad sensitivity: the effect of each number of a case on the figures of its impact.
 
 #include <algorithm>
 
@@ -22,10 +22,10 @@ constexpr const char* sensitivity_footer = R"(Examples:
   dashpad sensitivity examples/head-on-door-panel.toml --picture ./tornado.svg
   dashpad sensitivity examples/dashboard-20mph.toml --set pad.thickness="1 in" --csv - | sort
 
-Of every number of the case, what 1 % more of it does to every figure, in per cent (an elasticity, d ln f / d ln p), with
-its numerical error, and the derivative itself; beside it what is uncertain of foam and model does. A number at its bound
-is moved to one side; one that is 0 is left out, since there is no per cent of it. Where a figure bends or leaps at the
-value of the case, kink or jump is said. It is what a small change does; for large ones vary them in a study.
+Shows by how many per cent each figure changes if a number of the case grows by 1 % (the elasticity d ln f / d ln p),
+with its numerical error and the derivative, and alongside it the effect of what is uncertain about the foam and the
+model. A number at its bound is varied to one side only; a number that is 0 is left out, since 1 % of 0 is 0. "kink" and
+"jump" mark figures that are not smooth at the value of the case. For large changes, use a study.
 
 Exit codes: 0 success, 1 a result could not be written, 2 invalid input or command line (nothing was run), 3 the tolerance
 was not met, so that the figures are not reliable, or the impact does not have the figure.)";
@@ -91,15 +91,15 @@ int run_sensitivity(const SensitivityRequest& request) {
 }  // namespace
 
 void add_sensitivity(CLI::App& app, Action& action) {
-  const auto [sub, request] =
-      add_subcommand<SensitivityRequest>(app, action, "sensitivity", "Show what each number of a case does",
-                                         sensitivity_footer, run_sensitivity);
+  const auto [sub, request] = add_subcommand<SensitivityRequest>(
+      app, action, "sensitivity", "Show which numbers of a case affect the result most", sensitivity_footer,
+      run_sensitivity);
   add_case(sub, request.given);
   add_option(sub, "--figure NAME", request.figure, "The figure to answer about (default: peak_acceleration)");
   add_file(sub, request.files, "--json",
            "Write all derivatives as JSON, in SI units (- for standard output)");
   add_file(sub, request.files, "--csv", "Write a row for each number and figure");
-  add_file(sub, request.files, "--picture", "Draw what 1 % of each number does: .svg, .png or .pdf");
+  add_file(sub, request.files, "--picture", "Draw the effect of 1 % of each number: .svg, .png or .pdf");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);
   add_all(sub, request.files.detail);

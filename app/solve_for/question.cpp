@@ -87,7 +87,7 @@ std::optional<study::Factor> factor_of(const std::string& text, const std::vecto
   }
   if (of == nullptr || of->unit.empty()) {
     errors.push_back(option + ": " +
-                     (of == nullptr ? study::rule_for_unknown(key, impact, known) : "is no number"));
+                     (of == nullptr ? study::rule_for_unknown(key, impact, known) : "is not a number"));
     return std::nullopt;
   }
   if (sign == std::string::npos || sign + 1 == text.size()) {
@@ -118,8 +118,8 @@ std::optional<study::Factor> factor_of(const std::string& text, const std::vecto
     if (!share) return std::nullopt;
     factor.spread = study::Normal{value, *share * std::abs(value)};
   } else {
-    errors.push_back(
-        fmt::format(R"({}: "{}" is no scatter; give a percentage, "A..B" or "M +- S")", option, spread));
+    errors.push_back(fmt::format(R"({}: "{}" is not a valid scatter; give a percentage, "A..B" or "M +- S")",
+                                 option, spread));
     return std::nullopt;
   }
   return factor;
@@ -189,7 +189,7 @@ margin::Question question_of(const SolveForRequest& request) {
     errors.push_back(
         fmt::format("{}: {}", request.key, study::rule_for_unknown(request.key, given->impact, known)));
   else if (key->unit.empty())
-    errors.push_back(request.key + ": is no number; compare materials in a study (docs/studies.md)");
+    errors.push_back(request.key + ": is not a number; compare materials in a study (docs/studies.md)");
   else
     question.unit = key->unit;
   if (!request.vary.empty()) {
@@ -214,7 +214,7 @@ margin::Question question_of(const SolveForRequest& request) {
     for (const study::Factor& factor : question.chance->factors)
       if (factor.key == request.key)
         errors.push_back(
-            fmt::format("--vary {}: the number that is sought cannot be drawn as well", factor.key));
+            fmt::format("--vary {}: the number being solved for cannot also be drawn", factor.key));
   if (request.between && key != nullptr)
     if (const auto range = range_of("--between", *request.between, key->unit, errors)) {
       question.low = range->first, question.high = range->second;

@@ -24,10 +24,11 @@ pad.temperature, support.stiffness, ... The limits are those of a standard, with
 response of studies, as "hic15 <= 700", "rebound_speed >= 1 m/s", or "hic15 = 700" to ask where it has that value. With
 several limits, all must be kept.
 
-The whole range is searched and all solutions are reported, since figures bend: too soft a pad bottoms out, too hard a
-pad is hard. Without --between the range is a quarter of the value in the case to four times that value.
+The whole range is searched and all solutions are reported, since a figure may fall and rise again: a pad that is too
+soft bottoms out, one that is too stiff stops the impactor too hard. Without --between, the range is a quarter of the
+value in the case to four times that value.
 
-Without --vary, the interval of a solution is where it may lie for all that is uncertain of foam and model; see
+Without --vary, the interval of a solution is the range in which it may lie given the uncertainty of foam and model; see
 docs/theory.md, section 6.2. With --vary, the answer is the value at which the given share of the draws keeps all limits,
 and its interval is due to the number of draws. --vary KEY="5 %" draws from a normal distribution with that standard
 deviation about the value of the case, "A..B" evenly from A to B, "M +- S" from a normal distribution; --vary foam
@@ -55,7 +56,8 @@ int run_solve_for(const SolveForRequest& request) {
 
 void add_solve_for(CLI::App& app, Action& action) {
   const auto [sub, request] = add_subcommand<SolveForRequest>(
-      app, action, "solve-for", "Find the value of a number at which a verdict turns", solve_for_footer,
+      app, action, "solve-for",
+      "Find the value at which a verdict changes, such as the least thickness that passes", solve_for_footer,
       run_solve_for);
   add_option(sub, "KEY", request.key, "Number of the case, such as pad.thickness")->required();
   add_case(sub, request.given);
@@ -75,7 +77,7 @@ void add_solve_for(CLI::App& app, Action& action) {
   add_option(sub, "--seed N", request.seed, "Seed of the draws (default: 1)");
   add_file(sub, request.files, "--json",
            "Write the answer as JSON, in SI units and g (- for standard output)");
-  add_file(sub, request.files, "--csv", "Write a row for each value that was looked at");
+  add_file(sub, request.files, "--csv", "Write a row for each value that was evaluated");
   add_file(sub, request.files, "--picture", "Draw the figures over the range: .svg, .png or .pdf");
   add_documents(sub, request.files);
   add_units(sub, request.files.units);

@@ -61,7 +61,7 @@ std::vector<Point> points_of(Place& place, std::size_t criterion, const std::vec
       std::ranges::find(place.flags, "DROPS NOT COUNTED", &Flag::name) == place.flags.end())
     place.flags.push_back(flag_of(
         "DROPS NOT COUNTED",
-        fmt::format("the mean of drops {} counts; where they are not there, once each, the mean of all "
+        fmt::format("the mean of drops {} counts; where these are missing or not unique, the mean of all "
                     "drops is used: at {}",
                     fmt::join(counted, " and "), uncounted)));
   return points;
@@ -202,9 +202,10 @@ void add_flags(Place& place, const injury::Standard& standard, const Crossing& a
     } else if (crossing.is_enclosed()) {
       if (&crossing == &answer && !crossing.interval)
         add("FEW DROPS",
-            fmt::format("{} for the {} leave no scatter to see: no interval; four heights are usual, two on "
-                        "either side of the limit",
-                        plural(crossing.points.size(), "point"), limit));
+            fmt::format(
+                "{} for the {} are too few to show the scatter, so there is no interval; four heights "
+                "are usual, two on either side of the limit",
+                plural(crossing.points.size(), "point"), limit));
       if (const std::string points = scattered(crossing, criterion); !points.empty())
         add("SCATTERED DROPS",
             fmt::format("the {} is exceeded below the height that the curve gives, {:.3g} m, or "
@@ -213,13 +214,13 @@ void add_flags(Place& place, const injury::Standard& standard, const Crossing& a
     } else if (!crossing.is_exceeded) {
       if (&crossing == &answer || crossing.points.back().height < height)
         add("LIMIT NOT ENCLOSED",
-            fmt::format("the {} is kept up to {:.4g} m, the greatest height tested: drops "
-                        "from greater heights would decide",
+            fmt::format("the {} is kept up to {:.4g} m, the greatest height tested; drops "
+                        "from greater heights are needed",
                         limit, crossing.points.back().height));
     } else if (!crossing.is_kept) {
       add("LIMIT NOT ENCLOSED",
-          fmt::format("the {} is exceeded from {:.4g} m on, the least height tested: drops from "
-                      "lower heights would decide",
+          fmt::format("the {} is exceeded from {:.4g} m on, the lowest height tested; drops from "
+                      "lower heights are needed",
                       limit, crossing.points.front().height));
     } else {
       add("LIMIT NOT ENCLOSED",

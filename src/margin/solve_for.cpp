@@ -53,7 +53,7 @@ class Solving {
       if (answer_.question.intervals && !question.chance && !limit.figure->has_interval()) {
         answer_.reservations.push_back(flag_of(
             "NO INTERVALS",
-            title_in_sentence(*limit.figure) + " has no interval by what is uncertain of foam and model"));
+            title_in_sentence(*limit.figure) + " has no interval for the uncertainty of foam and model"));
         answer_.question.intervals = false;
       }
   }

@@ -1,4 +1,4 @@
-// dashpad sensitivity: what each number of a case does.
+// dashpad sensitivity: the effect of each number of a case.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST_F(SensitivityTest, NamesWhatMattersMost) {
   const Outcome outcome = dashpad({"sensitivity", nine});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(StartsWith("Peak acceleration depends most on the impact speed (1 % more: "),
-                                 HasSubstr("What is uncertain of foam and model changes it by"),
+                                 HasSubstr("The uncertainty of foam and model changes it by"),
                                  HasSubstr("Thickness of the pad")));
 }
 

@@ -45,14 +45,15 @@ TEST_F(SolveForTest, AnAimIsAskedForByAnEqualSign) {
   const json answer = answer_of({"--until", "hic15 = 100"});
   EXPECT_THAT(std::string(answer["answer"]), StartsWith("HIC15 is 100 if the thickness of the pad is "));
   EXPECT_THAT(std::string(answer_of({"--until", "hic15 = 1e5"}, 4)["answer"]),
-              AllOf(HasSubstr("at no thickness of the pad between"), HasSubstr("the nearest is")));
+              AllOf(HasSubstr("for any thickness of the pad between"), HasSubstr("the nearest is")));
 }
 
 TEST_F(SolveForTest, WithoutAnAnswerItSaysHowNearOneComes) {
   const json answer = answer_of({"--until", "peak_acceleration <= 5 g"}, 4);
   EXPECT_TRUE(answer["turns"].empty());
   EXPECT_FALSE(answer["nearest"].is_null());
-  EXPECT_THAT(std::string(answer["answer"]), StartsWith("Passes at no thickness of the pad between"));
+  EXPECT_THAT(std::string(answer["answer"]),
+              StartsWith("Does not pass for any thickness of the pad between"));
 }
 
 TEST_F(SolveForTest, DrawsGiveAProbability) {
@@ -94,7 +95,7 @@ TEST_F(SolveForTest, WhatHasNoFigureDoesNotPass) {
                                    "--until", "restitution >= 0.5", "--between", "0.1..20"});
   EXPECT_THAT(outcome.out,
               AllOf(StartsWith("Passes if the factor applied to the foam's stress is at least 2.33"),
-                    HasSubstr("it has no figure to judge from 0.1 to 2.33")));
+                    HasSubstr("it has no verdict from 0.1 to 2.33")));
 }
 
 TEST_F(SolveForTest, WhatHasNoIntervalIsNotCertain) {
@@ -169,9 +170,10 @@ TEST_F(SolveForTest, BadQuestionsAreRefusedAllAtOnce) {
            {{"pad.thickness", "--until", "hic15 <= 700", "--between", "30 mm..20 mm"},
             "must begin below its end"},
            {{"pad.thickness", "--until", "hic15 <= 700", "--between", "-1 mm..20 mm"}, "pad.thickness"},
-           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.scale=five"}, "is no scatter"},
+           {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.scale=five"},
+            "is not a valid scatter"},
            {{"pad.thickness", "--until", "hic15 <= 700", "--vary", "pad.thickness=5 %"},
-            "cannot be drawn as well"},
+            "cannot also be drawn"},
            {{"pad.thickness", "--until", "hic15 = 700", "--until", "peak_acceleration <= 100 g"},
             "asks where one figure has a value"},
            {{"pad.thickness", "--until", "hic15 <= 700", "--draws", "100"}, "--draws: needs --vary"},

@@ -65,7 +65,7 @@ ValueRow row_of(const fall_height::Answer& answer, std::size_t which, const Unit
     row.remark = fmt::format("between drops from {} and {}", height_text(*crossing.below, units),
                              height_text(*crossing.above, units));
   else if (crossing.height)
-    row.remark = "the curve goes on to " + height_result(*crossing.height, units);
+    row.remark = "the curve reaches the limit at " + height_result(*crossing.height, units);
   if (const std::string where = place_words(place); answer.places.size() > 1 && !where.empty())
     row.remark = where + (row.remark.empty() ? "" : ", ") + row.remark;
   return row;
@@ -202,11 +202,11 @@ std::vector<std::string> method_words(const FallHeightReport& report) {
   if (report.measured) {
     lines.emplace_back(
         "The height is where a curve through the drops, ln f = c0 + c1 ln h + c2 (ln h)², first meets the "
-        "limit; c2 only where drops are enough to show it. Of several limits and places the lowest height "
-        "counts. The interval has the scatter of the drops about the curve (Student's t, 95 %) and what is "
-        "common to all of them: calibration, sampling and filter of the instrument (k = 2).");
+        "limit; c2 is fitted only if there are enough drops to determine it. The lowest height of all limits "
+        "and places counts. The interval covers the scatter of the drops about the curve (Student's t, 95 %) "
+        "and what all drops share: calibration, sampling and filter of the instrument (k = 2).");
     if (const auto& series = report.measured->standard.drop_series)
-      lines.push_back(fmt::format("Of several drops from one height the mean of drops {} counts{}: {}. {}",
+      lines.push_back(fmt::format("Of several drops from one height, the mean of drops {} counts{}: {}. {}",
                                   fmt::join(series->counted, " and "),
                                   series->origin.verified ? "" : " (UNVERIFIED)",
                                   one_line(series->origin.source), one_line(series->origin.note)));
@@ -216,8 +216,7 @@ std::vector<std::string> method_words(const FallHeightReport& report) {
   if (report.computed)
     lines.push_back(
         fmt::format("Computed: the lowest fall height from which a limit is exceeded; {} solved in {:.2g} s. "
-                    "Its interval "
-                    "has all that is uncertain of foam and model.",
+                    "Its interval covers the uncertainty of foam and model.",
                     plural(report.computed->impacts, "impact"), report.computed->seconds));
   return lines;
 }

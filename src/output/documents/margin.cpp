@@ -43,7 +43,7 @@ std::vector<std::string> subject_of(const margin::Answer& answer, const std::str
           fmt::format("Standard: {} ({})", one_line(judged.standard->title), judged.standard->name));
   if (const auto& blows = question.impacts.front().impact.blows)
     lines.push_back(fmt::format("Figures of the last of {} blows", blows->count));
-  lines.push_back(fmt::format("{}: {}; looked at from {} to {}", is_aim(answer.question) ? "Aim" : "Limits",
+  lines.push_back(fmt::format("{}: {}; searched from {} to {}", is_aim(answer.question) ? "Aim" : "Limits",
                               limits_text(answer, units), key_text(answer, question.low, units),
                               key_text(answer, question.high, units)));
   if (const auto& chance = question.chance) {
@@ -70,11 +70,11 @@ std::vector<ValueRow> turn_rows(const margin::Answer& answer, const UnitSystem& 
               ? fmt::format("{} to {}", key_text(answer, low, units), key_text(answer, high, units))
           : std::isfinite(low)  ? "at least " + key_text(answer, low, units)
           : std::isfinite(high) ? "at most " + key_text(answer, high, units)
-                                : "all of the range";
+                                : "the whole range";
     }
     const margin::Limit& limit = answer.limits[turn.limit];
     row.remark =
-        fmt::format("{} {} {}; {} {}", limit_title(answer, turn.limit), turn.jumps ? "jumps over" : "is at",
+        fmt::format("{} {} {}; {} {}", limit_title(answer, turn.limit), turn.jumps ? "jumps across" : "is at",
                     brief_quantity(limit.value, limit.figure->si_unit, units),
                     is_aim(answer.question) ? "lower" : "passes", turn.passes_above ? "above" : "below");
     rows.push_back(std::move(row));
@@ -82,13 +82,13 @@ std::vector<ValueRow> turn_rows(const margin::Answer& answer, const UnitSystem& 
   return rows;
 }
 
-/// "Whatever of foam and model is uncertain, it passes from 31 mm on; it fails up to 28.1 mm; ..."
+/// "it passes from 31 mm to 100 mm, it fails from 6.25 mm to 28.1 mm, ..."
 std::string certain_words(const margin::Answer& answer, const UnitSystem& units) {
   std::string text;
   for (const auto& [zone, verb] : {std::pair{margin::Zone::pass, "passes"},
                                    {margin::Zone::fail, "fails"},
                                    {margin::Zone::undecided, "is undecided"},
-                                   {margin::Zone::unknown, "has no figure to judge"}}) {
+                                   {margin::Zone::unknown, "has no verdict"}}) {
     std::string where;
     for (const margin::Stretch& stretch : answer.stretches)
       if (stretch.zone == zone)
@@ -162,12 +162,12 @@ std::vector<std::string> scatter_words(const margin::Answer& answer) {
     if (of.share > 0.02 && named++ < 3)
       list += fmt::format("{}{} ({:.0f} %)", list.empty() ? "" : ", ", factor_words(of.key), 100 * of.share);
   if (list.empty()) return {};
-  std::vector<std::string> lines{fmt::format("Of the scatter these explain most by themselves: {}.", list)};
+  std::vector<std::string> lines{fmt::format("These explain most of the scatter, each by itself: {}.", list)};
   const margin::Contributor& first = answer.contributors.front();
   if (answer.turns.empty() && answer.nearest && answer.places[*answer.nearest].excess > 0)
-    lines.push_back(fmt::format(
-        "No value reaches the probability. What would narrow the answer most is to know better: {}.",
-        factor_words(first.key)));
+    lines.push_back(
+        fmt::format("No value reaches the probability. It would help most to know this better: {}.",
+                    factor_words(first.key)));
   return lines;
 }
 
@@ -191,10 +191,10 @@ Document margin_document(const margin::Answer& answer, const std::string& file, 
   document.warnings = by_severity(answer.reservations);
   std::vector<std::string> lines;
   if (const std::string certain = certain_words(answer, units); !certain.empty() && !is_aim(answer.question))
-    lines.push_back(fmt::format("{}: {}.",
-                                answer.question.chance      ? "By the number of draws"
-                                : answer.question.intervals ? "Whatever of foam and model is uncertain"
-                                                            : "By the card's own foam",
+    lines.push_back(fmt::format("{}, {}.",
+                                answer.question.chance      ? "Allowing for the number of draws"
+                                : answer.question.intervals ? "Allowing for the uncertainty of foam and model"
+                                                            : "With the foam exactly as on the card",
                                 certain));
   for (std::string& line : scatter_words(answer)) lines.push_back(std::move(line));
   if (answer.doubtful > 0)
@@ -204,8 +204,8 @@ Document margin_document(const margin::Answer& answer, const std::string& file, 
     lines.emplace_back("The search ended before it could exclude further solutions: give a smaller range.");
   for (const margin::Place& place : answer.places)
     if (!place.why_unknown.empty()) {
-      lines.push_back(
-          fmt::format("At {} no verdict: {}.", key_text(answer, place.value, units), place.why_unknown));
+      lines.push_back(fmt::format("There is no verdict at {}: {}.", key_text(answer, place.value, units),
+                                  place.why_unknown));
       break;
     }
   lines.push_back(fmt::format("{} solved in {:.2g} s.", plural(answer.impacts, "impact"), answer.seconds));

@@ -97,7 +97,7 @@ Document sensitivity_document(const sensitivity::Answer& answer, std::size_t fig
       .title = title,
       .lead = Lead{.answer = sensitivity_answer(answer, figure),
                    .subject = {title.empty() ? "Case: " + file : fmt::format("Case: {} ({})", title, file),
-                               fmt::format("{} {}; below: what 1 % more of each number does to it",
+                               fmt::format("{} {}; the rows show its change if one number grows by 1 %",
                                            answer.figures[figure]->title,
                                            brief_quantity(answer.values[figure],
                                                           answer.figures[figure]->si_unit, units, 4))},
@@ -109,7 +109,7 @@ Document sensitivity_document(const sensitivity::Answer& answer, std::size_t fig
   std::vector<std::string> lines;
   if (answer.intervals)
     if (const FigureInterval* const interval = answer.intervals->find(answer.figures[figure]->key))
-      lines.push_back(fmt::format("What is uncertain of foam and model changes it by {} (95 %).",
+      lines.push_back(fmt::format("The uncertainty of foam and model changes it by {} (95 %).",
                                   interval_of_foam(*interval)));
   std::string bent;
   for (const sensitivity::Input& input : answer.inputs)
@@ -132,11 +132,11 @@ Document sensitivity_document(const sensitivity::Answer& answer, std::size_t fig
                                .tables = {derivatives_table(answer, figure, units)}});
   if (answer.intervals)
     document.sections.push_back(
-        {.heading = "What the foam's doubt does", .tables = {doubts_table(answer, all)}});
+        {.heading = "Effect of the uncertainties", .tables = {doubts_table(answer, all)}});
   if (!answer.left_out.empty())
     document.sections.push_back(
         {.heading = "Left out",
-         .paragraphs = {fmt::format("Numbers that are 0, or have no room on either side: {}.",
+         .paragraphs = {fmt::format("Numbers that are 0, or cannot be varied to either side: {}.",
                                     fmt::join(answer.left_out, ", "))}});
   document.sections.push_back(
       {.heading = basis_heading, .tables = {basis_table(case_basis(answer.impact, units))}});

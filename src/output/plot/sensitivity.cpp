@@ -1,4 +1,4 @@
-// What 1 % of each number does to a figure: a tornado.
+// The effect of 1 % of each number on a figure: a tornado.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr std::size_t max_drawn = 8;
 
 Plot sensitivity_plot(const sensitivity::Answer& answer, std::size_t figure) {
   const std::vector<std::size_t> drawn = seen_effects(answer, figure, max_drawn);
-  Panel panel{.title = fmt::format("What 1 % more of each number does to the {}",
+  Panel panel{.title = fmt::format("Change of the {} if one number grows by 1 %",
                                    title_in_sentence(*answer.figures[figure])),
               .x = {.label = "Change (%)"},
               .y = {.has_numbers = false, .low = 0.5, .high = static_cast<double>(drawn.size()) + 0.5}};

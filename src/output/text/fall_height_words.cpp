@@ -47,7 +47,7 @@ std::string computed_words(const margin::Answer& computed, bool is_alone, const 
         turn->interval ? height_range(turn->interval->first, turn->interval->second, units) : "";
     return lead + height_result(turn->value, units) + in_brackets(interval) +
            (is_alone ? fmt::format(", where {} {} {}", uncapitalised(limit.title),
-                                   turn->jumps ? "jumps over" : "reaches",
+                                   turn->jumps ? "jumps across" : "reaches",
                                    brief_quantity(limit.value, limit.figure->si_unit, units))
                      : "");
   }

@@ -29,7 +29,7 @@ std::string interval_text(const margin::Answer& answer, const margin::Turn& turn
   const auto& [low, high] = *turn.interval;
   const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
   const std::string from = key_text(answer, low, units), to = key_text(answer, high, units);
-  if (!has_low && !has_high) return " (95 % interval: all of the range)";
+  if (!has_low && !has_high) return " (95 % interval: the whole range)";
   if (!has_low) return fmt::format(" (95 % interval: at most {})", to);
   if (!has_high) return fmt::format(" (95 % interval: at least {})", from);
   if (from == to) return "";
@@ -98,7 +98,7 @@ std::string chance_words(const margin::Answer& answer) {
 
 /// "nearest at 60 mm, where HIC15 is 812 (at most 700)"
 std::string nearest_text(const margin::Answer& answer, const UnitSystem& units) {
-  if (!answer.nearest) return "no value of it gives a figure to judge";
+  if (!answer.nearest) return "no value in the range gives a figure to compare with a limit";
   const margin::Place& place = answer.places[*answer.nearest];
   const margin::Limit& limit = answer.limits[place.worst];
   if (answer.question.chance)
@@ -112,21 +112,20 @@ std::string nearest_text(const margin::Answer& answer, const UnitSystem& units) 
 /// "HIC15 is 700 if the thickness of the pad is 29.4 mm or 71 mm".
 std::string aim_answer(const margin::Answer& answer, const UnitSystem& units) {
   const std::string key = factor_words(answer.question.key);
-  const std::string aim =
-      fmt::format("{} is {}", capitalised(limit_title(answer, 0)), limit_text(answer.limits.front(), units));
+  const std::string title = capitalised(limit_title(answer, 0)),
+                    aim = limit_text(answer.limits.front(), units);
   std::vector<std::string> reached, leapt;
   for (const margin::Turn& turn : answer.turns)
     (turn.jumps ? leapt : reached).push_back(turn_text(answer, turn, units));
   if (answer.turns.empty())
-    return fmt::format("{}{} at no {} {}: {}", capitalised(limit_title(answer, 0)),
-                       aim.substr(limit_title(answer, 0).size()), key, range_text(answer, units),
+    return fmt::format("{} is not {} for any {} {}: {}", title, aim, key, range_text(answer, units),
                        nearest_text(answer, units));
   std::string text;
-  if (!reached.empty()) text = fmt::format("{} if the {} is {}", aim, key, joined(reached, " or "));
+  if (!reached.empty())
+    text = fmt::format("{} is {} if the {} is {}", title, aim, key, joined(reached, " or "));
   if (!leapt.empty())
-    text += fmt::format("{}{} jumps over {} at {}", text.empty() ? "" : "; ",
-                        text.empty() ? capitalised(limit_title(answer, 0)) : "it",
-                        limit_text(answer.limits.front(), units), joined(leapt, " and "));
+    text += fmt::format("{}{} jumps across {} at {}", text.empty() ? "" : "; ", text.empty() ? title : "it",
+                        aim, joined(leapt, " and "));
   return text;
 }
 
@@ -168,13 +167,15 @@ std::string margin_answer(const margin::Answer& answer, const UnitSystem& units)
   const bool is_everywhere = answer.kept.size() == 1 && answer.kept.front().zone == margin::Zone::pass;
   const std::vector<std::string> kept = kept_stretches(answer, units);
   if (kept.empty())
-    return fmt::format("Passes{} at no {} {}: {}", chance_words(answer), key, range_text(answer, units),
-                       nearest_text(answer, units));
+    return answer.question.chance ? fmt::format("No {} {} passes{}: {}", key, range_text(answer, units),
+                                                chance_words(answer), nearest_text(answer, units))
+                                  : fmt::format("Does not pass for any {} {}: {}", key,
+                                                range_text(answer, units), nearest_text(answer, units));
   if (!is_everywhere)
     return fmt::format("Passes{} if the {} {}{}", chance_words(answer), key, joined(kept, " or "),
                        certain_text(answer, units));
   const auto where = std::ranges::max_element(answer.places, {}, &margin::Place::excess);
-  return fmt::format("Passes{} at every {} {}{}: next to its limit at {}, where {} is {} (limit: {})",
+  return fmt::format("Passes{} for every {} {}{}: closest to its limit at {}, where {} is {} (limit: {})",
                      chance_words(answer), key, range_text(answer, units), certain_text(answer, units),
                      key_text(answer, where->value, units), limit_title(answer, where->worst),
                      figure_text(answer.limits[where->worst], where->figures[where->worst], units),

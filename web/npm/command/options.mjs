@@ -57,7 +57,7 @@ export const commands = {
     },
   },
   "solve-for": {
-    help: "Find the value of a number at which a verdict turns",
+    help: "Find the value at which a verdict changes, such as the least thickness that passes",
     positionals: ["KEY", "CASE"],
     options: { ...set, ...standard, "--json": json, ...documents, ...solving, ...standards, ...materials },
     native: ["--until", "--between", "--vary", "--probability", "--draws", "--seed", "--csv", "--picture"],
