@@ -40,6 +40,9 @@ endif()
 set(source "// Made by cmake/embed_page.cmake.
 #include \"output/page/html.hpp\"
 
+// Compilers need not read longer literals, but all of ours do.
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
+
 namespace dashpad::output {
 
 ")

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "dashpad/case/case_quantity.hpp"
 #include "dashpad/impact/contact_snapshot.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
@@ -28,12 +29,23 @@ output::Document of_request(const Json& request, output::Document document) {
   return document;
 }
 
+/// What a page has sliders for; "more" has the sizes of the nose and the numbers of the support.
 Json numbers_of(const ImpactCase& impact) {
   Json numbers{
       {"mass", impact.impactor.mass}, {"speed", impact.impactor.speed}, {"thickness", impact.pad.thickness}};
   Json layers = Json::array();
   for (const PadLayer& layer : impact.pad.layers) layers.push_back(layer.thickness);
   numbers["layers"] = layers;
+  numbers["more"] = Json::array();
+  for (const CaseQuantity& quantity : quantities_of(impact)) {
+    const std::string& key = quantity.key;
+    const std::string decided = decided_by(key);
+    const bool is_size = key.starts_with("impactor.") && decided != "impactor.mass" &&
+                         decided != "impactor.speed" && key != "impactor.gravity";
+    const double value = is_size || key.starts_with("support.") ? quantity.get(impact) : 0;
+    if (value > 0 && key != "support.scale")
+      numbers["more"].push_back({{"key", key}, {"unit", quantity.unit}, {"value", value}});
+  }
   return numbers;
 }
 

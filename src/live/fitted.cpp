@@ -26,7 +26,8 @@ Json fit_tests(const Json& request) {
   const fit::AutoFit result = fit::run_proposal(*std::move(proposal));
   Json answer;
   if (result.report.converged) answer["card"] = output::card_toml(result.report.material);
-  add_page(answer, output::proposal_document(result, units_of(request), output::Pictures::drawn), units_of(request));
+  add_page(answer, output::proposal_document(result, units_of(request), output::Pictures::drawn),
+           units_of(request));
   return answer;
 }
 

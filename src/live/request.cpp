@@ -196,7 +196,7 @@ input::Reading<margin::Question> read_question(const Json& request, const Folder
   const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
   const auto key = std::ranges::find(known, question.key, &study::FactorKey::key);
   if (key == known.end()) return refused(study::rule_for_unknown(question.key, given->impact, known));
-  if (key->unit.empty()) return refused("is no number; compare materials in a study (docs/studies.md)");
+  if (key->unit.empty()) return refused("is not a number; compare materials in a study (docs/studies.md)");
   question.unit = key->unit;
   if (!margin::choose_range(question)) return refused("the case has no value above 0 to search about");
   for (const Violation& violation : margin::violations(question))

@@ -27,7 +27,8 @@ std::string text_of(const Json& request, const char* key);
 bool is_set(const Json& request, const char* key);
 std::optional<double> number_of(const Json& request, const char* key);
 std::vector<std::string> texts_of(const Json& request, const char* key);
-/// A number in SI, or a text with its unit as an option of the command, more than 0; else a fault that names the option.
+/// A number in SI, or a text with its unit as an option of the command, more than 0; else a fault that names
+/// the option.
 std::optional<double> value_of(const Json& request, const char* key, const char* option, const char* unit,
                                std::vector<input::Fault>& faults);
 const UnitSystem& units_of(const Json& request);

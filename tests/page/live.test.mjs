@@ -260,6 +260,69 @@ test("what is dropped is read as the command reads it", async () => {
   assert.equal(await page.getByLabel("Foam", { exact: true }).inputValue(), "my-foam");
 });
 
+test("compression tests become a foam, which the link takes along", async () => {
+  const tests = ["slow", "fast"].map((name) => join(source, "examples/tutorial", `epp-${name}.csv`));
+  const page = await openLive(livePage(example("dashboard-20mph")));
+  await page.setInputFiles("#tests", tests);
+  await page.locator("#test-faults").waitFor();
+  assert.match(await page.locator("#test-faults").textContent(), /displacement_mm: is a displacement; for a strain, give the specimen thickness\n/);
+  await page.getByLabel("Specimen thickness").fill("25 mm");
+  await page.getByLabel("Specimen area").fill("25 cm2");
+  await changed(page, () => page.getByRole("button", { name: "Fit a foam" }).click());
+  assert.match(await page.locator("#fit-found").textContent(), /^Proposed: law foam with the measured curve as its base/);
+  assert.equal(await page.getByLabel("Foam", { exact: true }).inputValue(), "epp-slow");
+  await page.locator("#fitted summary").click();
+  await page.locator("#fitted").getByText("What these tests do not determine").waitFor();
+  await page.screenshot({ path: picture("live-fit.png") });
+
+  const card = join(scratch, "epp-slow.toml");
+  execFileSync(process.env.DASHPAD_COMMAND, ["fit", "--auto", ...tests, "--thickness", "25 mm", "--area", "25 cm2", "--output", card], { stdio: "pipe" });
+  const setting = ["--set", `pad.material=${card}`];
+  const figures = await shown(page);
+  assert.deepEqual(figures.slice(0, 1), (await shownByCommand(report(example("dashboard-20mph"), ...setting))).slice(0, 1));
+  const file = livePage(example("helmet-pad-10fps"));
+  const colleague = await open(file);
+  await colleague.goto("about:blank");
+  await colleague.goto(`file://${file}${new URL(page.url()).hash}`);
+  await answered(colleague);
+  assert.deepEqual(await shown(colleague), figures);
+  assert.deepEqual(page.seen, { complaints: [], requests: [] });
+});
+
+test("tables that are no compression tests are refused in the words of the command", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph")));
+  const figures = await shown(page);
+  for (const [text, words] of [["", /is empty/], ["a,b\n1,2\n", /no column for the strain/], ["strain,stress_kPa\n0,0\n0.1,nan\n", /tests.csv:3/], ["<img src=x onerror=alert(1)>\n", /is XML or HTML/], ["\0\x01", /is not text/]]) {
+    await page.setInputFiles("#tests", { name: "tests.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
+    await page.waitForFunction((words) => document.getElementById("fit-found").textContent === "" && new RegExp(words).test(document.getElementById("test-faults").textContent), words.source);
+    await page.evaluate(() => document.getElementById("test-faults").replaceChildren());
+  }
+  await page.setInputFiles("#tests", { name: "tests.csv", mimeType: "text/csv", buffer: Buffer.alloc(2 ** 20 + 1, 49) });
+  await page.locator("#faults").getByText("larger than 1 MiB").waitFor();
+  assert.deepEqual(await shown(page), figures);
+});
+
+test("sizes of the nose and the support are set", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph")));
+  await type(page, "Radius", "60 mm");
+  await type(page, "Stiffness", "50");
+  const setting = ["--set", "impactor.radius=60 mm", "--set", "support.stiffness=50 N/mm"];
+  assert.deepEqual(await shown(page), await shownByCommand(report(example("dashboard-20mph"), ...setting)));
+  await changed(page, () => page.getByLabel("Nose", { exact: true }).selectOption("cylinder"));
+  await page.getByRole("textbox", { name: "Length", exact: true }).fill("-3 mm");
+  await page.keyboard.press("Enter");
+  await page.locator("#faults").getByText(/Length.*must be/).waitFor();
+});
+
+test("what pads differ by stands below them", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph")));
+  await changed(page, () => page.getByRole("button", { name: "Compare with another pad" }).click());
+  await type(page, "Thickness", "50.8 mm");
+  const row = page.locator(".differences tr", { hasText: "Peak acceleration" });
+  await page.waitForFunction(() => /\(\u2212\d+ %\)/.test(document.querySelector(".differences").textContent));
+  assert.match(await row.textContent(), /^Peak acceleration129\.4\sg[\d.]+\sg \(\u2212[\d.]+ %\)$/);
+});
+
 test("a case that does not end leaves the page alive", async () => {
   const endless = stateOf({ layers: [1, 2, 3, 4].map(() => ({ thickness: "20 mm", material: "vn600" })) });
   endless.case.solver = { tolerance: 1e-9 };

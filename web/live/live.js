@@ -11,7 +11,7 @@ class LivePage {
     byId("controls").hidden = false;
     byId("more").open = matchMedia("(min-width: 62rem)").matches;
     this.cards = new Map();
-    this.sliders = new Sliders(byId("sliders"), (...chosen) => this.set(...chosen));
+    this.sliders = ["sliders", "more-sliders"].map((box) => new Sliders(byId(box), (...chosen) => this.set(...chosen)));
     this.fillChoices();
     this.listen();
     history.replaceState(state, "");
@@ -69,13 +69,16 @@ class LivePage {
       const pad = state.pads[state.active];
       const layer = /^pad\.layers\[(\d)\]/.exec(key);
       const name = key.slice(key.lastIndexOf(".") + 1);
+      // A number without a unit is no text.
+      const value = /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? Number(text) : text;
       if (layer) pad.layers[layer[1] - 1].thickness = text;
       else if (name === "thickness") pad.thickness = text;
+      else if (key.startsWith("support.")) state.case.support = { ...state.case.support, [name]: value };
       // A number of a standard gives way to one of the user.
-      else if (state.standard) state.user[name] = text;
+      else if (state.standard && ["mass", "radius", "speed"].includes(name)) state.user[name] = text;
       else {
-        delete state.case.impactor?.[name === "speed" ? "drop_height" : "weight"];
-        state.case.impactor = { ...state.case.impactor, [name]: text };
+        delete state.case.impactor?.[{ speed: "drop_height", mass: "weight" }[name]];
+        state.case.impactor = { ...state.case.impactor, [name]: value };
       }
     };
     this.change(make, false, dragged);
@@ -182,7 +185,7 @@ class LivePage {
     this.showFaults(answer.faults ?? []);
     document.body.classList.toggle("pending", !isWhole || Boolean(answer.faults));
     if (answer.faults) return;
-    this.sliders.show(answer.numbers, this.state.units, this.dragged);
+    Sliders.lists(answer.numbers, this.state.units).forEach((list, i) => this.sliders[i].show(list, this.dragged));
     byId("case").textContent = answer.toml;
     this.showCommand();
     const parts = this.partsOf(answer, isWhole);
@@ -269,7 +272,34 @@ class LivePage {
     // Those with intervals stay while others are dragged, and the other way round.
     this.cards = new Map([...[...this.cards].slice(-8), ...kept]);
     byId("pads").classList.toggle("provisional", !isWhole);
-    byId("pads").replaceChildren(...answers.map((answer, i) => this.padCard(answer, i, isWhole)));
+    const cards = answers.map((answer, i) => this.padCard(answer, i, isWhole));
+    const beside = Object.assign(document.createElement("div"), { className: "beside" });
+    beside.append(...cards);
+    byId("pads").replaceChildren(beside, this.differences(cards));
+  }
+
+  // The key figures of the pads, with how much more or less than that of the first.
+  differences(cards) {
+    const figuresOf = (card) =>
+      new Map([...card.querySelectorAll(".key-figures li")].map((figure) => [figure.querySelector(".label").textContent, figure.querySelector("b").textContent.trim()]));
+    const [first, ...others] = cards.map(figuresOf);
+    const table = Object.assign(document.createElement("table"), { className: "differences" });
+    const row = (kind, words) => {
+      const line = document.createElement("tr");
+      line.append(...words.map((text, i) => textElement(i === 0 ? "th" : kind, text)));
+      line.firstElementChild.scope = "row";
+      return line;
+    };
+    table.append(textElement("caption", "Difference from pad A"), row("th", ["", ...cards.map((_, i) => "ABCD"[i])]));
+    const share = (text, of) => {
+      const more = (100 * Number.parseFloat(text)) / Number.parseFloat(of) - 100;
+      return Number.isFinite(more) && text !== of ? ` (${more > 0 ? "+" : "\u2212"}${Math.abs(more).toPrecision(2)} %)` : "";
+    };
+    for (const [label, text] of first) {
+      const cells = others.map((figures) => figures.get(label) ?? "");
+      table.append(row("td", [label, text, ...cells.map((cell) => `${cell}${share(cell, text)}`)]));
+    }
+    return table;
   }
 
   padCard(answer, i, isWhole) {
@@ -372,7 +402,7 @@ class LivePage {
     engine.worker.terminate();
     found.textContent = "";
     byId("test-faults").hidden = !answer.faults;
-    byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text)));
+    byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text.replace(/, such as --\w+ "[^"]*"/g, ""))));
     if (answer.faults) return;
     found.textContent = `${answer.title}.${answer.card ? "" : " The fit did not converge, so there is no card."}`;
     this.fitted = { html: answer.html, title: answer.title };

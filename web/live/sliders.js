@@ -7,20 +7,33 @@ class Sliders {
     Object.assign(this, { box, set });
   }
 
-  static list(numbers, units) {
-    const length = units === "us" ? ["in", 0.0254] : ["mm", 1e-3];
-    const speed = units === "us" ? ["mph", 0.44704] : units === "engineering-metric" ? ["km/h", 1 / 3.6] : ["m/s", 1];
-    const mass = units === "us" ? ["lb", 0.45359237] : ["kg", 1];
+  // Units of fields, with their value in SI, by the unit in SI.
+  static unit(si, units) {
+    const own = { "N/m": ["N/mm", 1e3], rad: ["deg", Math.PI / 180], m2: ["cm2", 1e-4], 1: ["", 1] };
+    const chosen = {
+      si: { m: ["mm", 1e-3] },
+      us: { m: ["in", 0.0254], "m/s": ["mph", 0.44704], kg: ["lb", 0.45359237], "N/m": ["lbf/in", 175.12683524647636], m2: ["in2", 6.4516e-4] },
+      "engineering-metric": { m: ["mm", 1e-3], "m/s": ["km/h", 1 / 3.6] },
+    };
+    return chosen[units][si] ?? own[si] ?? [si, 1];
+  }
+
+  // Thickness, speed and mass, and the other numbers of nose and support.
+  static lists(numbers, units) {
+    const slider = (key, label, si, value) => ({ key, label, unit: Sliders.unit(si, units), value });
     const pads = numbers.layers.length
-      ? numbers.layers.map((value, i) => ({ key: `pad.layers[${i + 1}].thickness`, label: `Layer ${i + 1}`, unit: length, value }))
-      : [{ key: "pad.thickness", label: "Thickness", unit: length, value: numbers.thickness }];
-    return [...pads, { key: "impactor.speed", label: "Speed", unit: speed, value: numbers.speed }, { key: "impactor.mass", label: "Mass", unit: mass, value: numbers.mass }];
+      ? numbers.layers.map((value, i) => slider(`pad.layers[${i + 1}].thickness`, `Layer ${i + 1}`, "m", value))
+      : [slider("pad.thickness", "Thickness", "m", numbers.thickness)];
+    const words = (key) => key.replace(/^.*\./, "").replace(/_/g, " ").replace(/^./, (letter) => letter.toUpperCase());
+    return [
+      [...pads, slider("impactor.speed", "Speed", "m/s", numbers.speed), slider("impactor.mass", "Mass", "kg", numbers.mass)],
+      numbers.more.map(({ key, unit, value }) => slider(key, words(key), unit, value)),
+    ];
   }
 
   // `dragged` is the key of the slider in the reader's hand.
-  show(numbers, units, dragged) {
+  show(all, dragged) {
     const { box } = this;
-    const all = Sliders.list(numbers, units);
     const names = all.map(({ key, unit }) => key + unit[0]).join();
     if (box.dataset.names !== names) {
       box.dataset.names = names;
@@ -29,7 +42,7 @@ class Sliders {
     for (const { key, value, unit } of all) {
       const row = box.querySelector(`[data-key="${key}"]`);
       const [field, range] = row.querySelectorAll("input");
-      const text = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`;
+      const text = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`.trim();
       range.setAttribute("aria-valuetext", text);
       // What is dragged or typed at this moment is the reader's.
       if (dragged === key) continue;
@@ -51,7 +64,7 @@ class Sliders {
     const range = Object.assign(document.createElement("input"), { type: "range", step: 0.005 });
     range.setAttribute("aria-label", `${label}, slider`);
     range.addEventListener("input", () => {
-      const text = `${Number((Math.exp(Number(range.value)) / unit[1]).toPrecision(3))} ${unit[0]}`;
+      const text = `${Number((Math.exp(Number(range.value)) / unit[1]).toPrecision(3))} ${unit[0]}`.trim();
       field.value = text;
       this.set(key, text, key);
     });
@@ -59,7 +72,7 @@ class Sliders {
     field.addEventListener("change", () => {
       delete row.dataset.typed;
       const text = field.value.trim();
-      this.set(key, /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? `${text} ${unit[0]}` : text);
+      this.set(key, /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? `${text} ${unit[0]}`.trim() : text);
     });
     row.append(name, field, range);
     return row;
