@@ -16,8 +16,9 @@
 #include "input/toml_tree.hpp"
 #include "json/json_values.hpp"
 #include "live/case_tables.hpp"
-#include "live/fitted.hpp"
+#include "live/measured.hpp"
 #include "live/request.hpp"
+#include "output/text/case_toml.hpp"
 
 namespace dashpad::live {
 
@@ -79,7 +80,10 @@ Json solve_case(const Json& request, const Folders& folders) {
              units);
   }
   answer["numbers"] = numbers_of(impact);
-  answer["toml"] = toml_of(request["case"]);
+  // A card of the reader's own is nowhere else, so that the case has its law.
+  answer["toml"] = is_set(request, "whole_foam")
+                       ? output::case_toml(asked->given.impact, asked->given.options)
+                       : toml_of(request["case"]);
   return answer;
 }
 
@@ -106,8 +110,9 @@ std::string answer(std::string_view request, const Folders& folders) {
            : what == "solve-for" ? solve_for(asked, folders)
            : what == "read"      ? read_file(asked)
            : what == "fit"       ? fit_tests(asked)
+           : what == "pulse"     ? show_pulse(asked, folders)
            : what == "list"      ? list_all(folders)
-                                 : fault_json("do", "must be solve, solve-for, read, fit or list");
+                                 : fault_json("do", "must be solve, solve-for, read, fit, pulse or list");
   });
 }
 

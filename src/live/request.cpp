@@ -173,32 +173,29 @@ std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Op
 }
 
 input::Reading<margin::Question> read_question(const Json& request, const Folders& folders) {
-  Faults faults;
-  const auto standard = read_standard(request, folders);
-  if (!standard) faults = standard.faults();
-  const auto given = read_case(request, folders);
-  if (!given) add(given.faults(), faults);
-  if (!faults.empty()) return faults;
-  if (!*standard)
+  const auto asked = read_asked(request, folders);
+  if (!asked) return asked.faults();
+  if (!asked->standard)
     return Faults{{.file = name_of_case,
                    .key = "standard",
                    .value = "",
                    .rule = "choose a standard, whose limits the pad is to keep"}};
+  const ImpactCase& given = asked->given.impact;
   margin::Question question{.impacts = {}, .key = text_of(request, "key"), .unit = {}};
-  question.options = given->options;
-  if (const auto tolerance = number_of(request, "tolerance")) question.options.tolerance = *tolerance;
+  question.options = asked->given.options;
   if (request.contains("intervals")) question.intervals = is_set(request, "intervals");
-  const injury::Standard judged = injury::without_value_of(**standard, decided_by(question.key));
-  question.impacts.push_back({.impact = injury::with_impactor_of(judged, given->impact), .standard = judged});
+  const injury::Standard judged = injury::without_value_of(*asked->standard, decided_by(question.key));
+  question.impacts.push_back({.impact = injury::with_impactor_of(judged, given), .standard = judged});
   const auto refused = [&](const std::string& rule) {
     return Faults{{.file = question.key, .key = "", .value = "", .rule = rule}};
   };
-  const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
+  const std::vector<study::FactorKey> known = study::factor_keys(given);
   const auto key = std::ranges::find(known, question.key, &study::FactorKey::key);
-  if (key == known.end()) return refused(study::rule_for_unknown(question.key, given->impact, known));
+  if (key == known.end()) return refused(study::rule_for_unknown(question.key, given, known));
   if (key->unit.empty()) return refused("is not a number; compare materials in a study (docs/studies.md)");
   question.unit = key->unit;
   if (!margin::choose_range(question)) return refused("the case has no value above 0 to search about");
+  Faults faults;
   for (const Violation& violation : margin::violations(question))
     faults.push_back({.file = violation.key, .key = "", .value = "", .rule = violation.rule});
   if (!faults.empty()) return faults;

@@ -34,6 +34,16 @@ export async function tryModule({ check, home, root }) {
   check(engine.assess(text, { standard: "en-1177", dropHeight: "1.5 m" }).verdict === "pass", "another verdict from 1.5 m");
   const turns = engine.solveFor("pad.thickness", text, { standard: "fmvss-201-instrument-panel" }).turns;
   check(turns.length === 1 && Math.abs(turns[0].value - 0.01563) < 1e-4, `turns elsewhere: ${JSON.stringify(turns)}`);
+  const slower = engine.solveFor("pad.thickness", text, { standard: "fmvss-201-instrument-panel", speed: "6.5 m/s" }).turns;
+  check(slower[0]?.value < turns[0].value, `a lower speed needs no thinner pad: ${JSON.stringify(slower)}`);
+  for (const mistake of [{ setings: [] }, { dropheight: "1 m" }, { units: "metric" }]) {
+    try {
+      engine.solve(text, mistake);
+      check(false, `${JSON.stringify(mistake)} is taken`);
+    } catch (error) {
+      check(error instanceof TypeError, `another error: ${error}`);
+    }
+  }
   check(engine.check(text).case !== undefined, "check shows no case");
   check(/^<!doctype html>/i.test(engine.page(text)), "the page is none");
   check(engine.text(text, { units: "us" }).includes("lbf"), "the text has other units");

@@ -196,10 +196,10 @@ test("up to four pads stand side by side, and the browser goes back", async () =
   await page.screenshot({ path: picture("live-four-pads.png") });
   const link = await page.evaluate(() => location.href);
   await page.goBack();
-  await page.waitForFunction(() => document.querySelector(".pad.active h2").textContent.includes("eps-29"));
+  await page.waitForFunction(() => document.querySelector(".pad.active h2").textContent.includes("polystyrene"));
   // A link that is put into the address is followed.
   await page.evaluate((link) => (location.hash = new URL(link).hash), link);
-  await page.waitForFunction(() => document.querySelector(".pad.active h2").textContent.includes("team-wendy"));
+  await page.waitForFunction(() => document.querySelector(".pad.active h2").textContent.includes("Team Wendy"));
   // It shows the same elsewhere.
   const again = await page.context().newPage();
   await again.goto(link);
@@ -273,6 +273,9 @@ test("compression tests become a foam, which the link takes along", async () => 
   assert.equal(await page.getByLabel("Foam", { exact: true }).inputValue(), "epp-slow");
   await page.locator("#fitted summary").click();
   await page.locator("#fitted").getByText("What these tests do not determine").waitFor();
+  // The case as text has the foam itself.
+  const whole = write("with-foam.toml", await page.locator("#case").textContent());
+  assert.deepEqual((await shown(page)).slice(0, 1), (await shownByCommand(report(whole))).slice(0, 1));
   await page.screenshot({ path: picture("live-fit.png") });
 
   const card = join(scratch, "epp-slow.toml");
@@ -287,6 +290,36 @@ test("compression tests become a foam, which the link takes along", async () => 
   await answered(colleague);
   assert.deepEqual(await shown(colleague), figures);
   assert.deepEqual(page.seen, { complaints: [], requests: [] });
+});
+
+test("a measured pulse is shown beside the computed one", async () => {
+  const page = await openLive(livePage(example("helmet-pad-10fps"), "--standard", "en-1078"));
+  await page.setInputFiles("#open", join(source, "examples/pulses/synthetic-helmet-pad.csv"));
+  const summary = page.locator("#fitted summary");
+  await summary.getByText("The pulse in synthetic-helmet-pad.csv: Within the limits").waitFor();
+  const compared = await page.locator("#fitted h2").first().textContent();
+  assert.match(compared, /The computed peak is /);
+  await page.screenshot({ path: picture("live-pulse.png"), fullPage: true });
+  // It follows the case.
+  await type(page, "Thickness", "50 mm");
+  await page.waitForFunction((before) => document.querySelector("#fitted h2").textContent !== before, compared);
+  await page.setInputFiles("#open", { name: "acc.csv", mimeType: "text/csv", buffer: Buffer.from("time_ms,acc_g\n0,0\n1,x\n") });
+  await page.locator("#faults").getByText(/acc.csv/).waitFor();
+  assert.deepEqual(page.seen, { complaints: [], requests: [] });
+});
+
+test("the thinnest pad is that for the speed of the reader", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph"), "--standard", "fmvss-201-instrument-panel"));
+  const thinnest = async () => {
+    await page.evaluate(() => (document.getElementById("found").textContent = ""));
+    await page.getByRole("button", { name: "Thinnest pad that passes" }).click();
+    await page.waitForFunction(() => /The thickness is/.test(document.getElementById("found").textContent));
+    await answered(page);
+    return Number(/([\d.]+) mm/.exec(await page.locator("#found").textContent())[1]);
+  };
+  const usual = await thinnest();
+  await type(page, "Speed", "5 m/s");
+  assert.ok((await thinnest()) < usual);
 });
 
 test("tables that are no compression tests are refused in the words of the command", async () => {

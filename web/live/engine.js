@@ -3,11 +3,11 @@
 // Starts the engine in the worker when its compiled module comes, then answers.
 const workerText = `
 ${startEngine}
-let engine, module, cards = {};
+let engine, module, files;
 onmessage = ({ data }) => {
-  if (data.module) [module, cards] = [data.module, data.cards];
+  if (data.module) [module, files] = [data.module, data.files];
   try {
-    engine ??= startEngine(module, cards);
+    engine ??= startEngine(module, files);
     if (data.request) postMessage({ id: data.id, answer: engine.ask(data.request) });
   } catch (error) {
     engine = undefined;
@@ -16,9 +16,9 @@ onmessage = ({ data }) => {
 };`;
 
 class EngineWorker {
-  constructor(module, cards = {}) {
+  constructor(module, files = {}) {
     this.module = module;
-    this.cards = { ...cards };
+    this.files = { ...files };
     this.url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
     this.count = 0;
     this.start();
@@ -31,16 +31,14 @@ class EngineWorker {
       event.preventDefault();
       if (this.asked) this.giveUp("this cannot be computed in a browser");
     };
-    this.worker.postMessage({ module: this.module, cards: this.cards });
+    this.worker.postMessage({ module: this.module, files: this.files });
     this.asked = null;
   }
 
-  // Cards of the reader's own, by name; where one is new the engine starts anew with it.
-  addCards(cards) {
-    const isNew = ([name, text]) => this.cards[`materials/${name}.toml`] !== text;
-    const added = Object.entries(cards).filter(isNew);
-    if (added.length === 0) return;
-    for (const [name, text] of added) this.cards[`materials/${name}.toml`] = text;
+  // Files of the reader's own; where one is new the engine starts anew with it.
+  addFiles(files) {
+    if (Object.entries(files).every(([name, text]) => this.files[name] === text)) return;
+    Object.assign(this.files, files);
     this.worker.terminate();
     if (this.asked) clearTimeout(this.asked.guard);
     this.asked?.resolve(null);

@@ -90,23 +90,34 @@ class LivePage {
       const { thickness, neighbours } = state.pads[state.active];
       state.pads[state.active] = { thickness, material: value, ...(neighbours === undefined ? {} : { neighbours }) };
     });
-    chosen("nose", (state, value) => (state.case.impactor = nosesOf(state.case.impactor ?? {}, "80 mm")[value] ?? state.case.impactor));
-    chosen("support", (state, value) => (state.case.support = supportsOnOffer[value] ?? state.case.support));
-    chosen("standard", (state, value) => ([state.standard, state.user] = [value, {}]));
+    // What was there before comes back as it was.
+    const [noses, supports] = [{}, {}];
+    chosen("nose", (state, value) => {
+      const own = state.case.impactor ?? {};
+      noses[own.nose ?? "sphere"] = own;
+      state.case.impactor = noses[value] ?? nosesOf(own, "80 mm")[value] ?? own;
+    });
+    chosen("support", (state, value) => {
+      supports[state.case.support?.type] = state.case.support;
+      state.case.support = supports[value] ?? supportsOnOffer[value] ?? state.case.support;
+    });
+    byId("standard").addEventListener("change", ({ target: { value } }) => {
+      this.change((state) => ([state.standard, state.user] = [value, {}]), true);
+      if (value) byId("found").textContent = "Mass, nose and speed are now those of the standard, as far as it states them. Pad and support remain those of the case: check that the support is that of the test.";
+    });
     chosen("units", (state, value) => (state.units = value));
     byId("add").addEventListener("click", () =>
       this.change((state) => {
-        state.pads.splice(state.active + 1, 0, structuredClone(state.pads[state.active]));
-        state.active += 1;
+        state.active = state.pads.push(structuredClone(state.pads[state.active])) - 1;
       }, true),
     );
     byId("thinnest").addEventListener("click", () => this.findThinnest());
-    byId("copy-link").addEventListener("click", () => this.copy(location.href.split("#")[0] + linkOf(this.state), "The link is copied."));
-    byId("copy-case").addEventListener("click", () => this.copy(byId("case").textContent, "The case is copied."));
+    byId("copy-link").addEventListener("click", () => this.copy(location.href.split("#")[0] + linkOf(this.state), `The link is copied.${location.protocol === "file:" ? " It has the path of this file: for somebody else, put what follows # behind the address of their copy of the page." : ""}`, "copied"));
+    byId("copy-case").addEventListener("click", () => this.copy(byId("case").textContent, "The case is copied.", "copied"));
     byId("open").addEventListener("change", ({ target }) => this.open([...target.files]));
     byId("tests").addEventListener("change", ({ target }) => this.open([...target.files]));
     byId("fit").addEventListener("click", () => this.fitTests());
-    byId("copy-card").addEventListener("click", () => this.copy(this.state.cards[this.fitted.name], "The card is copied.", "fit-found"));
+    byId("copy-card").addEventListener("click", () => this.copy(this.state.cards[this.card], "The card is copied.", "fit-found"));
     byId("controls").addEventListener("submit", (event) => event.preventDefault());
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
@@ -123,7 +134,7 @@ class LivePage {
     });
   }
 
-  async copy(text, words, place = "found") {
+  async copy(text, words, place) {
     try {
       await navigator.clipboard.writeText(text);
       byId(place).textContent = words;
@@ -136,11 +147,12 @@ class LivePage {
 
   request(whole, pad = this.state.active) {
     const { state } = this;
-    return { ...(state.standard ? state.user : {}), do: "solve", case: caseOf(state, pad), standard: state.standard, units: state.units, quick: !whole, whole, intervals: whole };
+    return { ...(state.standard ? state.user : {}), do: "solve", case: caseOf(state, pad), standard: state.standard, units: state.units, quick: !whole, whole, intervals: whole, whole_foam: state.pads[pad].material in (state.cards ?? {}) };
   }
 
   refresh(isDone, isNew = true) {
-    for (const engine of [this.quick, this.thorough, this.searching]) engine?.addCards(this.state.cards ?? {});
+    const cards = Object.fromEntries(Object.entries(this.state.cards ?? {}).map(([name, text]) => [`materials/${name}.toml`, text]));
+    for (const engine of [this.quick, this.thorough, this.searching]) engine?.addFiles(cards);
     this.showChoices();
     const serial = ++this.serial;
     clearTimeout(this.timer);
@@ -174,6 +186,7 @@ class LivePage {
     this.settled = serial;
     this.show(answer, true);
     await this.comparePads(true, () => serial !== this.serial);
+    await this.comparePulse(() => serial !== this.serial);
     const link = linkOf(this.state);
     if (serial !== this.serial || !isNew || answer.faults || link === this.link) return;
     this.link = link;
@@ -198,7 +211,7 @@ class LivePage {
     if (!isWhole) return;
     byId("announced").textContent = title;
     byId("result").querySelector("main").replaceWith(parts.querySelector("main"));
-    this.showFit();
+    this.showPages();
     this.listeners?.abort();
     this.listeners = new AbortController();
     this.time = enliven(this.listeners.signal);
@@ -307,16 +320,17 @@ class LivePage {
     const pad = state.pads[i];
     const letter = "ABCD"[i];
     const card = Object.assign(document.createElement("section"), { className: i === state.active ? "pad active" : "pad" });
-    const thickness = pad.layers ? `${pad.layers.length} layers` : pad.thickness;
-    card.append(textElement("h2", `${letter}: ${pad.layers ? "" : `${pad.material ?? "foam of the case"}, `}${thickness}`));
+    const thickness = answer.faults || pad.layers ? "" : `, ${Sliders.text(answer.numbers.thickness, Sliders.unit("m", state.units))}`;
+    const title = this.lists.foams.find(({ name }) => name === pad.material)?.title;
+    card.append(textElement("h2", `${letter}: ${pad.layers ? `${pad.layers.length} layers` : title || (pad.material ?? "foam of the case")}${thickness}`));
     if (answer.faults) {
       card.append(textElement("p", answer.faults[0].text));
     } else {
       // The names of the drawing's parts are those of one page.
       const own = { ...answer, html: answer.html.replace(/\bdd-[0-9a-f]{8}(?=-)/g, `$&-${letter}`) };
       const parts = this.partsOf(own, isWhole);
-      const [title, tone] = this.titleOf(own, parts, isWhole);
-      card.append(Object.assign(textElement("p", title), { className: `answer ${tone}` }));
+      const [verdict, tone] = this.titleOf(own, parts, isWhole);
+      card.append(Object.assign(textElement("p", verdict), { className: `answer ${tone}` }));
       card.append(...[".drawing", ".key-figures"].flatMap((each) => parts.querySelector(each) ?? []));
     }
     const buttons = Object.assign(document.createElement("p"), { className: "buttons" });
@@ -344,15 +358,16 @@ class LivePage {
     const found = byId("found");
     found.textContent = "Searching ...";
     const { serial } = this;
-    this.searching ??= new EngineWorker(this.quick.module, this.quick.cards);
+    this.searching ??= new EngineWorker(this.quick.module, this.quick.files);
     const answer = await this.searching.ask({ ...this.request(true), do: "solve-for", key: "pad.thickness" }, 60);
     if (!answer || serial !== this.serial) return;
     if (answer.faults) return (found.textContent = answer.faults[0].text);
     const turn = answer.result.turns.find(({ passes_above: above }) => above);
-    // The place from which it passes for certain, if there is one, rounded up to a tenth of a millimetre.
-    const thickness = turn && `${Math.ceil((turn.high ?? turn.value) * 1e4) / 10} mm`;
-    if (turn) this.change((next) => (next.pads[next.active].thickness = thickness), true);
-    found.textContent = `${answer.title}.${turn ? ` The thickness is set to ${thickness}.` : ""}`;
+    // The place from which it passes for certain, rounded up to a tenth of a millimetre. Without one nothing is chosen.
+    const isCertain = Number.isFinite(turn?.high);
+    const thickness = isCertain && `${Math.ceil(turn.high * 1e4) / 10} mm`;
+    if (isCertain) this.change((next) => (next.pads[next.active].thickness = thickness), true);
+    found.textContent = `${answer.title}. ${isCertain ? `The thickness is set to ${thickness}` : "The thickness is left as it is, since none passes for certain"}.`;
   }
 
   // --- Files: cases, cards of foams, compression tests
@@ -364,10 +379,36 @@ class LivePage {
     for (const file of files.filter(isCase)) await this.read(file);
     const tables = files.filter((file) => !isCase(file));
     if (tables.length === 0) return;
-    this.tests = await Promise.all(tables.map(async (file) => [file.name, await file.text()]));
+    const texts = await Promise.all(tables.map(async (file) => [file.name, await file.text()]));
+    const [pulse] = texts.filter(([, text]) => LivePage.isPulse(text));
+    if (pulse) return this.usePulse(...pulse);
+    this.tests = texts;
     byId("fit").disabled = false;
     byId("own").open = true;
     await this.fitTests();
+  }
+
+  // By the names and units of the columns, on the lines that are not numbers alone.
+  static isPulse(text) {
+    const head = text.slice(0, 4000).split("\n").filter((line) => /[a-z]{2}|\bg\b/i.test(line)).join("\n");
+    return /acc|decel|(^|[\s,;"_([])(g|m\/s\^?2)($|[\s,;")\]])/im.test(head);
+  }
+
+  usePulse(name, text) {
+    this.pulse = name;
+    this.thorough.addFiles({ [name]: text });
+    this.refresh(true);
+  }
+
+  // The measured pulse, by itself and beside the computed one, for the case as it is now.
+  async comparePulse(isOver) {
+    if (!this.pulse) return;
+    const answer = await this.thorough.ask({ ...this.request(true), do: "pulse", pulse: this.pulse });
+    if (!answer || isOver()) return;
+    if (answer.faults) this.pulse = null;
+    if (answer.faults) return this.showFaults(answer.faults.map(({ text }) => ({ text })));
+    this.showDropped(`The pulse in ${this.pulse}: ${answer.title}`, [answer.comparison, answer.html]);
+    byId("fitted").open = true;
   }
 
   // A case, or a card of a foam, which the case then uses.
@@ -405,21 +446,34 @@ class LivePage {
     byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text.replace(/, such as --\w+ "[^"]*"/g, ""))));
     if (answer.faults) return;
     found.textContent = `${answer.title}.${answer.card ? "" : " The fit did not converge, so there is no card."}`;
-    this.fitted = { html: answer.html, title: answer.title };
-    if (answer.card) this.fitted.name = this.useCard(this.tests[0][0], answer.card);
+    if (answer.card) this.card = this.useCard(this.tests[0][0], answer.card);
     byId("copy-card").hidden = !answer.card;
-    this.showFit();
+    this.showDropped(`The fit: ${answer.title}`, [answer.html]);
   }
 
-  // The page of the fit, made anew with that of the case, whose script it shares.
-  showFit() {
-    byId("fitted").hidden = !this.fitted;
-    if (!this.fitted) return;
-    const parts = document.createElement("template");
-    parts.innerHTML = this.fitted.html;
-    for (const each of parts.content.querySelectorAll("section[id], figure[id]")) each.removeAttribute("id");
-    byId("fitted").firstElementChild.textContent = `The fit: ${this.fitted.title}`;
-    byId("fitted").lastElementChild.replaceChildren(parts.content.querySelector(".pictures"), ...parts.content.querySelector("main").childNodes);
+  showDropped(title, pages) {
+    this.dropped = { title, pages: pages.filter(Boolean) };
+    this.showPages();
+  }
+
+  // The pages of what was dropped, made anew with that of the case, whose script they share.
+  showPages() {
+    byId("fitted").hidden = !this.dropped;
+    if (!this.dropped) return;
+    const [summary, place] = byId("fitted").children;
+    summary.textContent = this.dropped.title;
+    place.replaceChildren();
+    for (const html of this.dropped.pages) {
+      const parts = document.createElement("template");
+      parts.innerHTML = html;
+      for (const each of parts.content.querySelectorAll("section[id], figure[id]")) each.removeAttribute("id");
+      place.append(...parts.content.querySelector(".lead").childNodes, ...parts.content.querySelector("main").childNodes);
+      for (const heading of place.querySelectorAll("h1")) {
+        const lower = document.createElement("h2");
+        lower.append(...heading.childNodes);
+        heading.replaceWith(lower);
+      }
+    }
   }
 }
 

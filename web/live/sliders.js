@@ -18,6 +18,10 @@ class Sliders {
     return chosen[units][si] ?? own[si] ?? [si, 1];
   }
 
+  static text(value, unit) {
+    return `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`.trim();
+  }
+
   // Thickness, speed and mass, and the other numbers of nose and support.
   static lists(numbers, units) {
     const slider = (key, label, si, value) => ({ key, label, unit: Sliders.unit(si, units), value });
@@ -42,7 +46,7 @@ class Sliders {
     for (const { key, value, unit } of all) {
       const row = box.querySelector(`[data-key="${key}"]`);
       const [field, range] = row.querySelectorAll("input");
-      const text = `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`.trim();
+      const text = Sliders.text(value, unit);
       range.setAttribute("aria-valuetext", text);
       // What is dragged or typed at this moment is the reader's.
       if (dragged === key) continue;
@@ -69,6 +73,9 @@ class Sliders {
       this.set(key, text, key);
     });
     field.addEventListener("input", () => (row.dataset.typed = "yes"));
+    // A browser tells no change where the text is again what it was.
+    field.addEventListener("blur", () => delete row.dataset.typed);
+    field.addEventListener("keydown", ({ key: pressed }) => pressed === "Enter" && delete row.dataset.typed);
     field.addEventListener("change", () => {
       delete row.dataset.typed;
       const text = field.value.trim();

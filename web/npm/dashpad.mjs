@@ -30,6 +30,8 @@ function settingsOf(settings = []) {
   return Array.isArray(settings) ? settings : Object.entries(settings).map(([key, value]) => `${key}=${value}`);
 }
 
+const knownOptions = ["all", "dropHeight", "file", "files", "intervals", "keepNose", "keepSpeed", "mass", "radius", "settings", "speed", "standard", "tolerance", "units"];
+
 export class Engine {
   #module;
   #core;
@@ -89,6 +91,10 @@ export class Engine {
 
   // What requests about a case have in common. A text is a case file, called `file`; an object has its tables.
   #request(what, given, options = {}) {
+    for (const key of Object.keys(options))
+      if (!knownOptions.includes(key)) throw new TypeError(`unknown option "${key}"; the options are ${knownOptions.join(", ")}`);
+    if (options.units !== undefined && !["si", "us", "engineering-metric"].includes(options.units))
+      throw new TypeError(`units must be "si", "us" or "engineering-metric", not "${options.units}"`);
     const request = {
       do: what,
       set: settingsOf(options.settings),

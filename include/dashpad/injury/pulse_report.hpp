@@ -137,6 +137,23 @@ struct ProcessedPulse {
 ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
                                const std::optional<PulseFilter>& filter);
 
+/// What is done with a pulse before its figures are computed, and which figures beyond the usual ones.
+struct PulseTreatment {
+  std::optional<double> resample_to = {};  ///< s
+  std::optional<PulseFilter> filter = {};
+  std::optional<SensorOffset> offset = {};  ///< of find_offset()
+  bool offset_is_given = false;             ///< for an interval given by the user
+  bool subtracts_offset = false;
+  std::vector<double> windows = {};             ///< s, of further HICs
+  std::vector<double> levels = {};              ///< m/s2, of dwell times
+  const Standard* standard = nullptr;           ///< whose levels are added
+  std::optional<MeasuredImpact> impact = {};    ///< with a known speed
+  std::optional<MeasuredImpact> computed = {};  ///< with which the pulse is compared
+};
+
+/// The pulse of `file` with its figures, remarks and flags. Throws as processed_pulse() does.
+PulseReport evaluate_pulse(std::string file, MeasuredPulse measured, const PulseTreatment& treatment);
+
 /// The change of velocity of the body, m/s: that over contact minus the effect of gravity.
 double change_of_motion(const Contact& contact, const MeasuredImpact& impact);
 
