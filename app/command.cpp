@@ -15,6 +15,7 @@
 #include "progress_line.hpp"
 #include "quantities/from_chars.hpp"
 #include "quantities/magnitude_bounds.hpp"
+#include "quantities/text.hpp"
 
 namespace dashpad::app {
 
@@ -78,6 +79,7 @@ std::optional<double> quantity_of(const char* option, const std::optional<std::s
                                   const std::string& si_unit, std::vector<std::string>& errors) {
   if (!text) return std::nullopt;
   auto [value, rule] = read_si(with_gravity(*text, si_unit), si_unit);
+  if (si_unit == "m/s2") replace_all(rule, "gravity", "g");
   if (rule.empty()) rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
   if (rule.empty()) return value;
   errors.push_back(fmt::format("{} {}: {}", option, *text, rule));

@@ -87,7 +87,9 @@ std::string brief_quantity(double value, const std::string& si_unit, const UnitS
 
 std::string percentage(double fraction) {
   if (!std::isfinite(fraction)) return "unknown";
-  return fmt::format("{:.2g} %", 100 * fraction);
+  const double percent = rounded_to(100 * fraction, 2);
+  return std::abs(percent) >= 100 && std::abs(percent) < 1e6 ? fmt::format("{:.0f} %", percent)
+                                                             : fmt::format("{:.2g} %", percent);
 }
 
 std::string shown_unit(const std::string& unit) {

@@ -137,7 +137,7 @@ struct ProcessedPulse {
 ProcessedPulse processed_pulse(const MeasuredPulse& measured, std::optional<double> interval,
                                const std::optional<PulseFilter>& filter);
 
-/// What is done with a pulse before its figures are computed, and which figures beyond the usual ones.
+/// The treatment of a pulse before its figures are computed, and the figures beyond the usual ones.
 struct PulseTreatment {
   std::optional<double> resample_to = {};  ///< s
   std::optional<PulseFilter> filter = {};
