@@ -465,7 +465,7 @@ task_npm() {
   version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
   rm -rf "$folder"
   mkdir -p "$folder/package"
-  cp -R "$root/web/npm/." "$root/LICENSE" "$root/web/engine/engine.mjs" "$folder/package"
+  cp -R "$root/web/npm/." "$root/LICENSE" "$root/docs/case-files.md" "$root/web/engine/engine.mjs" "$folder/package"
   cp "$root/build/wasm/command.wasm.gz" "$folder/package/engine.wasm.gz"
   sed -i "s/\"version\": \"[^\"]*\"/\"version\": \"$version\"/" "$folder/package/package.json"
   chmod -R u=rwX,go=rX "$folder/package"

@@ -167,12 +167,11 @@ std::string words_of(const std::string& key) {
 
 /// "HIC may be anywhere from 1 % lower to 1.9 % higher"
 std::string words_of(const Effect& effect) {
-  const auto percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
   const std::string what = words_of(effect.key) + " may be ";
   if (!std::isfinite(effect.up)) return what + "arbitrarily high";
-  if (effect.down < worth_saying / 10) return what + percent(effect.up) + " higher";
-  if (effect.up < worth_saying / 10) return what + percent(effect.down) + " lower";
-  return what + "anywhere from " + percent(effect.down) + " lower to " + percent(effect.up) + " higher";
+  if (effect.down < worth_saying / 10) return what + percentage(effect.up) + " higher";
+  if (effect.up < worth_saying / 10) return what + percentage(effect.down) + " lower";
+  return what + "anywhere from " + percentage(effect.down) + " lower to " + percentage(effect.up) + " higher";
 }
 
 /// The flag of an extrapolation; nothing if it moves no decisive figure.
