@@ -12,6 +12,7 @@ class LivePage {
     byId("more").open = matchMedia("(min-width: 62rem)").matches;
     this.cards = new Map();
     this.sliders = ["sliders", "more-sliders"].map((box) => new Sliders(byId(box), (...chosen) => this.set(...chosen)));
+    this.files = new OwnFiles(this);
     this.fillChoices();
     this.listen();
     history.replaceState(state, "");
@@ -114,16 +115,7 @@ class LivePage {
     byId("thinnest").addEventListener("click", () => this.findThinnest());
     byId("copy-link").addEventListener("click", () => this.copy(location.href.split("#")[0] + linkOf(this.state), `The link is copied.${location.protocol === "file:" ? " It has the path of this file: for somebody else, put what follows # behind the address of their copy of the page." : ""}`, "copied"));
     byId("copy-case").addEventListener("click", () => this.copy(byId("case").textContent, "The case is copied.", "copied"));
-    byId("open").addEventListener("change", ({ target }) => this.open([...target.files]));
-    byId("tests").addEventListener("change", ({ target }) => this.open([...target.files]));
-    byId("fit").addEventListener("click", () => this.fitTests());
-    byId("copy-card").addEventListener("click", () => this.copy(this.state.cards[this.card], "The card is copied.", "fit-found"));
     byId("controls").addEventListener("submit", (event) => event.preventDefault());
-    document.addEventListener("dragover", (event) => event.preventDefault());
-    document.addEventListener("drop", (event) => {
-      event.preventDefault();
-      this.open([...event.dataTransfer.files]);
-    });
     // The browser's back and forward, and a link that is put into the address of this page.
     addEventListener("popstate", (event) => {
       const state = isState(event.state) ? event.state : stateOf(location.hash);
@@ -186,7 +178,7 @@ class LivePage {
     this.settled = serial;
     this.show(answer, true);
     await this.comparePads(true, () => serial !== this.serial);
-    await this.comparePulse(() => serial !== this.serial);
+    await this.files.comparePulse(() => serial !== this.serial);
     const link = linkOf(this.state);
     if (serial !== this.serial || !isNew || answer.faults || link === this.link) return;
     this.link = link;
@@ -211,7 +203,7 @@ class LivePage {
     if (!isWhole) return;
     byId("announced").textContent = title;
     byId("result").querySelector("main").replaceWith(parts.querySelector("main"));
-    this.showPages();
+    this.files.showPages();
     this.listeners?.abort();
     this.listeners = new AbortController();
     this.time = enliven(this.listeners.signal);
@@ -368,112 +360,6 @@ class LivePage {
     const thickness = isCertain && `${Math.ceil(turn.high * 1e4) / 10} mm`;
     if (isCertain) this.change((next) => (next.pads[next.active].thickness = thickness), true);
     found.textContent = `${answer.title}. ${isCertain ? `The thickness is set to ${thickness}` : "The thickness is left as it is, since none passes for certain"}.`;
-  }
-
-  // --- Files: cases, cards of foams, compression tests
-
-  async open(files) {
-    const large = files.find(({ size }) => size > 1 << 20);
-    if (large) return this.showFaults([{ text: `${large.name} is larger than 1 MiB` }]);
-    const isCase = ({ name }) => /\.toml$/i.test(name);
-    for (const file of files.filter(isCase)) await this.read(file);
-    const tables = files.filter((file) => !isCase(file));
-    if (tables.length === 0) return;
-    const texts = await Promise.all(tables.map(async (file) => [file.name, await file.text()]));
-    const [pulse] = texts.filter(([, text]) => LivePage.isPulse(text));
-    if (pulse) return this.usePulse(...pulse);
-    this.tests = texts;
-    byId("fit").disabled = false;
-    byId("own").open = true;
-    await this.fitTests();
-  }
-
-  // By the names and units of the columns, on the lines that are not numbers alone.
-  static isPulse(text) {
-    const head = text.slice(0, 4000).split("\n").filter((line) => /[a-z]{2}|\bg\b/i.test(line)).join("\n");
-    return /acc|decel|(^|[\s,;"_([])(g|m\/s\^?2)($|[\s,;")\]])/im.test(head);
-  }
-
-  usePulse(name, text) {
-    this.pulse = name;
-    this.thorough.addFiles({ [name]: text });
-    this.refresh(true);
-  }
-
-  // The measured pulse, by itself and beside the computed one, for the case as it is now.
-  async comparePulse(isOver) {
-    if (!this.pulse) return;
-    const answer = await this.thorough.ask({ ...this.request(true), do: "pulse", pulse: this.pulse });
-    if (!answer || isOver()) return;
-    if (answer.faults) this.pulse = null;
-    if (answer.faults) return this.showFaults(answer.faults.map(({ text }) => ({ text })));
-    this.showDropped(`The pulse in ${this.pulse}: ${answer.title}`, [answer.comparison, answer.html]);
-    byId("fitted").open = true;
-  }
-
-  // A case, or a card of a foam, which the case then uses.
-  async read(file) {
-    const text = await file.text();
-    if (/^\s*law\s*=/m.test(text) && !/^\s*\[impactor\]/m.test(text)) return this.useCard(file.name, text);
-    const answer = await this.quick.ask({ do: "read", text });
-    // Its lines are those of the file.
-    if (answer?.faults) return this.showFaults(answer.faults.map((fault) => ({ text: fault.text.replace(/^the case/, file.name) })));
-    if (answer) this.change((state) => Object.assign(state, { case: { ...answer.case, pad: undefined }, pads: [answer.case.pad ?? {}], active: 0, user: {} }), true);
-  }
-
-  // Cards travel in the link; one of the reader takes no other's name.
-  useCard(file, text) {
-    const own = file.replace(/\.\w+$/, "").replace(/[^\w-]/g, "-").slice(0, 50) || "card";
-    const name = this.lists.foams.some((foam) => foam.name === own) ? `${own}-own` : own;
-    this.change((state) => {
-      state.pads[state.active] = { thickness: state.pads[state.active].thickness ?? "25 mm", material: name };
-      const used = new Set(state.pads.map(({ material }) => material));
-      state.cards = Object.fromEntries([...Object.entries(state.cards ?? {}).filter(([card]) => used.has(card)), [name, text]]);
-    }, true);
-    return name;
-  }
-
-  // A card from the tests that were chosen; what they lack are the fields beside them.
-  async fitTests() {
-    const found = byId("fit-found");
-    found.textContent = "Fitting ...";
-    const engine = new EngineWorker(this.quick.module, Object.fromEntries(this.tests));
-    const given = Object.fromEntries(["thickness", "area", "rate"].map((what) => [what, byId(`test-${what}`).value.trim()]).filter(([, text]) => text));
-    const answer = await engine.ask({ do: "fit", files: this.tests.map(([name]) => name), units: this.state.units, ...given }, 60);
-    engine.worker.terminate();
-    found.textContent = "";
-    byId("test-faults").hidden = !answer.faults;
-    byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text.replace(/, such as --\w+ "[^"]*"/g, ""))));
-    if (answer.faults) return;
-    found.textContent = `${answer.title}.${answer.card ? "" : " The fit did not converge, so there is no card."}`;
-    if (answer.card) this.card = this.useCard(this.tests[0][0], answer.card);
-    byId("copy-card").hidden = !answer.card;
-    this.showDropped(`The fit: ${answer.title}`, [answer.html]);
-  }
-
-  showDropped(title, pages) {
-    this.dropped = { title, pages: pages.filter(Boolean) };
-    this.showPages();
-  }
-
-  // The pages of what was dropped, made anew with that of the case, whose script they share.
-  showPages() {
-    byId("fitted").hidden = !this.dropped;
-    if (!this.dropped) return;
-    const [summary, place] = byId("fitted").children;
-    summary.textContent = this.dropped.title;
-    place.replaceChildren();
-    for (const html of this.dropped.pages) {
-      const parts = document.createElement("template");
-      parts.innerHTML = html;
-      for (const each of parts.content.querySelectorAll("section[id], figure[id]")) each.removeAttribute("id");
-      place.append(...parts.content.querySelector(".lead").childNodes, ...parts.content.querySelector("main").childNodes);
-      for (const heading of place.querySelectorAll("h1")) {
-        const lower = document.createElement("h2");
-        lower.append(...heading.childNodes);
-        heading.replaceWith(lower);
-      }
-    }
   }
 }
 
