@@ -22,6 +22,8 @@ constexpr double same_height = 1e-6;  // relative
 /// How far beyond the drops a curve is followed, as a ratio of heights, and in how many steps.
 constexpr double max_ratio = 2;
 constexpr int steps = 400;
+/// The share of the height by which a drop may lie on the wrong side of it.
+constexpr double scatter = 0.1;
 /// Largest logarithm of the ratio of two heights that are near each other.
 constexpr double nearness = 0.35;
 
@@ -167,6 +169,13 @@ Crossing crossing_of(Place& place, std::size_t which, const injury::Standard& st
     if (is_kept && point.height <= *crossing.height) crossing.below = point.height;
     if (!is_kept && point.height >= *crossing.height && !crossing.above) crossing.above = point.height;
   }
+  // The last drop may just exceed the limit, and the first just keep it, on the other side of a curve through
+  // all.
+  const Point &first = crossing.points.front(), &last = crossing.points.back();
+  if (!crossing.above && !keeps(criterion, last.value) && last.height >= (1 - scatter) * *crossing.height)
+    crossing.above = last.height;
+  if (!crossing.below && keeps(criterion, first.value) && first.height <= (1 + scatter) * *crossing.height)
+    crossing.below = first.height;
   if (crossing.curve->freedom > 0) crossing.interval = interval_about(crossing, criterion.limit);
   return crossing;
 }
@@ -178,8 +187,8 @@ std::string scattered(const Crossing& crossing, const injury::Criterion& criteri
   std::string text;
   for (const Point& point : crossing.points) {
     const bool is_kept = keeps(criterion, point.value);
-    if (is_kept ? point.height <= std::min(high, 1.1 * *crossing.height)
-                : point.height >= std::max(low, 0.9 * *crossing.height))
+    if (is_kept ? point.height <= std::min(high, (1 + scatter) * *crossing.height)
+                : point.height >= std::max(low, (1 - scatter) * *crossing.height))
       continue;
     text +=
         fmt::format("{}{:.4g} m ({})", text.empty() ? "" : ", ", point.height, is_kept ? "kept" : "exceeded");

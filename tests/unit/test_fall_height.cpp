@@ -63,6 +63,20 @@ TEST(FallHeight, OfAPowerIsThatOfThePower) {
   EXPECT_NEAR(crossing.interval->second, *crossing.height, 1e-6);
 }
 
+TEST(FallHeight, IsKnownIfTheLastDropJustExceedsTheLimit) {
+  DropTable table;
+  for (const auto& [height, hic] : {std::pair{0.6, 300.0}, {0.9, 475.0}, {1.2, 700.0}, {1.5, 1020.0}})
+    add_drop(table, height, hic);
+  const Answer answer = evaluated(table, hic_of_1000());
+  const Crossing& crossing = crossing_of(answer);
+  ASSERT_TRUE(crossing.height);
+  EXPECT_GT(*crossing.height, 1.5);
+  EXPECT_LT(*crossing.height, 1.5 / 0.9);
+  EXPECT_DOUBLE_EQ(crossing.below.value(), 1.2);
+  EXPECT_DOUBLE_EQ(crossing.above.value(), 1.5);
+  EXPECT_FALSE(has_flag(answer.places.front().flags, "LIMIT NOT ENCLOSED"));
+}
+
 TEST(FallHeight, OfABendIsThatOfTheBend) {
   DropTable table;
   const auto hic = [](double height) {

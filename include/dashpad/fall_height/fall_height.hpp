@@ -83,11 +83,14 @@ struct Crossing {
   /// 95 %, by drops and instrument; an end that no height near the drops has is 0 or infinite. Absent without
   /// degrees of freedom.
   std::optional<std::pair<double, double>> interval = {};
-  double doubt = 0;                  ///< of the instrument: relative, k = 2, common to all drops
-  bool is_kept = false;              ///< by some point
-  bool is_exceeded = false;          ///< by some point
-  std::optional<double> below = {};  ///< m, of the highest point up to the height that keeps the limit
-  std::optional<double> above = {};  ///< m, of the lowest point from the height on that exceeds it
+  double doubt = 0;          ///< of the instrument: relative, k = 2, common to all drops
+  bool is_kept = false;      ///< by some point
+  bool is_exceeded = false;  ///< by some point
+  /// Heights, m, of the highest point up to the height that keeps the limit, and of the lowest from the
+  /// height on that exceeds it; without one, of the first or last point, if it lies at most a tenth on the
+  /// other side.
+  std::optional<double> below = {};
+  std::optional<double> above = {};
 
   /// Whether points that keep the limit and points that exceed it enclose the height.
   [[nodiscard]] bool is_enclosed() const { return below && above; }
