@@ -351,6 +351,7 @@ test("what pads differ by stands below them", async () => {
   const page = await openLive(livePage(example("dashboard-20mph")));
   await changed(page, () => page.getByRole("button", { name: "Compare with another pad" }).click());
   await type(page, "Thickness", "50.8 mm");
+  await page.getByText(/^Lowest peak acceleration: pad B, [\d.]+ % below pad A\.$/).waitFor();
   const row = page.locator(".differences tr", { hasText: "Peak acceleration" });
   await page.waitForFunction(() => /\(\u2212\d+ %\)/.test(document.querySelector(".differences").textContent));
   assert.match(await row.textContent(), /^Peak acceleration129\.4\sg[\d.]+\sg \(\u2212[\d.]+ %\)$/);

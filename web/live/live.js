@@ -287,7 +287,8 @@ class LivePage {
   differences(cards) {
     const figuresOf = (card) =>
       new Map([...card.querySelectorAll(".key-figures li")].map((figure) => [figure.querySelector(".label").textContent, figure.querySelector("b").textContent.trim()]));
-    const [first, ...others] = cards.map(figuresOf);
+    const all = cards.map(figuresOf);
+    const [first, ...others] = all;
     const table = Object.assign(document.createElement("table"), { className: "differences" });
     const row = (kind, words) => {
       const line = document.createElement("tr");
@@ -304,7 +305,17 @@ class LivePage {
       const cells = others.map((figures) => figures.get(label) ?? "");
       table.append(row("td", [label, text, ...cells.map((cell) => `${cell}${share(cell, text)}`)]));
     }
-    return table;
+    const part = document.createElement("div");
+    part.append(...[...first.keys()].filter((label) => /acceleration|HIC|clip/.test(label)).flatMap((label) => this.lowest(label, all)), table);
+    return part;
+  }
+
+  // The pad with the lowest figure, and how far the next is above it.
+  lowest(label, all) {
+    const order = all.map((figures, i) => [Number.parseFloat(figures.get(label)), "ABCD"[i]]).filter(([value]) => Number.isFinite(value)).sort(([a], [b]) => a - b);
+    if (order.length < 2 || order[0][0] === order[1][0]) return [];
+    const share = 100 - (100 * order[0][0]) / order[1][0];
+    return [textElement("p", `Lowest ${label.replace(/^(Peak|Cumulative)/, (word) => word.toLowerCase())}: pad ${order[0][1]}, ${share.toPrecision(2)} % below pad ${order[1][1]}.`)];
   }
 
   padCard(answer, i, isWhole) {
