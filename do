@@ -358,11 +358,11 @@ wasm_batches() {
   )
   # Two include themselves once for each instruction set, the third must be fast.
   local alone=(model/contact/sweep.cpp model/contact/foam_nodes.cpp quantities/portable_math.cpp)
-  printf -- '-O2 %s\n' "${alone[@]}"
+  printf -- '-O3 %s\n' "${alone[@]}"
   (cd "$root/src" && find quantities model impact result injury case json input laboratory uncertainty study margin fit output live \
     -name '*.cpp' | sort) | grep -vx "$(printf '%s\n' "${left_out[@]}" "${alone[@]}")" |
     awk '{ folder = $0; sub("/[^/]*$", "", folder)
-           printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") (folder ~ "^(model|impact)" ? "-O2 " : "-Oz ") : " ", $0
+           printf "%s%s", folder != last || n % 12 == 0 ? (NR == 1 ? "" : "\n") (folder ~ "^(model|impact)" ? "-O3 " : "-Oz ") : " ", $0
            n = folder != last ? 1 : n + 1
            last = folder }
          END { print "" }'
@@ -404,7 +404,7 @@ task_wasm() {
   done
   logged cmake "-DSOURCE_DIR=$root" "-DTEMPLATE=$root/src/version.cpp.in" "-DOUTPUT=$folder/version.cpp" \
     "-Dversion=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")" "-Dcompiler=Clang 19" \
-    "-Dcompiler_flags=-O2" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
+    "-Dcompiler_flags=-O3" -Dbuild_type=Release -Dsystem=wasm32-wasi -P "$root/cmake/write_version.cmake"
   shipped_files >"$folder/shipped.new"
   logged cmake "-DWEB=$root/web" "-DOUTPUT=$folder/page.new" -P "$root/cmake/embed_page.cmake"
   for name in shipped page; do
@@ -423,8 +423,8 @@ rule precompile
   command = clang++-19 \$flags \$optimisation -x c++-header -MD -MF \$out.d -c \$in -o \$out
   depfile = \$out.d
   deps = gcc
-build headers-O2.pch: precompile headers.hpp
-  optimisation = -O2
+build headers-O3.pch: precompile headers.hpp
+  optimisation = -O3
 build headers-Oz.pch: precompile headers.hpp
   optimisation = -Oz
 rule link
