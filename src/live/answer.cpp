@@ -24,12 +24,6 @@ namespace dashpad::live {
 
 namespace {
 
-/// The whole document, or its lead alone, which takes a third of the time.
-output::Document of_request(const Json& request, output::Document document) {
-  if (!is_set(request, "whole")) document.sections.clear();
-  return document;
-}
-
 /// What a page has sliders for; "more" has the sizes of the nose and the numbers of the support.
 Json numbers_of(const ImpactCase& impact) {
   Json numbers{
@@ -55,11 +49,16 @@ Json solve_case(const Json& request, const Folders& folders) {
   if (!asked) return faults_json(asked.faults());
   Options options = asked->given.options;
   constexpr double quick = 1e-3;
-  if (is_set(request, "quick")) options.tolerance = std::max(options.tolerance, quick);
+  const bool is_quick = is_set(request, "quick");
+  if (is_quick) options.tolerance = std::max(options.tolerance, quick);
   const UnitSystem& units = units_of(request);
   const ImpactCase& impact = asked->impact;
   std::vector<Blow> blows = solved_blows(request, *asked, options);
   const Solution& solution = blows.back().solution;
+  // A page that follows a slider has the lead alone, a tenth of the work.
+  const bool is_whole = is_set(request, "whole");
+  const output::Pictures pictures = is_whole ? output::Pictures::drawn : output::Pictures::of_lead;
+  output::Document document;
   Json answer;
   if (asked->standard) {
     injury::Assessment assessment = injury::assess(*asked->standard, impact, solution);
@@ -67,18 +66,19 @@ Json solve_case(const Json& request, const Folders& folders) {
     if (is_set(request, "intervals")) others = other_choices(request, *asked, assessment);
     const output::AssessmentReport report{*asked->standard, asked->given.impact, impact,
                                           solution,         assessment,          std::move(others)};
-    answer["result"] = Json::parse(output::assessment_json(report));
-    add_page(answer, of_request(request, output::assessment_document(report, units, output::Pictures::drawn)),
-             units);
+    if (!is_quick) answer["result"] = Json::parse(output::assessment_json(report));
+    document = output::assessment_document(report, units, pictures);
   } else {
     const auto injury = injury::whole_pulse_figures(solution);
     output::ImpactReport report{impact, options, solution, injury};
     if (impact.blows) report.blows = output::blow_results(blows);
-    answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
-    if (is_set(request, "whole")) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
-    add_page(answer, of_request(request, output::impact_document(report, units, output::Pictures::drawn)),
-             units);
+    if (!is_quick)
+      answer["result"] = Json::parse(output::result_json(impact, solution.summary, injury, report.blows));
+    if (is_whole) report.snapshots = contact_snapshots(blows.back().impact, solution.history);
+    document = output::impact_document(report, units, pictures);
   }
+  if (!is_whole) document.sections.clear();
+  add_page(answer, std::move(document), units);
   answer["numbers"] = numbers_of(impact);
   // A card of the reader's own is nowhere else, so that the case has its law.
   answer["toml"] = is_set(request, "whole_foam")

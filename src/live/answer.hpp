@@ -17,8 +17,9 @@ struct Folders {
 ///
 /// - "read": "text" is a case file. Answer: {"case": its tables, as written}.
 /// - "solve": "case" has those tables. With "standard" the case is assessed, and "mass", "radius" and "speed"
-///   (SI) replace values of the standard. "quick" solves to 1e-3 at best, "intervals" adds what is uncertain
-///   of foam and model, "whole" the whole page in place of its lead, "units" names a unit system. Answer:
+///   (SI) replace values of the standard. "quick" solves to 1e-3 at best and gives no "result", "intervals"
+///   adds what is uncertain of foam and model, "whole" the whole page in place of its lead, "units" names a
+///   unit system. Answer:
 ///   {"result": as `dashpad run` or `dashpad assess` writes it with --json, "html": the page, "title",
 ///   "tone", "numbers": mass, speed and thickness in SI, "toml": the case as a file}.
 /// - "solve-for": the values of "key", a number of the case, at which the limits of "standard" are reached,

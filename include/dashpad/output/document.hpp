@@ -99,8 +99,9 @@ struct Document {
   bool is_one_impact = false;  ///< all plots over time show the same moment to whoever points at one
 };
 
-/// Whether a document is made with its drawing and its plots, which take longer than all the rest.
-enum class Pictures { left_out, drawn };
+/// Whether a document is made with its drawing and its plots, which take longer than all the rest; of its
+/// lead alone, for a page that follows a slider.
+enum class Pictures { left_out, of_lead, drawn };
 
 /// The document as one HTML file without external references. It is complete without its script, which makes
 /// the plots interactive; they show the same values as picture(). Throws std::invalid_argument for rows or

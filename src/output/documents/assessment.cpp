@@ -267,9 +267,7 @@ Document texts_of(const AssessmentReport& report, const UnitSystem& units) {
   return document;
 }
 
-void add_pictures(Document& document, const AssessmentReport& report, const UnitSystem& units) {
-  document.lead->drawing = impact_drawing(report.assessed, report.solution, units);
-  document.lead->curve = deciding_curve(report, units);
+void add_plots(Document& document, const AssessmentReport& report, const UnitSystem& units) {
   const auto basis = std::ranges::find(document.sections, basis_heading, &Section::heading);
   if (std::optional<Plot> foam = foam_curve_plot(report.assessed.pad, report.solution.summary, units))
     basis->figures.push_back({.plot = *std::move(foam)});
@@ -359,7 +357,11 @@ const std::string& assessment_caveat() {
 
 Document assessment_document(const AssessmentReport& report, const UnitSystem& units, Pictures pictures) {
   Document document = texts_of(report, units);
-  if (pictures == Pictures::drawn) add_pictures(document, report, units);
+  if (pictures != Pictures::left_out) {
+    document.lead->drawing = impact_drawing(report.assessed, report.solution, units);
+    document.lead->curve = deciding_curve(report, units);
+  }
+  if (pictures == Pictures::drawn) add_plots(document, report, units);
   document.sections.push_back(
       {.heading = "The case",
        .seen = Seen::on_pages,

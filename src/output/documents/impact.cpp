@@ -124,9 +124,8 @@ void add_blows(Document& document, const ImpactReport& report, const UnitSystem&
                                  .tables = {blow_table(report.impact, report.blows, units, detail)}});
 }
 
-void add_pictures(Document& document, const ImpactReport& report, const UnitSystem& units) {
+void add_plots(Document& document, const ImpactReport& report, const UnitSystem& units) {
   const Solution& solution = report.solution;
-  document.lead->curve = Plot{.panels = {deceleration_panel(solution, report.injury, units)}};
   for (Section& section : document.sections) {
     if (section.heading == basis_heading)
       if (std::optional<Plot> foam = foam_curve_plot(report.impact.pad, solution.summary, units))
@@ -196,10 +195,10 @@ Document impact_document(const ImpactReport& report, const UnitSystem& units, Pi
   Document document = texts_of(report, units);
   if (report.solution.summary.status == Status::not_run) return document;
   add_case(document, report);
-  if (pictures == Pictures::drawn) {
-    document.lead->drawing = drawing_of(report, units);
-    add_pictures(document, report, units);
-  }
+  if (pictures == Pictures::left_out) return document;
+  document.lead->drawing = drawing_of(report, units);
+  document.lead->curve = Plot{.panels = {deceleration_panel(report.solution, report.injury, units)}};
+  if (pictures == Pictures::drawn) add_plots(document, report, units);
   return document;
 }
 
