@@ -24,6 +24,7 @@ struct Folders {
 ///   "tone", "numbers": mass, speed and thickness in SI, "toml": the case as a file}.
 /// - "solve-for": the values of "key", a number of the case, at which the limits of "standard" are reached,
 ///   within a quarter and four times its value. Answer: {"result": as `dashpad solve-for --json`, "title"}.
+/// - "fit", "pulse": tables of what was measured (src/live/measured.hpp).
 /// - "list": Answer: {"foams": [{"name", "title"}], "standards": [...]}.
 ///
 /// What cannot be answered is {"faults": [{"file", "line", "key", "value", "rule", "text"}], "lines": those
