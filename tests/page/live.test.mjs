@@ -342,6 +342,12 @@ test("sizes of the nose and the support are set", async () => {
   const setting = ["--set", "impactor.radius=60 mm", "--set", "support.stiffness=50 N/mm"];
   assert.deepEqual(await shown(page), await shownByCommand(report(example("dashboard-20mph"), ...setting)));
   await changed(page, () => page.getByLabel("Nose", { exact: true }).selectOption("cylinder"));
+  // Back at the sphere, its radius is there again, and the speed that was set meanwhile stays.
+  await type(page, "Radius", "90 mm");
+  await type(page, "Speed", "5 m/s");
+  await changed(page, () => page.getByLabel("Nose", { exact: true }).selectOption("sphere"));
+  assert.deepEqual(await shown(page), await shownByCommand(report(example("dashboard-20mph"), ...setting, "--set", "impactor.speed=5 m/s")));
+  await changed(page, () => page.getByLabel("Nose", { exact: true }).selectOption("cylinder"));
   await page.getByRole("textbox", { name: "Length", exact: true }).fill("-3 mm");
   await page.keyboard.press("Enter");
   await page.locator("#faults").getByText(/Length.*must be/).waitFor();

@@ -46,8 +46,10 @@ class OwnFiles {
     if (!this.pulse) return;
     const answer = await this.page.thorough.ask({ ...this.page.request(true), do: "pulse", pulse: this.pulse });
     if (!answer || isOver()) return;
-    if (answer.faults) this.pulse = null;
-    if (answer.faults) return this.page.showFaults(answer.faults.map(({ text }) => ({ text })));
+    if (answer.faults) {
+      this.pulse = null;
+      return this.page.showFaults(answer.faults.map(({ text }) => ({ text })));
+    }
     this.showDropped(`The pulse in ${this.pulse}: ${answer.title}`, [answer.comparison, answer.html]);
     byId("fitted").open = true;
   }

@@ -70,8 +70,8 @@ class LivePage {
       const pad = state.pads[state.active];
       const layer = /^pad\.layers\[(\d)\]/.exec(key);
       const name = key.slice(key.lastIndexOf(".") + 1);
-      // A number without a unit is no text.
-      const value = /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? Number(text) : text;
+      // Files have numbers without a unit as numbers, not as text.
+      const value = Sliders.isNumber(text) ? Number(text) : text;
       if (layer) pad.layers[layer[1] - 1].thickness = text;
       else if (name === "thickness") pad.thickness = text;
       else if (key.startsWith("support.")) state.case.support = { ...state.case.support, [name]: value };
@@ -91,12 +91,13 @@ class LivePage {
       const { thickness, neighbours } = state.pads[state.active];
       state.pads[state.active] = { thickness, material: value, ...(neighbours === undefined ? {} : { neighbours }) };
     });
-    // What was there before comes back as it was.
+    // A nose or a support that was there before comes back with its sizes; how the nose strikes stays.
     const [noses, supports] = [{}, {}];
     chosen("nose", (state, value) => {
       const own = state.case.impactor ?? {};
-      noses[own.nose ?? "sphere"] = own;
-      state.case.impactor = noses[value] ?? nosesOf(own, "80 mm")[value] ?? own;
+      noses[own.nose ?? "sphere"] = partOf(own, false);
+      const nose = noses[value] ?? nosesOf(own, "80 mm")[value];
+      if (nose) state.case.impactor = { ...partOf(own, true), ...nose };
     });
     chosen("support", (state, value) => {
       supports[state.case.support?.type] = state.case.support;

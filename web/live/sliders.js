@@ -18,8 +18,13 @@ class Sliders {
     return chosen[units][si] ?? own[si] ?? [si, 1];
   }
 
-  static text(value, unit) {
-    return `${Number((value / unit[1]).toPrecision(4))} ${unit[0]}`.trim();
+  static text(value, unit, digits = 4) {
+    return `${Number((value / unit[1]).toPrecision(digits))} ${unit[0]}`.trim();
+  }
+
+  // A number without a unit.
+  static isNumber(text) {
+    return /^[-+.\d]+(e[-+]?\d+)?$/i.test(text);
   }
 
   // Thickness, speed and mass, and the other numbers of nose and support.
@@ -68,7 +73,7 @@ class Sliders {
     const range = Object.assign(document.createElement("input"), { type: "range", step: 0.005 });
     range.setAttribute("aria-label", `${label}, slider`);
     range.addEventListener("input", () => {
-      const text = `${Number((Math.exp(Number(range.value)) / unit[1]).toPrecision(3))} ${unit[0]}`.trim();
+      const text = Sliders.text(Math.exp(Number(range.value)), unit, 3);
       field.value = text;
       this.set(key, text, key);
     });
@@ -79,7 +84,7 @@ class Sliders {
     field.addEventListener("change", () => {
       delete row.dataset.typed;
       const text = field.value.trim();
-      this.set(key, /^[-+.\d]+(e[-+]?\d+)?$/i.test(text) ? `${text} ${unit[0]}`.trim() : text);
+      this.set(key, Sliders.isNumber(text) ? `${text} ${unit[0]}`.trim() : text);
     });
     row.append(name, field, range);
     return row;

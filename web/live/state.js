@@ -41,14 +41,13 @@ function stateOf(hash) {
 // The case with one of the pads.
 const caseOf = (state, pad = state.active) => ({ ...state.case, pad: state.pads[pad] });
 
-// Noses and supports on offer, beside those of the case: as its own tables, with sizes to begin from.
+// Of the numbers of an impactor those that say how it strikes, or those of its nose.
+const partOf = (impactor, isMotion) =>
+  Object.fromEntries(Object.entries(impactor).filter(([key]) => ["mass", "weight", "speed", "drop_height", "gravity"].includes(key) === isMotion));
+
+// Noses and supports on offer, beside those of the case, with sizes to begin from.
 function nosesOf(impactor, size) {
-  const own = Object.fromEntries(Object.entries(impactor).filter(([key]) => ["mass", "weight", "speed", "drop_height", "gravity"].includes(key)));
   const radius = impactor.radius ?? size;
-  return {
-    sphere: { ...own, nose: "sphere", radius },
-    "flat-disc": { ...own, nose: "flat-disc", radius },
-    cylinder: { ...own, nose: "cylinder", radius, length: radius },
-  };
+  return { sphere: { nose: "sphere", radius }, "flat-disc": { nose: "flat-disc", radius }, cylinder: { nose: "cylinder", radius, length: radius } };
 }
 const supportsOnOffer = { rigid: { type: "rigid" }, linear: { type: "linear", stiffness: "100 N/mm" } };
