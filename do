@@ -137,11 +137,12 @@ task_run() {
   exec "$root/build/release/app/dashpad" run "$case" "$@"
 }
 
-# ctest's summary line comes last, after the list of failed tests if there is one.
+# At the end once more what failed within the tests, and last ctest's summary line.
 summary_last() {
   awk '/tests passed, [0-9]+ tests failed out of/ { summary = $0; next }
+       /^ *not ok |: Failure$|^ *error: / { failures = failures $0 "\n" }
        { print; fflush() }
-       END { if (summary) print summary }'
+       END { printf "%s", failures; if (summary) print summary }'
 }
 
 task_test() {

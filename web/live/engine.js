@@ -43,6 +43,7 @@ class EngineWorker {
     if (this.asked) clearTimeout(this.asked.guard);
     this.asked?.resolve(null);
     this.start();
+    this.send();
   }
 
   // The answer, or null if a later request of the same kind took its place.

@@ -180,11 +180,14 @@ class LivePage {
     this.show(answer, true);
     await this.comparePads(true, () => serial !== this.serial);
     await this.files.comparePulse(() => serial !== this.serial);
+    if (serial !== this.serial) return;
     const link = linkOf(this.state);
-    if (serial !== this.serial || !isNew || answer.faults || link === this.link) return;
-    this.link = link;
-    // One that is too long would not be read.
-    history.pushState(this.state, "", link.length < largestLink ? link : "#");
+    if (isNew && !answer.faults && link !== this.link) {
+      this.link = link;
+      // One that is too long would not be read.
+      history.pushState(this.state, "", link.length < largestLink ? link : "#");
+    }
+    byId("result").dataset.complete = serial;
   }
 
   show(answer, isWhole) {
