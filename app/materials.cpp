@@ -105,8 +105,7 @@ std::optional<fs::path> find_card(const std::string& name, const fs::path& folde
   const std::vector<fs::path> cards = input::list_materials(folder).value();
   const auto card = std::ranges::find(cards, name, [](const fs::path& path) { return path.stem().string(); });
   if (card != cards.end()) return *card;
-  errors.push_back(fmt::format("{}: no such material in {}; available: {}", name, folder.string(),
-                               cards.empty() ? "none" : input::listing(input::names_of(cards))));
+  errors.push_back(name + ": " + input::no_such("material", name, folder, cards));
   return std::nullopt;
 }
 

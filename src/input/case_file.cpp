@@ -71,7 +71,9 @@ std::optional<std::filesystem::path> find_card(TableReader& pad, const Folders& 
   if (name.empty()) return std::nullopt;
   if (name.ends_with(".toml")) return pad.file("material", folders.of_file);
   if (!is_card_name(name)) {
-    pad.fault("material", "must be the name of a card (letters, digits, . _ -) or a path that ends in .toml");
+    const auto cards = list_materials(folders.materials);
+    pad.fault("material", "must be the name of a card (letters, digits, . _ -) or a path that ends in .toml" +
+                              (cards ? did_you_mean(name, names_of(*cards)) : ""));
     return std::nullopt;
   }
   const auto card = folders.materials / (name + ".toml");

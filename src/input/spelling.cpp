@@ -24,6 +24,16 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
+/// What capitals and blanks are of no account in: "EN 1078" is "en-1078".
+std::string folded(std::string_view word) {
+  std::string plain(word);
+  for (char& c : plain) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == ' ' || c == '_') c = '-';
+  }
+  return plain;
+}
+
 /// A single letter does not suggest a word.
 constexpr std::size_t shortest_beginning = 2;
 
@@ -39,7 +49,7 @@ std::vector<std::string> beginning_with(std::string_view word, std::span<const s
   std::vector<std::string> found;
   if (word.size() < shortest_beginning) return found;
   std::ranges::copy_if(words, std::back_inserter(found),
-                       [word](const std::string& candidate) { return candidate.starts_with(word); });
+                       [word](const std::string& candidate) { return folded(candidate).starts_with(word); });
   return found;
 }
 
@@ -47,12 +57,15 @@ std::vector<std::string> beginning_with(std::string_view word, std::span<const s
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> words) {
   if (word.size() > longest_word) return {};
-  if (const auto longer = beginning_with(word, words); !longer.empty())
+  const std::string plain = folded(word);
+  if (const auto same = std::ranges::find(words, plain, folded); same != words.end())
+    return "; did you mean \"" + *same + "\"?";
+  if (const auto longer = beginning_with(plain, words); !longer.empty())
     return "; did you mean " + alternatives(longer) + "?";
   const std::string* closest = nullptr;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : words) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = edit_distance(plain, folded(candidate));
     if (distance >= least || distance >= std::min(word.size(), candidate.size())) continue;
     least = distance;
     closest = &candidate;

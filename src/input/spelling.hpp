@@ -9,7 +9,8 @@
 
 namespace dashpad::input {
 
-/// `; did you mean "radius"?`, with all words that begin with `word`, or else the closest one, if any.
+/// `; did you mean "radius"?`, with the word that differs in capitals and blanks only, or else all words that
+/// begin with `word`, or else the closest one, if any.
 std::string did_you_mean(std::string_view word, std::span<const std::string> words);
 
 std::string listing(std::span<const std::string> words);

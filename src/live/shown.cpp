@@ -80,9 +80,8 @@ Json show_materials(const Json& request, const Folders& folders) {
     const auto found = std::ranges::find(
         *cards, name, [](const std::filesystem::path& path) { return path.stem().string(); });
     if (found == cards->end())
-      return faults_json(input::fault_of_file(
-          name, fmt::format("no such material in {}; available: {}", folders.materials.string(),
-                            cards->empty() ? "none" : input::listing(input::names_of(*cards)))));
+      return faults_json(
+          input::fault_of_file(name, input::no_such("material", name, folders.materials, *cards)));
     card = *found;
   }
   const auto material = input::read_material(card);

@@ -311,6 +311,7 @@ TEST_F(MaterialTestTest, RefusesAnOptionOfAnotherTest) {
               HasSubstr("--stress: does not apply to --test constant-rate, only to creep"));
   EXPECT_THAT(refused({card, "--history", "a.csv"}),
               HasSubstr("--history: does not apply to --test constant-rate, only to history"));
+  EXPECT_THAT(refused({"Ensolite AAC 9"}), HasSubstr("did you mean \"ensolite-aac-9\"?"));
   EXPECT_THAT(refused({card, "--steps", "20"}), HasSubstr("add --explicit-1984"));
   EXPECT_THAT(refused({card, "--test", "squash"}), AllOf(HasSubstr("--test"), HasSubstr("parabolic")));
 }

@@ -229,6 +229,7 @@ const std::vector<Edit> edits{
     {named_material, "", {{6, "pad.material", "is missing"}}},
     {named_material, named_material + "\nlaw = \"elastic\"", {{8, "pad.material", "not both"}}},
     {"ensolite-aac-9", "ensolite-acc-9", {{8, "pad.material", "did you mean \"ensolite-aac-9\"?"}}},
+    {"ensolite-aac-9", "Ensolite AAC 9", {{8, "pad.material", "did you mean \"ensolite-aac-9\"?"}}},
     {"ensolite-aac-9", "../materials/ensolite-aac-9", {{8, "pad.material", "must be the name of a card"}}},
     {"ensolite-aac-9", "a\\u0000.toml", {{8, "pad.material", "control character"}}},
     {"ensolite-aac-9", "none.toml", {{8, "pad.material", "no such file"}}},

@@ -281,6 +281,10 @@ std::string message_of(const std::function<void()>& action) {
 
 TEST(standards, unknown_names_and_variants_are_refused_with_those_there_are) {
   EXPECT_THAT(message_of([] { preset("en-1079"); }), HasSubstr("did you mean \"en-1078\"?"));
+  // Capitals and blanks are of no account, however many there are.
+  EXPECT_THAT(message_of([] { preset("EN 1078"); }), HasSubstr("did you mean \"en-1078\"?"));
+  EXPECT_THAT(message_of([] { preset("FMVSS_208 HIC15"); }), HasSubstr("did you mean \"fmvss-208-hic15\"?"));
+  EXPECT_THAT(message_of([] { preset("ECE-22-06"); }), HasSubstr("did you mean \"ece-22-06\"?"));
   EXPECT_THAT(message_of([] { preset("fmvss-201"); }),
               HasSubstr("did you mean \"fmvss-201-instrument-panel\", \"fmvss-201-seat-back\" or "
                         "\"fmvss-201u\"?"));
