@@ -7,15 +7,12 @@
 #include "command.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/standard_file.hpp"
-#include "dashpad/quantities/quantity.hpp"
 #include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 #include "dashpad/version.hpp"
+#include "input/option_values.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
-#include "quantities/from_chars.hpp"
-#include "quantities/magnitude_bounds.hpp"
-#include "quantities/text.hpp"
 
 namespace dashpad::app {
 
@@ -43,13 +40,7 @@ void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance) {
 }
 
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors) {
-  if (!text) return std::nullopt;
-  constexpr Bounds bounds = Options::parameters[0].bounds;
-  const auto value = parsed<double>(*text);
-  if (value && bounds.contain(*value)) return value;
-  errors.push_back(fmt::format("--tolerance {}: must be a number from {} to {}, such as 1e-5", *text,
-                               bounds.lowest, bounds.highest));
-  return std::nullopt;
+  return text ? taken(input::read_tolerance(*text), errors) : std::nullopt;
 }
 
 void add_force(CLI::App& app, bool& force) { add_flag(app, "--force", force, "Overwrite existing files"); }
@@ -69,29 +60,14 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
   return std::nullopt;
 }
 
-std::string with_gravity(const std::string& text, const std::string& si_unit) {
-  const bool is_in_g = si_unit == "m/s2" && text.size() > 1 && text.ends_with('g') &&
-                       std::string_view("0123456789. ").find(text[text.size() - 2]) != std::string_view::npos;
-  return is_in_g ? text.substr(0, text.size() - 1) + " gravity" : text;
-}
-
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& errors) {
-  if (!text) return std::nullopt;
-  auto [value, rule] = read_si(with_gravity(*text, si_unit), si_unit);
-  if (si_unit == "m/s2") replace_all(rule, "gravity", "g");
-  if (rule.empty()) rule = rule_of(measured_magnitudes(si_unit), value, si_unit);
-  if (rule.empty()) return value;
-  errors.push_back(fmt::format("{} {}: {}", option, *text, rule));
-  return std::nullopt;
+  return text ? taken(input::read_option(option, *text, si_unit), errors) : std::nullopt;
 }
 
 std::optional<double> positive_quantity_of(const char* option, const std::optional<std::string>& text,
                                            const std::string& si_unit, std::vector<std::string>& errors) {
-  const std::optional<double> value = quantity_of(option, text, si_unit, errors);
-  if (!value || *value > 0) return value;
-  errors.push_back(fmt::format("{} {}: must be more than 0", option, *text));
-  return std::nullopt;
+  return text ? taken(input::read_positive_option(option, *text, si_unit), errors) : std::nullopt;
 }
 
 void add_material_folder(CLI::App& app, std::string& folder) {

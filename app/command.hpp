@@ -97,8 +97,6 @@ void add_all(CLI::App& app, output::Detail& detail);
 void add_tolerance(CLI::App& app, std::optional<std::string>& tolerance);
 std::optional<double> tolerance_of(const std::optional<std::string>& text, std::vector<std::string>& errors);
 void add_force(CLI::App& app, bool& force);
-/// The text of a quantity with its unit as the readers know it: in an acceleration, g is gravity and no gram.
-std::string with_gravity(const std::string& text, const std::string& si_unit);
 /// The value of an option in SI; also absent without the option.
 std::optional<double> quantity_of(const char* option, const std::optional<std::string>& text,
                                   const std::string& si_unit, std::vector<std::string>& errors);

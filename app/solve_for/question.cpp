@@ -1,17 +1,14 @@
 #include "solve_for/question.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "dashpad/case/case_quantity.hpp"
-#include "dashpad/quantities/constants.hpp"
-#include "dashpad/study/responses.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "input/measurement/measurement_text.hpp"
-#include "input/spelling.hpp"
+#include "margin/question_text.hpp"
 #include "progress_line.hpp"
 
 namespace dashpad::app {
@@ -40,36 +37,6 @@ std::optional<std::pair<double, double>> range_of(const std::string& option, con
 const study::FactorKey* known_key(const std::vector<study::FactorKey>& known, const std::string& key) {
   const auto found = std::ranges::find(known, key, &study::FactorKey::key);
   return found == known.end() ? nullptr : &*found;
-}
-
-std::optional<margin::Limit> limit_of(const std::string& text, Complaints& errors) {
-  const std::size_t sign = text.find_first_of("<>=");
-  const auto refuse = [&](const std::string& rule) {
-    errors.push_back(fmt::format(R"(--until "{}": {})", text, rule));
-    return std::nullopt;
-  };
-  if (sign == std::string::npos) return refuse(R"(must compare a figure with a value, as in "hic15 <= 700")");
-  const std::size_t behind = text.find_first_not_of("<>=", sign);
-  const std::string comparison = text.substr(sign, behind == std::string::npos ? behind : behind - sign);
-  const std::string name(input::without_blanks(text.substr(0, sign)));
-  std::vector<std::string> names;
-  for (const ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
-  const ResultQuantity* const figure = study::find_response_kind(name);
-  if (figure == nullptr || name != figure->key)
-    return refuse("no such figure" + input::meant_or_listed(name, names));
-  constexpr std::array comparisons{"<=", "<", "=", "==", ">=", ">"};
-  if (behind == std::string::npos || std::ranges::find(comparisons, comparison) == comparisons.end())
-    return refuse(R"(the comparison must be <=, >= or =, followed by a value)");
-  const auto value = quantity_of("--until", std::string(input::without_blanks(text.substr(behind))),
-                                 figure->si_unit, errors);
-  if (!value) return std::nullopt;
-  if (!(std::abs(*value) > 0)) return refuse("the value must not be 0");
-  if (*value < 0 && !figure->role.is_signed) return refuse("the figure is never below 0");
-  return margin::Limit{.figure = figure,
-                       .value = *value,
-                       .at_least = comparison.front() == '>',
-                       .is_aim = comparison.front() == '=',
-                       .title = figure->title};
 }
 
 /// A factor of --vary: "5 %", "A..B" or "M +- S".
@@ -147,7 +114,7 @@ margin::Question question_of(const SolveForRequest& request) {
   const std::optional<double> tolerance = tolerance_of(request.tolerance, errors);
   std::vector<margin::Limit> limits;
   for (const std::string& text : request.until)
-    if (const auto limit = limit_of(text, errors)) limits.push_back(*limit);
+    if (const auto limit = taken(margin::read_limit(text), errors)) limits.push_back(*limit);
   std::vector<input::InputFile> files;
   std::vector<injury::Standard> standards;
   for (const std::string& name : request.standards)
@@ -162,10 +129,7 @@ margin::Question question_of(const SolveForRequest& request) {
         fmt::format("{}: needs --vary, to say what scatters, or --vary foam", probability ? "--probability"
                                                                               : request.draws ? "--draws"
                                                                                               : "--seed"));
-  if (std::ranges::any_of(limits, &margin::Limit::is_aim) &&
-      (limits.size() + standards.size() > 1 || !request.vary.empty()))
-    errors.emplace_back(
-        "--until: = asks where one figure has a value, without other limits and --vary; use <= or >=");
+  add_lines(margin::faults_of_aims(limits, standards.size() + request.vary.size()), errors);
   const std::optional<input::CaseFile> given = read_case(request.given, errors);
   for (const input::InputFile& file : files_of(request.given.file, given)) files.push_back(file);
   judge_files(request.files, files, errors);
@@ -177,11 +141,8 @@ margin::Question question_of(const SolveForRequest& request) {
   for (const injury::Standard& standard : standards)
     question.impacts.push_back(
         {.impact = injury::with_impactor_of(standard, given->impact), .standard = standard});
-  ImpactCase own = given->impact;
-  // As in a case that states the height.
-  if (request.key == "impactor.drop_height" && own.impactor.gravity == 0)
-    own.impactor.gravity = standard_gravity;
-  if (!limits.empty()) question.impacts.push_back({.impact = std::move(own), .limits = std::move(limits)});
+  if (!limits.empty())
+    question.impacts.push_back(margin::judged_by(std::move(limits), given->impact, request.key));
 
   const std::vector<study::FactorKey> known = study::factor_keys(given->impact);
   const study::FactorKey* const key = known_key(known, request.key);
@@ -223,14 +184,7 @@ margin::Question question_of(const SolveForRequest& request) {
   if (errors.empty() && !request.between && !margin::choose_range(question))
     errors.push_back(fmt::format("{}: the case has no value above 0 to search about; give --between \"A..B\"",
                                  request.key));
-  if (errors.empty())
-    for (const Violation& violation : margin::violations(question)) {
-      const std::string name =
-          violation.key.starts_with("factors.") ? violation.key.substr(8) : violation.key;
-      // The rule of a case names its number and value itself.
-      errors.push_back(violation.rule.starts_with(name) ? violation.rule
-                                                        : fmt::format("{}: {}", name, violation.rule));
-    }
+  if (errors.empty()) add_lines(margin::faults_of(question), errors);
   if (!errors.empty()) throw Refused(std::move(errors));
   return question;
 }

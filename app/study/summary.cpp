@@ -14,6 +14,7 @@
 #include "dashpad/study/responses.hpp"
 #include "dashpad/study/study_file.hpp"
 #include "input/measurement/measurement_text.hpp"
+#include "input/option_values.hpp"
 #include "input/spelling.hpp"
 #include "output_files.hpp"
 #include "quantities/magnitude_bounds.hpp"
@@ -78,8 +79,8 @@ std::optional<study::StudyLimit> limit_of(const std::string& text, const study::
   const std::string value = text.substr(sign + 1);
   const std::string& unit = response_of(name, store)->unit;
   try {
-    return study::StudyLimit{name,
-                             stated_si(with_gravity(std::string(input::without_blanks(value)), unit), unit)};
+    return study::StudyLimit{
+        name, stated_si(input::with_gravity(std::string(input::without_blanks(value)), unit), unit)};
   } catch (const UnitError& error) {
     return refuse(error.what());
   }

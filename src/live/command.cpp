@@ -9,6 +9,7 @@
 #include "dashpad/output/assessment.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/output/margin.hpp"
+#include "input/spelling.hpp"
 #include "live/exit_code.hpp"
 #include "live/request.hpp"
 #include "live/shown.hpp"
@@ -82,9 +83,10 @@ std::string command_answer(std::string_view request, const Folders& folders) {
            : what == "check"     ? check_case(asked, chosen)
            : what == "materials" ? show_materials(asked, chosen)
            : what == "standards" ? show_standards(asked, chosen)
-           : what == "list"
-               ? list_all(chosen)
-               : fault_json("do", "must be solve, solve-for, check, materials, standards or list");
+           : what == "list"      ? list_all(chosen)
+           : what == "spell"
+               ? Json{{"text", input::meant_or_listed(text_of(asked, "word"), texts_of(asked, "words"))}}
+               : fault_json("do", "must be solve, solve-for, check, materials, standards, list or spell");
   });
 }
 

@@ -15,16 +15,19 @@ namespace dashpad::live {
 ///   units) replace values of the standard; "keep_nose" and "keep_speed" are options of `dashpad assess`, and
 ///   "others" looks at other choices of them, as it does. "intervals" adds what is uncertain of foam and
 ///   model.
-/// - "solve-for": the values of "key", a number of the case, at which the limits of "standard" are reached.
+/// - "solve-for": the values of "key", a number of the case, at which the limits of "standard" and "until", a
+///   list of limits as of --until, are reached.
 /// - "check": how the case is read; answers with "files", too, from which: [{"kind", "file"}].
 /// - "materials", "standards": all, or the card "name" or the "standard".
 /// - "list": as for a live page.
+/// - "spell": answers with "text", which of "words" an unknown "word" may mean, or else all of them:
+///   `; did you mean "run"?`.
 ///
 /// "write" lists "text" and "all" of the terminal, "json", "page" and "markdown"; the answer has "written",
 /// these texts by their names, and "code", the exit code of the command. "set" is a list of "KEY=VALUE" as of
-/// --set, "tolerance" a number, "units" a unit system; "materials" and "standards" are folders in place of
-/// those of the engine. What cannot be answered is {"faults": [{"file", "line", "key", "value", "rule",
-/// "text"}], "lines": those texts as the command shows them}.
+/// --set, "tolerance" a number or its text, "units" a unit system; "materials" and "standards" are folders in
+/// place of those of the engine. What cannot be answered is {"faults": [{"file", "line", "key", "value",
+/// "rule", "text"}], "lines": those texts as the command shows them}.
 std::string command_answer(std::string_view request, const Folders& folders);
 
 }  // namespace dashpad::live

@@ -10,20 +10,33 @@
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/input/standard_file.hpp"
 #include "dashpad/output/assessment.hpp"
-#include "dashpad/quantities/quantity.hpp"
 #include "dashpad/study/study.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 #include "input/fault_json.hpp"
+#include "input/option_values.hpp"
 #include "live/case_tables.hpp"
+#include "margin/question_text.hpp"
 #include "output/page/html.hpp"
 #include "output/page/html_elements.hpp"
-#include "quantities/magnitude_bounds.hpp"
 
 namespace dashpad::live {
 
 namespace {
 
 using Faults = std::vector<input::Fault>;
+
+template <class T>
+std::optional<T> taken(input::Reading<T> reading, Faults& faults) {
+  if (reading) return *std::move(reading);
+  add(reading.faults(), faults);
+  return std::nullopt;
+}
+
+/// As a text or a number; absent if it is that of the case.
+std::optional<double> tolerance_of(const Json& request, Faults& faults) {
+  const std::string text = text_of(request, "tolerance");
+  return text.empty() ? number_of(request, "tolerance") : taken(input::read_tolerance(text), faults);
+}
 
 injury::UserValues user_values(const Json& request, Faults& faults) {
   return {.mass = value_of(request, "mass", "--mass", "kg", faults),
@@ -61,12 +74,7 @@ std::optional<double> value_of(const Json& request, const char* key, const char*
                                Faults& faults) {
   const std::string text = text_of(request, key);
   if (text.empty()) return number_of(request, key);
-  auto [value, rule] = read_si(text, unit);
-  if (rule.empty()) rule = rule_of(measured_magnitudes(unit), value, unit);
-  if (rule.empty() && value <= 0) rule = "must be more than 0";
-  if (rule.empty()) return value;
-  faults.push_back({.file = fmt::format("{} {}", option, text), .key = "", .value = "", .rule = rule});
-  return std::nullopt;
+  return taken(input::read_positive_option(option, text, unit), faults);
 }
 const UnitSystem& units_of(const Json& request) {
   const std::string name = text_of(request, "units");
@@ -136,6 +144,9 @@ std::optional<input::InputFile> standard_file(const Json& request, const Folders
 input::Reading<Asked> read_asked(const Json& request, const Folders& folders) {
   Faults faults;
   Asked asked{.name = request.contains("file") ? text_of(request, "file") : name_of_case};
+  const std::optional<double> tolerance = tolerance_of(request, faults);
+  for (const std::string& text : texts_of(request, "until"))
+    if (auto limit = taken(margin::read_limit(text), faults)) asked.limits.push_back(*std::move(limit));
   asked.kept = {.nose = is_set(request, "keep_nose"), .speed = is_set(request, "keep_speed")};
   const injury::UserValues values = user_values(request, faults);
   const auto standard = read_standard(request, folders);
@@ -143,12 +154,13 @@ input::Reading<Asked> read_asked(const Json& request, const Folders& folders) {
     add(standard.faults(), faults);
   else if (*standard)
     asked.own = injury::with_user_values(**standard, values);
+  add(margin::faults_of_aims(asked.limits, asked.own ? 1 : 0), faults);
   auto given = read_case(request, folders);
   if (!given) add(given.faults(), faults);
   if (!faults.empty()) return faults;
 
   asked.given = *std::move(given);
-  if (const auto tolerance = number_of(request, "tolerance")) asked.given.options.tolerance = *tolerance;
+  if (tolerance) asked.given.options.tolerance = *tolerance;
   asked.impact = asked.given.impact;
   if (!asked.own) return asked;
   asked.standard = injury::with_kept(*asked.own, asked.impact.impactor, asked.kept);
@@ -175,7 +187,7 @@ std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Op
 input::Reading<margin::Question> read_question(const Json& request, const Folders& folders) {
   const auto asked = read_asked(request, folders);
   if (!asked) return asked.faults();
-  if (!asked->standard)
+  if (!asked->standard && asked->limits.empty())
     return Faults{{.file = name_of_case,
                    .key = "standard",
                    .value = "",
@@ -184,8 +196,12 @@ input::Reading<margin::Question> read_question(const Json& request, const Folder
   margin::Question question{.impacts = {}, .key = text_of(request, "key"), .unit = {}};
   question.options = asked->given.options;
   if (request.contains("intervals")) question.intervals = is_set(request, "intervals");
-  const injury::Standard judged = injury::without_value_of(*asked->standard, decided_by(question.key));
-  question.impacts.push_back({.impact = injury::with_impactor_of(judged, given), .standard = judged});
+  if (asked->standard) {
+    const injury::Standard judged = injury::without_value_of(*asked->standard, decided_by(question.key));
+    question.impacts.push_back({.impact = injury::with_impactor_of(judged, given), .standard = judged});
+  }
+  if (!asked->limits.empty())
+    question.impacts.push_back(margin::judged_by(asked->limits, given, question.key));
   const auto refused = [&](const std::string& rule) {
     return Faults{{.file = question.key, .key = "", .value = "", .rule = rule}};
   };
@@ -195,10 +211,7 @@ input::Reading<margin::Question> read_question(const Json& request, const Folder
   if (key->unit.empty()) return refused("is not a number; compare materials in a study (docs/studies.md)");
   question.unit = key->unit;
   if (!margin::choose_range(question)) return refused("the case has no value above 0 to search about");
-  Faults faults;
-  for (const Violation& violation : margin::violations(question))
-    faults.push_back({.file = violation.key, .key = "", .value = "", .rule = violation.rule});
-  if (!faults.empty()) return faults;
+  if (auto faults = margin::faults_of(question); !faults.empty()) return faults;
   return question;
 }
 

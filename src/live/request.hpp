@@ -54,6 +54,7 @@ struct Asked {
   input::CaseFile given = {};
   ImpactCase impact = {};  ///< with the impactor of the standard
   injury::Kept kept = {};
+  std::vector<margin::Limit> limits = {};         ///< of the user
   std::optional<injury::Standard> own = {};       ///< with its own nose and speed, and the values of the user
   std::optional<injury::Standard> standard = {};  ///< with those of the case, if they are kept
 };
@@ -67,7 +68,7 @@ std::vector<Blow> solved_blows(const Json& request, const Asked& asked, const Op
 std::vector<injury::OtherChoice> other_choices(const Json& request, const Asked& asked,
                                                injury::Assessment& assessment);
 
-/// "key" of the case, which is to keep the limits of the standard.
+/// "key" of the case, which is to keep the limits of the standard and of the user.
 input::Reading<margin::Question> read_question(const Json& request, const Folders& folders);
 
 /// "title", "tone" and "html" of a document that has a lead.

@@ -35,6 +35,10 @@ export async function tryCommand({ check, examples, folder, native, program, roo
   same_json(["assess", "examples/helmet-struck-by-a-ram.toml", "--standard", "fmvss-201u", "--keep-nose", "--keep-speed"]);
   same_json(["assess", drop, "--standard", "en-1177", "--drop-height", "1.5 m"]);
   same_json(["solve-for", "pad.thickness", drop, ...panel]);
+  same_json(["solve-for", "pad.thickness", drop, "--until", "peak_acceleration <= 100 g", "--until", "peak_penetration <= 40 mm", "--no-intervals"]);
+  same_json(["solve-for", "pad.thickness", drop, ...panel, "--until", "hic15 <= 600"]);
+  same_json(["solve-for", "impactor.drop_height", drop, "--until", "hic15 = 700", "--tolerance", "1e-3"]);
+  same_json(["solve-for", "pad.thickness", drop, "--until", "peak_acceleration <= 5 g", "--no-intervals"]);
 
   // Words, complaints and codes.
   for (const words of [["standards"], ["materials"], ["materials", "vn600", "--units", "us"], ["standards", "en-1078:kerbstone"], ["run", drop],
@@ -43,9 +47,22 @@ export async function tryCommand({ check, examples, folder, native, program, roo
     ["run", drop, "--json", "-", "--report", "-"], ["run", drop, "--json", drop, "--force"], ["run", drop, "--report", "no/such.html", "--json", "examples"],
     ["assess", drop], ["assess", drop, "--standard", "en-1177", "--speed", "3"], ["assess", drop, "--standard", "en-1078:no-such"],
     ["run", drop, "--materials", "no-such"], ["solve-for", "pad.thicknes", drop, "--standard", "en-1177"], ["check", drop, "--set", "pad.material=./no.toml"],
-    ["check", drop, "--json", "--set", "pad.x=1"], ["run", ""], [drop]])
+    ["check", drop, "--json", "--set", "pad.x=1"], ["run", ""], [drop],
+    // Own limits, and what is wrong with them.
+    ...[["hic16 <= 3"], ["Peak acceleration <= 3"], ["hic15 ~ 3"], ["hic15 << 3"], ["hic15 <="], ["hic15 <= 3 kg"],
+      ["peak_acceleration <= 80 q"], ["hic15 <= 0"], ["hic15 <= -7"], [""], ["hic15 = 700", "peak_acceleration <= 100 g"], ["hic16 <= 3", "hic15 <= 1 m"]]
+      .map((limits) => ["solve-for", "pad.thickness", drop, "--no-intervals", ...limits.flatMap((limit) => ["--until", limit])]),
+    ["solve-for", "pad.thickness", drop], ["solve-for", "Pad.Thickness", drop, "--until", "hic15 <= 700"], ["solve-for", "pad.material", drop, "--until", "hic15 <= 7"],
+    ["solve-for", "pad.thickness", drop, "--until", "hic15 = 700", ...panel], ["run", drop, "--tolerance", "1e-5x"], ["run", drop, "--tolerance", "nan"],
+    // Names that differ in capitals, blanks or a letter.
+    ["runn"], ["Solve For"], ["materials", "VN600"], ["materials", "ENSOLITE AAC 9"], ["materials", "vn-600"], ["standards", "EN 1078"], ["standards", "FMVSS 208 HIC15"],
+    ["assess", drop, "--standard", "Fmvss_201u"], ["run", drop, "--set", "pad.material=Team Wendy Hard PU"], ["run", drop, "--set", "Pad.Thickness=3 mm"]])
     same_text(words);
   wanted([], 2, "no command given");
+  wanted(["RUN"], 2, 'did you mean "run"?');
+  wanted(["materials", "ENSOLITE AAC 9"], 2, 'did you mean "ensolite-aac-9"?');
+  wanted(["standards", "FMVSS 208 HIC15"], 2, 'did you mean "fmvss-208-hic15"?');
+  wanted(["qqqq"], 2, "available: run, check");
   wanted(["study", "a.toml"], 2, "the native command has it");
   wanted(["run", drop, "--png", "a.png"], 2, "the native command has it");
   wanted(["assess", drop, "--standard", "en-1177", "--standard", "en-1078"], 2, "test plan");

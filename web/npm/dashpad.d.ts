@@ -15,7 +15,10 @@ export interface Fault {
   text: string;
 }
 
-/** Thrown for input that cannot be computed. */
+/**
+ * Thrown for input that cannot be computed: what a case, a card, a setting, a quantity or a limit says. An argument of a wrong
+ * type or an unknown option is a mistake of the program and throws a TypeError.
+ */
 export class DashpadFaults extends Error {
   readonly faults: Fault[];
   /** The messages as the command shows them: many of one kind are abridged. */
@@ -39,7 +42,7 @@ export interface Options {
   units?: Units;
   /** What is uncertain of foam and model, which takes further impacts. Default: true. */
   intervals?: boolean;
-  /** Relative error allowed, from 1e-8 to 1e-2. */
+  /** Relative error allowed, from 1e-8 to 1e-2. Another number is a fault. */
   tolerance?: number;
   /** Name of a case given as text, for faults; files that it names are relative to its folder. Default: "case.toml". */
   file?: string;
@@ -59,6 +62,13 @@ export interface StandardOptions extends Options {
   dropHeight?: Quantity;
   keepNose?: boolean;
   keepSpeed?: boolean;
+}
+
+export interface SolveForOptions extends Omit<StandardOptions, "standard"> {
+  /** Limits to keep, those of a standard with its impactor; this or `until` is needed, or both. */
+  standard?: string;
+  /** A limit of your own on a figure of the case, as of --until: "peak_acceleration <= 80 g"; of several, all are to be kept. */
+  until?: string | string[];
 }
 
 /** The figures of one impact, in SI units and g; the keys name the units. */
@@ -122,7 +132,7 @@ export class Engine {
   solve(given: Case, options?: Options): Result;
   assess(given: Case, options: StandardOptions): Assessment;
   /** The values of a number of the case, such as "pad.thickness", at which the verdict turns. */
-  solveFor(key: string, given: Case, options: StandardOptions): SolveForAnswer;
+  solveFor(key: string, given: Case, options: SolveForOptions): SolveForAnswer;
   /** The case in SI as it is read: as `dashpad check --json` writes it. */
   check(given: Case, options?: Options): { [key: string]: unknown };
   /** The answer as one HTML file. */

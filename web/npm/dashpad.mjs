@@ -1,4 +1,5 @@
 // The engine as objects and exceptions; without access to files, so that browsers run it, too.
+import { needArgument, needOptions } from "./arguments.mjs";
 import { startEngine } from "./engine.mjs";
 
 // Input that cannot be computed. `faults` has each as data, `lines` as the command shows them.
@@ -14,6 +15,7 @@ export class DashpadFaults extends Error {
 // A module from its bytes, packed by gzip or not: some servers unpack it on the way.
 async function compiled(source) {
   if (source instanceof WebAssembly.Module) return source;
+  if (!(source instanceof ArrayBuffer) && !ArrayBuffer.isView(source)) throw new TypeError("wasm must be a compiled module or its bytes");
   let bytes = new Uint8Array(source);
   if (bytes[0] === 0x1f && bytes[1] === 0x8b) {
     const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -30,7 +32,14 @@ function settingsOf(settings = []) {
   return Array.isArray(settings) ? settings : Object.entries(settings).map(([key, value]) => `${key}=${value}`);
 }
 
-const knownOptions = ["all", "dropHeight", "file", "files", "intervals", "keepNose", "keepSpeed", "mass", "radius", "settings", "speed", "standard", "tolerance", "units"];
+// Options that are numbers: their names in requests, and the units of numbers without one.
+const quantities = {
+  tolerance: ["tolerance", ""],
+  mass: ["mass", "kg"],
+  radius: ["radius", "m"],
+  speed: ["speed", "m/s"],
+  dropHeight: ["drop_height", "m"],
+};
 
 export class Engine {
   #module;
@@ -39,6 +48,7 @@ export class Engine {
 
   constructor(module, files = {}) {
     this.#module = module;
+    needArgument("files", "files", files);
     for (const [name, content] of Object.entries(files)) this.addFile(name, content);
   }
 
@@ -60,6 +70,8 @@ export class Engine {
 
   // A file that a case may name, or a card ("materials/NAME.toml") or standard ("standards/NAME.toml"): text or bytes.
   addFile(name, content) {
+    needArgument("the name of a file", "name", name);
+    needArgument(`the file "${name}"`, "content", content);
     this.#add("addFile", name, content);
   }
 
@@ -89,12 +101,15 @@ export class Engine {
     return answer;
   }
 
+  // Which of some words one that is unknown may mean, in the words of the native command.
+  meant(word, words) {
+    return this.#answer({ do: "spell", word, words }).text;
+  }
+
   // What requests about a case have in common. A text is a case file, called `file`; an object has its tables.
   #request(what, given, options = {}) {
-    for (const key of Object.keys(options))
-      if (!knownOptions.includes(key)) throw new TypeError(`unknown option "${key}"; the options are ${knownOptions.join(", ")}`);
-    if (options.units !== undefined && !["si", "us", "engineering-metric"].includes(options.units))
-      throw new TypeError(`units must be "si", "us" or "engineering-metric", not "${options.units}"`);
+    needArgument("the case", "case", given);
+    needOptions(what, options, (word, words) => this.meant(word, words));
     const request = {
       do: what,
       set: settingsOf(options.settings),
@@ -105,8 +120,11 @@ export class Engine {
       keep_nose: options.keepNose ?? false,
       keep_speed: options.keepSpeed ?? false,
     };
-    for (const key of ["tolerance", "mass", "radius", "speed"]) if (options[key] !== undefined) request[key] = options[key];
-    if (options.dropHeight !== undefined) request.drop_height = options.dropHeight;
+    // As texts they are judged as those of the command; the engine takes one that is empty for none.
+    for (const [key, [name, unit]] of Object.entries(quantities)) {
+      const value = options[key];
+      if (value !== undefined) request[name] = typeof value === "number" ? `${value} ${unit}`.trim() : value || " ";
+    }
     for (const [name, content] of Object.entries(options.files ?? {})) this.addFile(name, content);
     if (typeof given !== "string") return { ...request, case: given };
     const file = options.file ?? "case.toml";
@@ -130,8 +148,10 @@ export class Engine {
 
   // As `dashpad solve-for --json`.
   solveFor(key, given, options) {
-    if (!options?.standard) throw new TypeError("solveFor needs a standard");
-    return JSON.parse(this.#written("solve-for", "json", given, options, { key }));
+    needArgument("the key", "text", key);
+    const until = [options?.until ?? []].flat();
+    if (!options?.standard && until.length === 0) throw new TypeError("solveFor needs a standard or until");
+    return JSON.parse(this.#written("solve-for", "json", given, options, { key, until }));
   }
 
   // How the case is read: as `dashpad check --json`.

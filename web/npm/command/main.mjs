@@ -35,7 +35,7 @@ function advice(word) {
   if (native_commands.includes(word)) return `${word}: is not in this package, which has ${names.join(", ")}; the native command has it`;
   if (word.endsWith(".toml")) return `${word}: is not a command; to solve this case: dashpad run ${word}`;
   if (word.startsWith("-")) return `${word}: is not accepted before a command; the commands are ${names.join(", ")}`;
-  return `${word}: no such command; available: ${names.join(", ")}`;
+  return `${word}: no such command${startedEngine().meant(word, names)}`;
 }
 
 function version() {
@@ -68,22 +68,20 @@ function caseRequest(what, given, engine) {
     if (given[option] !== undefined) request[option.slice(2).replace("-", "_")] = given[option];
   request.keep_nose = given["--keep-nose"] ?? false;
   request.keep_speed = given["--keep-speed"] ?? false;
-  if (given["--tolerance"] !== undefined) request.tolerance = Number(given["--tolerance"]);
+  request.tolerance = given["--tolerance"];
+  request.until = given["--until"];
   return request;
 }
 
 // Faults of the command line that the engine does not see.
 function complaintsOf(name, given) {
   const errors = [];
-  const tolerance = given["--tolerance"];
-  if (tolerance !== undefined && !(/^[\d.]+(e[-+]?\d+)?$/i.test(tolerance) && Number(tolerance) >= 1e-8 && Number(tolerance) <= 1e-2))
-    errors.push(`--tolerance ${tolerance}: must be a number from 1e-08 to 0.01, such as 1e-5`);
   if (given["--speed"] && given["--drop-height"]) errors.push("--drop-height: give either --speed or --drop-height, not both");
   if (given["--keep-nose"] && given["--radius"]) errors.push("--keep-nose: give either --keep-nose or --radius, not both");
   if (given["--keep-speed"] && (given["--speed"] || given["--drop-height"]))
     errors.push(`--keep-speed: give either --keep-speed or ${given["--speed"] ? "--speed" : "--drop-height"}, not both`);
   if (given["--standard"]?.length > 1) errors.push("--standard: this package takes one standard; the native command takes several, as a test plan");
-  if (name === "solve-for" && !given["--standard"]) errors.push("no limit: give --standard");
+  if (name === "solve-for" && !given["--standard"] && !given["--until"]) errors.push("no limit: give --standard or --until");
   return errors;
 }
 

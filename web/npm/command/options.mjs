@@ -22,6 +22,7 @@ const solving = {
 const materials = { "--materials": value("DIR", "Folder of material cards (default: $DASHPAD_MATERIALS, or the cards supplied)") };
 const standards = { "--standards": value("DIR", "Folder of presets (default: $DASHPAD_STANDARDS, or the presets supplied)") };
 const standard = { "--standard": list("NAME[:VARIANT]", "Standard, with any variants (see dashpad standards)") };
+const until = { "--until": list("LIMIT", 'Keep a limit, such as "hic15 <= 700"; may be repeated') };
 
 export const commands = {
   run: {
@@ -59,8 +60,8 @@ export const commands = {
   "solve-for": {
     help: "Find the value at which a verdict changes, such as the least thickness that passes",
     positionals: ["KEY", "CASE"],
-    options: { ...set, ...standard, "--json": json, ...documents, ...solving, ...standards, ...materials },
-    native: ["--until", "--between", "--vary", "--probability", "--draws", "--seed", "--csv", "--picture"],
+    options: { ...set, ...standard, ...until, "--json": json, ...documents, ...solving, ...standards, ...materials },
+    native: ["--between", "--vary", "--probability", "--draws", "--seed", "--csv", "--picture"],
   },
   materials: {
     help: "List the material cards, or show one",
