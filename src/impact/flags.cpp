@@ -45,6 +45,7 @@ constexpr std::array all_flags{
     FlagKind{"NO CALIBRATION", Severity::note},
     // Flags of assessments
     FlagKind{"REPLACED", Severity::note},
+    FlagKind{"SHORT SPIKE", Severity::doubtful},
     FlagKind{"NO INTERVALS", Severity::doubtful},
     FlagKind{"NO INTERVAL", Severity::doubtful},
     FlagKind{"UNKNOWN RANGE", Severity::doubtful},

@@ -11,6 +11,7 @@
 #include "dashpad/injury/standard.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "injury/pulse_line.hpp"
+#include "injury/short_spike.hpp"
 #include "result/summary_values.hpp"
 
 namespace dashpad::injury {
@@ -130,6 +131,15 @@ KeyFigures key_figures(const Summary& summary, const InjuryFigures& injury) {
     figures.restitution = {summary.restitution};
   }
   return figures;
+}
+
+/// A pass by clips alone says nothing of a spike that is too short for them.
+void add_reservation_about_spike(const Standard& standard, const Summary& summary,
+                                 std::vector<Flag>& reservations) {
+  std::vector<UpperLimit> limits;
+  for (const Criterion& criterion : standard.criteria)
+    limits.push_back({criterion.quantity, criterion.level, criterion.limit});
+  if (std::optional<Flag> flag = short_spike(summary, limits)) reservations.push_back(*std::move(flag));
 }
 
 /// Without a range, a result cannot be flagged as extrapolated even if it is.
@@ -255,6 +265,8 @@ Assessment assess(const Standard& standard, const ImpactCase& impact, const Solu
   assessment.verdict = verdict_of(assessment.results);
   assessment.figures = key_figures(solution.summary, figures);
   assessment.reservations = flags(solution.summary, decisive_figures(standard));
+  if (assessment.verdict != Verdict::fail)
+    add_reservation_about_spike(standard, solution.summary, assessment.reservations);
   add_reservations_about(solution.summary, assessment.reservations);
   if (impact.pad.layers.empty()) add_reservations_about(impact.pad.material, assessment.reservations);
   for (const PadLayer& layer : impact.pad.layers)

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,6 +12,7 @@
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
+#include "injury/short_spike.hpp"
 #include "model/parameter_values.hpp"
 
 namespace dashpad::margin {
@@ -70,8 +74,17 @@ void add_reservations(const Judged& judged, const std::optional<injury::Assessme
   std::vector<std::string> keys;
   for (const Limit& limit : judged.limits) keys.emplace_back(limit.figure->key);
   for (const Flag& flag : assessment ? assessment->reservations : flags(summary, keys))
-    if (std::ranges::find(reservations, flag.text, &Flag::text) == reservations.end())
+    if (flag.name != injury::short_spike_name &&  // by the limits of the standard without those of the user
+        std::ranges::find(reservations, flag.text, &Flag::text) == reservations.end())
       reservations.push_back(flag);
+}
+
+/// The reservation about a spike that none of these limits of one impact sees.
+std::optional<Flag> short_spike(std::span<const Limit> limits, const Summary& summary) {
+  std::vector<injury::UpperLimit> upper;
+  for (const Limit& limit : limits)
+    if (!limit.at_least && !limit.is_aim) upper.push_back({limit.figure, limit.level, limit.value});
+  return injury::short_spike(summary, upper);
 }
 
 }  // namespace
@@ -89,6 +102,11 @@ double excess_of(const Limit& limit, double figure) {
   return std::asinh(limit.at_least ? -share : share);
 }
 
+const Flag* spike_unseen_at(const Place& place) {
+  const auto spike = std::ranges::find(place.reservations, injury::short_spike_name, &Flag::name);
+  return place.excess <= 0 && spike != place.reservations.end() ? &*spike : nullptr;
+}
+
 Impacts::Impacts(const Question& question) : question_(question), limits_(limits_of(question)) {
   for (const Judged& judged : question.impacts) {
     studies_.push_back(study_of(question, judged, {question.low}));
@@ -100,6 +118,7 @@ Impacts::Impacts(const Question& question) : question_(question), limits_(limits
 Place Impacts::look(double value, bool intervals) {
   Place place{.value = value};
   std::vector<double> excess, low, high;
+  std::vector<Flag> spikes;
   for (std::size_t i = 0; i < studies_.size(); ++i) {
     const Judged& judged = question_.impacts[i];
     ImpactCase impact = judged.impact;
@@ -125,7 +144,10 @@ Place Impacts::look(double value, bool intervals) {
       place.why_unknown = fmt::format("{}: {}", broken.front().key, broken.front().rule);
     }
     const std::size_t criteria = judged.standard ? judged.standard->criteria.size() : 0;
-    for (std::size_t j = 0; j < criteria + judged.limits.size(); ++j) {
+    const std::span own = std::span(limits_).subspan(place.figures.size(), criteria + judged.limits.size());
+    if (std::optional<Flag> spike = broken.empty() ? short_spike(own, solution.summary) : std::nullopt)
+      spikes.push_back(*std::move(spike));
+    for (std::size_t j = 0; j < own.size(); ++j) {
       const Limit& limit = limits_[place.figures.size()];
       Read read;
       if (broken.empty())
@@ -141,6 +163,9 @@ Place Impacts::look(double value, bool intervals) {
   }
   place.worst = worst_of(excess);
   place.excess = excess[place.worst];
+  // Of a place that fails it would be no reservation; a turn may lie just beyond the limit.
+  constexpr double at_limit = 1e-2;
+  if (place.excess <= at_limit) std::ranges::move(spikes, std::back_inserter(place.reservations));
   place.low = low[worst_of(low)];
   place.high = high[worst_of(high)];
   return place;

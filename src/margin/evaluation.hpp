@@ -18,6 +18,9 @@ double excess_of(const Limit& limit, double figure);
 /// NaN.
 double known_part(const Limit& limit, double value, bool is_lower_bound);
 
+/// The reservation about a spike that no limit sees, of a place that keeps its limits; null without one.
+const Flag* spike_unseen_at(const Place& place);
+
 /// The study of an impact of the question, with the key as its first factor at these values.
 study::Study study_of(const Question& question, const Judged& judged, std::vector<double> values);
 

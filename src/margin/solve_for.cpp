@@ -9,6 +9,7 @@
 #include "dashpad/margin/margin.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
+#include "injury/short_spike.hpp"
 #include "margin/crossings.hpp"
 #include "margin/evaluation.hpp"
 #include "margin/sampled_curve.hpp"
@@ -330,9 +331,25 @@ class Solving {
                                         ? impacts_.look(at, false).reservations
                                         : look(at, answer_.question.intervals).reservations;
     answer_.reservations.insert(answer_.reservations.end(), found.begin(), found.end());
+    add_short_spike();
     // Draws take the place of intervals.
     if (answer_.question.chance)
       std::erase_if(answer_.reservations, [](const Flag& flag) { return flag.name == "NO INTERVALS"; });
+  }
+
+  /// Of the places that pass that with the highest spike which no limit sees, wherever it is: the first turn
+  /// may be free of it.
+  void add_short_spike() {
+    const Flag* highest = nullptr;
+    for (const Place& place : answer_.places)
+      if (const Flag* spike = spike_unseen_at(place);
+          spike != nullptr &&
+          (highest == nullptr || spike->figures.front().value > highest->figures.front().value))
+        highest = spike;
+    if (highest == nullptr) return;
+    std::erase_if(answer_.reservations,
+                  [](const Flag& flag) { return flag.name == injury::short_spike_name; });
+    answer_.reservations.push_back(*highest);
   }
 
   void add_contributors() {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@ namespace {
 using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class SolveForTest : public CommandTest {};
@@ -54,6 +56,31 @@ TEST_F(SolveForTest, WithoutAnAnswerItSaysHowNearOneComes) {
   EXPECT_FALSE(answer["nearest"].is_null());
   EXPECT_THAT(std::string(answer["answer"]),
               StartsWith("Does not pass for any thickness of the pad between"));
+}
+
+TEST_F(SolveForTest, TellsOfASpikeThatTheClipDoesNotSee) {
+  const auto answer_with = [](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"solve-for",      "pad.thickness", examples + "dashboard-20mph.toml",
+                                       "--no-intervals", "--json",        "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json::parse(dashpad(arguments).out);
+  };
+  const auto has_spike = [](const json& answer) {
+    return std::ranges::any_of(answer["flags"],
+                               [](const json& flag) { return flag["name"] == "SHORT SPIKE"; });
+  };
+  const json answer = answer_with({"--standard", "fmvss-201-instrument-panel"});
+  EXPECT_THAT(std::string(answer["answer"]),
+              AllOf(StartsWith("Passes if "), HasSubstr("; a spike goes unseen from "),
+                    HasSubstr("beyond the tests of its foam, with a peak of 81.4 g too short for the 3 ms "
+                              "clip to see")));
+  EXPECT_TRUE(has_spike(answer));
+  // A limit on the peak of the same impact sees it.
+  const json own = answer_with({"--until", "clip_3ms <= 132 g"});
+  EXPECT_TRUE(has_spike(own));
+  const json seen = answer_with({"--until", "clip_3ms <= 132 g", "--until", "peak_acceleration <= 500 g"});
+  EXPECT_THAT(std::string(seen["answer"]), AllOf(StartsWith("Passes if "), Not(HasSubstr("spike"))));
+  EXPECT_FALSE(has_spike(seen));
 }
 
 TEST_F(SolveForTest, DrawsGiveAProbability) {

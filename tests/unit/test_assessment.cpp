@@ -30,6 +30,7 @@ using injury::Verdict;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -484,6 +485,45 @@ TEST(assessment_answer, a_pass_of_a_pad_that_is_struck_through_is_doubtful) {
   EXPECT_THAT(answer_to(standard, solution),
               StartsWith("Passes: peak acceleration has 50 g to spare, but "
                          "less than 0.1 % of the pad thickness is left, at a peak of"));
+}
+
+/// The half sine after which the pad is as given, of which a clip passes that a peak would not.
+Solution half_sine_of_pad(double strain, std::vector<Extrapolation> extrapolations = {}) {
+  Solution solution = half_sine();
+  solution.summary.peak_strain = strain;
+  solution.summary.extrapolations = std::move(extrapolations);
+  return solution;
+}
+
+TEST(assessment_answer, a_pass_by_the_clip_alone_tells_of_the_spike_of_a_crushed_pad) {
+  const Standard standard = standard_with({criterion("clip_3ms", 95 * g)});
+  EXPECT_THAT(answer_to(standard, half_sine_of_pad(0.9999)),
+              EndsWith(" g to spare, but the pad is crushed through, with a peak of 100 g too short for the "
+                       "3 ms clip to see"));
+  EXPECT_THAT(
+      answer_to(standard, half_sine_of_pad(0.87, {{Beyond::strain, "the strain reaches 0.870"}})),
+      EndsWith(" g to spare, but the pad is strained to 0.87, beyond the tests of its foam, with a peak of "
+               "100 g too short for the 3 ms clip to see"));
+  EXPECT_THAT(answer_to(standard, half_sine_of_pad(0.87)), EndsWith(" g to spare"));
+}
+
+TEST(assessment, has_a_short_spike_only_if_no_limit_sees_it) {
+  const Solution crushed = half_sine_of_pad(0.9999);
+  const auto spikes = [&](std::vector<injury::Criterion> criteria) {
+    const Assessment of = assess(standard_with(std::move(criteria)), crushed);
+    return std::ranges::count(of.reservations, "SHORT SPIKE", &Flag::name);
+  };
+  const injury::Criterion clip = criterion("clip_3ms", 95 * g);
+  EXPECT_EQ(spikes({clip}), 1);
+  EXPECT_EQ(spikes({criterion("dwell_time", 8e-3)}), 1);
+  EXPECT_EQ(spikes({clip, criterion("peak_penetration", 1)}), 1);
+  EXPECT_EQ(spikes({clip, criterion("peak_acceleration", 150 * g)}), 0);
+  EXPECT_EQ(spikes({clip, criterion("hic15", 1e4)}), 0);
+  EXPECT_EQ(spikes({criterion("clip_3ms", 150 * g)}), 0) << "the peak itself keeps the limit";
+  EXPECT_EQ(spikes({criterion("clip_3ms", 50 * g)}), 0) << "a fail needs no reservation";
+  const Assessment of = assess(standard_with({clip}), crushed);
+  EXPECT_EQ(of.verdict, Verdict::pass);
+  EXPECT_FALSE(of.unqualified());
 }
 
 /// A half sine whose peak may lie between two values, by how its foam goes on.

@@ -12,6 +12,7 @@
 #include "dashpad/injury/figures.hpp"
 #include "dashpad/output/impact.hpp"
 #include "dashpad/result/result_quantity.hpp"
+#include "injury/short_spike.hpp"
 #include "output/documents/basis.hpp"
 #include "output/plot/foam_figures.hpp"
 #include "output/plot/impact_figures.hpp"
@@ -116,12 +117,17 @@ const injury::CriterionResult& undecided_of(const injury::Assessment& assessment
   return of == assessment.results.end() ? next : *of;
 }
 
-/// The reason to doubt a pass beside its interval, the pad that is struck through; empty without one.
+/// The reason to doubt a pass beside its interval, the spike that no clip sees or the pad that is struck
+/// through; empty without one.
 std::string doubt_about_pass(const AssessmentReport& report) {
   const Summary& summary = report.solution.summary;
-  if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr ||
-      !is_struck_through(summary.peak_penetration, report.assessed.pad.thickness))
+  if (report.assessment.verdict != injury::Verdict::pass || closest(report.assessment.results) == nullptr)
     return "";
+  const std::vector<Flag>& reservations = report.assessment.reservations;
+  if (const auto spike = std::ranges::find(reservations, injury::short_spike_name, &Flag::name);
+      spike != reservations.end())
+    return ", but " + injury::words_of(*spike);
+  if (!is_struck_through(summary.peak_penetration, report.assessed.pad.thickness)) return "";
   const std::string text = ", but less than 0.1 % of the pad thickness is left";
   if (!summary.peak_acceleration) return text;
   const double peak = rounded_to(*summary.peak_acceleration / standard_gravity, 3);

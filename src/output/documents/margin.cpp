@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "injury/short_spike.hpp"
 #include "output/documents/basis.hpp"
 #include "output/layout.hpp"
 #include "output/text/capitals.hpp"
@@ -176,6 +177,9 @@ Tone tone_of(const margin::Answer& answer) {
   const auto any = [&](margin::Zone zone) {
     return std::ranges::count(answer.stretches, zone, &margin::Stretch::zone) > 0;
   };
+  const bool is_spike_unseen =
+      std::ranges::count(answer.reservations, injury::short_spike_name, &Flag::name) > 0;
+  if (any(margin::Zone::pass) && is_spike_unseen) return Tone::doubtful;
   return any(margin::Zone::pass) ? Tone::good : any(margin::Zone::undecided) ? Tone::doubtful : Tone::bad;
 }
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "dashpad/output/margin.hpp"
+#include "injury/short_spike.hpp"
+#include "margin/evaluation.hpp"
 #include "output/text/capitals.hpp"
 #include "output/text/study_words.hpp"
 #include "quantities/text.hpp"
@@ -70,6 +72,29 @@ std::string certain_text(const margin::Answer& answer, const UnitSystem& units) 
   }
   if (is_everywhere) return ", and that for certain";
   return parts.empty() ? ", but nowhere for certain" : ", and for certain " + joined(parts, " and ");
+}
+
+/// "; a spike goes unseen from 8 to 12 mm: at 8 mm the pad is crushed through, with a peak of 412 g too short
+/// for the 3 ms clip to see"; "" without one.
+std::string spike_text(const margin::Answer& answer, const UnitSystem& units) {
+  const auto spike = std::ranges::find(answer.reservations, injury::short_spike_name, &Flag::name);
+  if (spike == answer.reservations.end()) return "";
+  std::string where;
+  const margin::Place *first = nullptr, *last = nullptr, *highest = nullptr;
+  for (const margin::Place& place : answer.places)
+    if (const Flag* const of = margin::spike_unseen_at(place)) {
+      if (first == nullptr) first = &place;
+      last = &place;
+      if (highest == nullptr && of->text == spike->text) highest = &place;
+    }
+  if (first != last)
+    where = fmt::format(" from {} to {}", bound_text(answer, first->value, true, units),
+                        bound_text(answer, last->value, false, units));
+  if (highest != nullptr)
+    where += ": at " + bound_text(answer, highest->value, highest != last, units);
+  else if (!answer.turns.empty())  // of draws the case as it is has a spike, at the turn
+    where += ": at " + key_text(answer, answer.turns.front().value, units);
+  return fmt::format("; a spike goes unseen{} {}", where.empty() ? ":" : where, injury::words_of(*spike));
 }
 
 /// "is at least 29.4 mm", "is between 21 and 44 mm": where the limits are kept, within the range.
@@ -172,14 +197,14 @@ std::string margin_answer(const margin::Answer& answer, const UnitSystem& units)
                                   : fmt::format("Does not pass for any {} {}: {}", key,
                                                 range_text(answer, units), nearest_text(answer, units));
   if (!is_everywhere)
-    return fmt::format("Passes{} if the {} {}{}", chance_words(answer), key, joined(kept, " or "),
-                       certain_text(answer, units));
+    return fmt::format("Passes{} if the {} {}{}{}", chance_words(answer), key, joined(kept, " or "),
+                       certain_text(answer, units), spike_text(answer, units));
   const auto where = std::ranges::max_element(answer.places, {}, &margin::Place::excess);
-  return fmt::format("Passes{} for every {} {}{}: closest to its limit at {}, where {} is {} (limit: {})",
+  return fmt::format("Passes{} for every {} {}{}: closest to its limit at {}, where {} is {} (limit: {}){}",
                      chance_words(answer), key, range_text(answer, units), certain_text(answer, units),
                      key_text(answer, where->value, units), limit_title(answer, where->worst),
                      figure_text(answer.limits[where->worst], where->figures[where->worst], units),
-                     limit_text(answer.limits[where->worst], units));
+                     limit_text(answer.limits[where->worst], units), spike_text(answer, units));
 }
 
 }  // namespace dashpad::output
