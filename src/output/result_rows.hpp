@@ -57,7 +57,9 @@ std::vector<std::string> reservations(const std::vector<BlowResult>& blows);
 /// A range: "980 to 1010", "34.1 to 38.2 g"; "231 g or more" without an upper bound. It has three digits, or
 /// as many as tell its ends apart.
 std::string range_words(double low, double high, const std::string& si_unit, const UnitSystem& units);
-/// The interval of a figure from all sources together.
+/// The interval of a figure from all sources together: "34.1 to 38.2 g", "at most 1.19 m/s" if its lower end
+/// is the least that the figure can be, "0.94 or more" if its upper end is a strain or a restitution of 1,
+/// "unbounded" if both are so.
 std::string interval_words(const FigureInterval& interval, const UnitSystem& units);
 
 /// "what columns leave out ..., 861 to 1120": what moves a figure and its interval by that, largest first.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -12,6 +14,7 @@
 #include "dashpad/injury/metrics.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
+#include "result/possible_range.hpp"
 #include "result/summary_values.hpp"
 #include "uncertainty/open_sources.hpp"
 
@@ -288,9 +291,17 @@ Deviation deviation_of(const Shares& shares, const AskedFigure& figure, double n
 constexpr std::array all_sources{Source::continuation, Source::rate,   Source::way_back,  Source::scatter,
                                  Source::posterior,    Source::misfit, Source::neighbours};
 
+/// The ends of an interval, without what the figure cannot be; a law that allows more keeps its own figure.
+std::pair<double, double> possible_ends(const ImpactCase& impact, const AskedFigure& asked, double nominal,
+                                        const Deviation& deviation) {
+  const PossibleRange range = possible_range(*asked.quantity);
+  return {std::min(nominal, std::max(nominal - deviation.down, range.least)),
+          std::max(nominal, std::min(nominal + deviation.up, max_in(impact, range.most)))};
+}
+
 /// The interval of a figure by Eq. 58.
-FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double nominal, const Search& search,
-                           const Open& open, const Solution& solution) {
+FigureInterval interval_of(const ImpactCase& impact, const AskedFigure& asked, std::size_t figure,
+                           double nominal, const Search& search, const Open& open, const Solution& solution) {
   FigureInterval interval{.key = asked.quantity->key, .level = asked.level, .nominal = nominal};
   Deviation ranges, statistics;
   for (const Source source : all_sources) {
@@ -303,11 +314,13 @@ FigureInterval interval_of(const AskedFigure& asked, std::size_t figure, double 
     for (const Shares& shares : open.shares)
       if (shares.source == source) add(deviation_of(shares, asked, nominal, solution));
     if (alone.down <= 0 && alone.up <= 0) continue;
-    interval.sources.push_back({source, std::max(nominal - alone.down, 0.0), nominal + alone.up});
+    const auto [low, high] = possible_ends(impact, asked, nominal, alone);
+    interval.sources.push_back({source, low, high});
     is_statistical(source) ? statistics.add_in_quadrature(alone) : ranges.add(alone);
   }
-  interval.low = std::max(nominal - ranges.down - statistics.down, 0.0);
-  interval.high = nominal + ranges.up + statistics.up;
+  Deviation all = ranges;
+  all.add(statistics);
+  std::tie(interval.low, interval.high) = possible_ends(impact, asked, nominal, all);
   std::ranges::stable_sort(interval.sources, std::greater<>(), [](const Contribution& contribution) {
     return contribution.high - contribution.low;
   });
@@ -333,7 +346,8 @@ void add_intervals(const ImpactCase& impact, const Options& options, Solution& s
             source.why_not = "an impact at one end of its range could not be solved";
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (std::isfinite(search.nominal()[i]))
-        intervals.figures.push_back(interval_of(asked[i], i, search.nominal()[i], search, open, solution));
+        intervals.figures.push_back(
+            interval_of(impact, asked[i], i, search.nominal()[i], search, open, solution));
   }
   solution.summary.intervals = std::move(intervals);
 }

@@ -564,6 +564,13 @@ TEST(assessment_answer, gives_the_interval_that_leaves_it_undecided) {
   EXPECT_EQ(answer_to(standard, half_sine_between(95, 140)), "Passes: peak acceleration has 50 g to spare");
   EXPECT_EQ(answer_to(standard, half_sine_between(95, 160)),
             "Undecided: peak acceleration could be anywhere from 95 to 160 g, but must be at most 150 g");
+  constexpr double without_limit = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(answer_to(standard, half_sine_between(95, without_limit)),
+            "Undecided: peak acceleration could be 95 g or more, but must be at most 150 g");
+  EXPECT_EQ(answer_to(standard, half_sine_between(0, 160)),
+            "Undecided: peak acceleration could be at most 160 g, but must be at most 150 g");
+  EXPECT_EQ(answer_to(standard, half_sine_between(0, without_limit)),
+            "Undecided: peak acceleration could be any value, but must be at most 150 g");
 }
 
 TEST(assessment_text, names_what_the_interval_comes_from) {

@@ -9,14 +9,19 @@
 #include "dashpad/impact/flags.hpp"
 #include "dashpad/impact/solve.hpp"
 #include "dashpad/injury/figures.hpp"
+#include "dashpad/quantities/constants.hpp"
+#include "dashpad/quantities/unit_system.hpp"
 #include "dashpad/uncertainty/intervals.hpp"
 #include "head_on_pillar.hpp"
+#include "output/result_rows.hpp"
 
 namespace dashpad::test {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 Solution with_intervals(const ImpactCase& impact) {
   Solution solution = solve(impact, {});
@@ -59,6 +64,46 @@ TEST(Intervals, HoldTheNominalAndAddUp) {
                 1e-9 * figure_interval.nominal)
         << figure_interval.key;
   }
+}
+
+TEST(Intervals, StayWithinWhatIsPossible) {
+  // A misfit that moves every figure beyond what it can be.
+  ImpactCase impact = head_on_pillar();
+  impact.pad.material.uncertainty.misfit =
+      Misfit{.peak_acceleration = 1, .hic = 1, .rebound_speed = 1, .penetration = 0.2, .impacts = 4};
+  const Solution solution = with_intervals(impact);
+  const double speed = impact.impactor.speed;
+  const std::pair<const char*, double> most[]{{"peak_strain", 1},
+                                              {"peak_penetration", impact.pad.thickness},
+                                              {"restitution", 1},
+                                              {"rebound_speed", speed},
+                                              {"rebound_height", speed * speed / (2 * standard_gravity)}};
+  for (const auto& [key, value] : most) {
+    EXPECT_LE(interval(solution, key).high, value) << key;
+    EXPECT_GE(interval(solution, key).low, 0) << key;
+    for (const Contribution& each : interval(solution, key).sources) EXPECT_LE(each.high, value) << key;
+  }
+  EXPECT_DOUBLE_EQ(interval(solution, "peak_strain").high, 1);
+  EXPECT_DOUBLE_EQ(interval(solution, "peak_penetration").high, impact.pad.thickness);
+  EXPECT_DOUBLE_EQ(interval(solution, "rebound_speed").low, 0);
+  EXPECT_DOUBLE_EQ(interval(solution, "hic_d").low, 166.4);
+  const UnitSystem& units = plain_si();
+  EXPECT_THAT(output::interval_words(interval(solution, "peak_strain"), units), EndsWith(" or more"));
+  EXPECT_THAT(output::interval_words(interval(solution, "peak_acceleration"), units), StartsWith("at most "));
+  EXPECT_THAT(output::interval_words(interval(solution, "peak_penetration"), units), HasSubstr(" to "));
+}
+
+TEST(Intervals, AnEndThatIsNoInformationIsLeftOutOfWords) {
+  const auto words = [](const char* key, double low, double high) {
+    return output::interval_words({.key = key, .nominal = low, .low = low, .high = high}, plain_si());
+  };
+  EXPECT_EQ(words("rebound_speed", 0.5, 1.25), "0.5 to 1.25 m/s");
+  EXPECT_EQ(words("rebound_speed", 0, 1.25), "at most 1.25 m/s");
+  EXPECT_EQ(words("peak_force", 1500, infinite), "1500 N or more");
+  EXPECT_EQ(words("peak_force", 0, infinite), "unbounded");
+  EXPECT_EQ(words("peak_strain", 0.94, 1), "0.94 or more");
+  EXPECT_EQ(words("peak_strain", 0.94, 0.99), "0.94 to 0.99");
+  EXPECT_EQ(words("hic_d", 166.4, 900), "at most 900");
 }
 
 /// Against impacts at the two ends of the exponent, solved one by one.

@@ -156,9 +156,13 @@ std::string answer_of(const AssessmentReport& report, const UnitSystem& units) {
   const injury::CriterionResult& open = undecided_of(assessment, *next);
   if (!open.interval) return fmt::format("Undecided: {} is {} from its limit", name, margin);
   const std::string limit = brief_quantity(open.criterion.limit, open.criterion.quantity->si_unit, units);
-  return fmt::format("Undecided: {} could be anywhere from {}, but must be {} {}",
-                     uncapitalised(injury::title_of(open.criterion)), interval_words(*open.interval, units),
-                     open.criterion.strict ? "below" : "at most", limit);
+  const std::string range = interval_words(*open.interval, units);
+  // "from 95 to 160 g", but "95 g or more", "at most 160 g"
+  const bool has_both = range.find(" to ") != std::string::npos;
+  return fmt::format("Undecided: {} could be {}{}, but must be {} {}",
+                     uncapitalised(injury::title_of(open.criterion)), has_both ? "anywhere from " : "",
+                     range == "unbounded" ? "any value" : range, open.criterion.strict ? "below" : "at most",
+                     limit);
 }
 
 /// The distance of a criterion from its limit, with its share of the limit.

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "dashpad/quantities/constants.hpp"
 #include "dashpad/result/result_quantity.hpp"
 #include "output/text/capitals.hpp"
 #include "quantities/text.hpp"
+#include "result/possible_range.hpp"
 
 namespace dashpad::output {
 
@@ -24,6 +26,20 @@ const FigureInterval* first_asked(const Intervals& intervals) {
   for (const char* key : {"hic15", "peak_acceleration", "peak_penetration"})
     if (const FigureInterval* interval = intervals.find(key)) return interval;
   return nullptr;
+}
+
+/// The range of a figure: an end that the figure cannot pass anyway is no information.
+std::string words_between(double low, double high, const ResultQuantity& quantity, const UnitSystem& units) {
+  if (!(low < high)) return range_words(low, high, quantity.si_unit, units);
+  const PossibleRange range = possible_range(quantity);
+  const bool has_low = low > range.least;
+  const bool has_high = std::isfinite(high) && !(range.most == Most::one && high >= 1);
+  if (!has_low && !has_high) return "unbounded";
+  if (!has_low) {
+    const auto [scale, unit] = shown_as(quantity.si_unit, units);
+    return "at most " + with_unit(brief(rounded_to(scale * high, 3)), unit);
+  }
+  return range_words(low, has_high ? high : infinite, quantity.si_unit, units);
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -55,7 +71,7 @@ std::string range_words(double low, double high, const std::string& si_unit, con
 }
 
 std::string interval_words(const FigureInterval& interval, const UnitSystem& units) {
-  return range_words(interval.low, interval.high, result_quantity(interval.key).si_unit, units);
+  return words_between(interval.low, interval.high, result_quantity(interval.key), units);
 }
 
 std::vector<std::string> source_words(const FigureInterval& interval, const Intervals& intervals,
@@ -65,7 +81,7 @@ std::vector<std::string> source_words(const FigureInterval& interval, const Inte
     const OpenSource* const source = intervals.find(each.source);
     all.push_back(source ? one_line(source->words) : to_string(each.source));
     if (interval.sources.size() > 1)  // a single one has the interval of the figure
-      all.back() += ", " + range_words(each.low, each.high, result_quantity(interval.key).si_unit, units);
+      all.back() += ", " + words_between(each.low, each.high, result_quantity(interval.key), units);
   }
   return all;
 }
@@ -100,7 +116,7 @@ Table interval_table(const Summary& summary, const UnitSystem& units, std::vecto
     for (const Source source : open) {
       const auto of = std::ranges::find(figure->sources, source, &Contribution::source);
       table.rows.back().push_back(
-          of == figure->sources.end() ? "-" : range_words(of->low, of->high, quantity.si_unit, units));
+          of == figure->sources.end() ? "-" : words_between(of->low, of->high, quantity, units));
     }
   }
   return table;
