@@ -228,9 +228,9 @@ task_pictures() {
   git status --short "$images"
 }
 
-# Paths of the C++ files, relative to the root.
+# Paths of the C++ and C files, relative to the root.
 cpp_files() {
-  (cd "$root" && find app bench examples include src tests -name '*.[ch]pp' | sort)
+  (cd "$root" && find app bench c examples include src tests -name '*.[ch]pp' -o -name '*.[ch]' | sort)
 }
 
 task_format() {

@@ -108,8 +108,8 @@ void take(dashpad_case& given, dashpad::input::CaseFile read) {
   given.toml.clear();
 }
 
-/// The settings with one more, in place of an earlier one of the same key. A material replaces the numbers of the
-/// one before.
+/// The settings with one more, in place of an earlier one of the same key. A material replaces the numbers of
+/// the one before.
 std::vector<std::string> with_setting(std::vector<std::string> settings, const std::string& key,
                                       const std::string& value) {
   constexpr std::string_view material = ".material";
@@ -117,9 +117,9 @@ std::vector<std::string> with_setting(std::vector<std::string> settings, const s
   const std::string owner = is_material ? key.substr(0, key.size() - material.size()) : "";
   std::erase_if(settings, [&](const std::string& setting) {
     if (setting.starts_with(key + "=")) return true;
-    return is_material && std::ranges::any_of(std::array{".parameters.", ".curve.", ".rate."}, [&](const char* part) {
-             return setting.starts_with(owner + part);
-           });
+    return is_material &&
+           std::ranges::any_of(std::array{".parameters.", ".curve.", ".rate."},
+                               [&](const char* part) { return setting.starts_with(owner + part); });
   });
   settings.push_back(key + "=" + value);
   return settings;
@@ -186,7 +186,7 @@ const std::vector<double>* column_of(const dashpad::History& history, std::strin
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool is_number = error == std::errc{} && end == digits.data() + digits.size();
   return is_number && number >= 1 && number <= history.layer_strain.size() ? &history.layer_strain[number - 1]
-                                                                             : nullptr;
+                                                                           : nullptr;
 }
 
 }  // namespace
@@ -197,7 +197,9 @@ const char* dashpad_version(void) { return dashpad::version().data(); }
 
 // ------------------------------------------------------------------ what is wrong
 
-size_t dashpad_faults_size(const dashpad_faults* faults) { return faults == nullptr ? 0 : faults->all.size(); }
+size_t dashpad_faults_size(const dashpad_faults* faults) {
+  return faults == nullptr ? 0 : faults->all.size();
+}
 dashpad_fault dashpad_faults_at(const dashpad_faults* faults, size_t i) {
   if (i >= dashpad_faults_size(faults)) return {"", 0, "", "", "", ""};
   const Fault& fault = faults->all[i];
@@ -247,7 +249,8 @@ int dashpad_case_set_number(dashpad_case* given, const char* key, double value, 
     ImpactCase impact = changed.read.impact;
     quantity->set(impact, value);
     std::vector<Fault> broken;
-    for (const Violation& violation : violations(impact)) broken.push_back(fault_of(violation.key, violation.rule));
+    for (const Violation& violation : violations(impact))
+      broken.push_back(fault_of(violation.key, violation.rule));
     if (!broken.empty()) throw InputError(std::move(broken));
     changed.settings =
         with_setting(std::move(changed.settings), name, dashpad::output::toml_value(value, quantity->unit));
@@ -263,7 +266,9 @@ double dashpad_case_number(const dashpad_case* given, const char* key) {
     return quantity == nullptr ? dashpad::no_value : quantity->get(given->read.impact);
   });
 }
-size_t dashpad_case_size(const dashpad_case* given) { return given == nullptr ? 0 : given->quantities->size(); }
+size_t dashpad_case_size(const dashpad_case* given) {
+  return given == nullptr ? 0 : given->quantities->size();
+}
 const char* dashpad_case_key(const dashpad_case* given, size_t i) {
   const CaseQuantity* const quantity = number_at(given, i);
   return quantity == nullptr ? nullptr : quantity->key.c_str();
@@ -321,7 +326,9 @@ double dashpad_result_figure(dashpad_result* result, const char* key) {
 }
 size_t dashpad_figures_size(void) { return dashpad::study::response_kinds().size(); }
 const char* dashpad_figure_key(size_t i) { return figure_at(i) == nullptr ? nullptr : figure_at(i)->key; }
-const char* dashpad_figure_unit(size_t i) { return figure_at(i) == nullptr ? nullptr : figure_at(i)->si_unit; }
+const char* dashpad_figure_unit(size_t i) {
+  return figure_at(i) == nullptr ? nullptr : figure_at(i)->si_unit;
+}
 const char* dashpad_figure_title(size_t i) { return figure_at(i) == nullptr ? nullptr : figure_at(i)->title; }
 
 size_t dashpad_result_flags_size(dashpad_result* result) {

@@ -1,5 +1,5 @@
-// Replacements for functions that need libraries of pictures and archives, without which the C interface does: what asks
-// for them is refused. The linker prefers them.
+// Replacements for functions that need libraries of pictures and archives, without which the C interface
+// does: what asks for them is refused. The linker prefers them.
 
 #include <filesystem>
 #include <map>
@@ -32,7 +32,8 @@ std::string zip_of(const std::map<std::string, std::string>&) { refuse("archives
 namespace input {
 
 std::vector<std::string> names_in_archive(const std::filesystem::path&) { refuse("archives"); }
-MmeMembers read_from_archive(const std::filesystem::path&, const std::vector<std::string>&, std::size_t, bool) {
+MmeMembers read_from_archive(const std::filesystem::path&, const std::vector<std::string>&, std::size_t,
+                             bool) {
   refuse("archives");
 }
 

@@ -1,17 +1,19 @@
 #ifndef DASHPAD_H
 #define DASHPAD_H
 /*
- * The C interface of Dashpad: what other languages call. A case is read, changed and solved; everything that the commands
- * assess, solve-for, fall-height, fit and pulse answer is asked for as JSON.
+ * The C interface of Dashpad: what other languages call. A case is read, changed and solved; everything that
+ * the commands assess, solve-for, fit and pulse answer is asked for as JSON.
  *
- * Handles belong to the caller, who frees each with the function of its name; NULL may be freed. Texts are UTF-8 and end
- * with a 0. A text or an array that a handle returns belongs to the handle and is valid until it is freed or, of a case,
- * changed.
+ * Handles belong to the caller, who frees each with the function of its name; NULL may be freed. Texts are
+ * UTF-8 and end with a 0. A text or an array that a handle returns belongs to the handle and is valid until
+ * it is freed or, of a case, changed.
  *
- * Errors: no function ends the program, none throws, and there is no global state. A function that can fail returns NULL
- * or 0 and puts what is wrong in *faults, all of it at once, if `faults` is not NULL; on success *faults is NULL.
+ * Errors: no function ends the program, none throws, and there is no global state. A function that can fail
+ * returns NULL or 0 and puts what is wrong in *faults, all of it at once, if `faults` is not NULL; on success
+ * *faults is NULL.
  *
- * Threads: different handles may be used at the same time; one solver or one case that changes is for one thread at a time.
+ * Threads: different handles may be used at the same time; one solver or one case that changes is for one
+ * thread at a time.
  *
  * Units: SI throughout, in plain numbers; texts may have any unit that case files know ("30 mm", "15 mph").
  *
@@ -43,7 +45,7 @@ extern "C" {
 /* DASHPAD_INTERFACE of the library that runs. */
 DASHPAD_API int dashpad_interface(void);
 /* The version of the program, such as "0.2.0". */
-DASHPAD_API const char *dashpad_version(void);
+DASHPAD_API const char* dashpad_version(void);
 
 /* ---- What is wrong ---- */
 
@@ -51,108 +53,116 @@ typedef struct dashpad_faults dashpad_faults;
 
 /* A fault: its place, the value found there, and the rule that it breaks. */
 typedef struct dashpad_fault {
-  const char *file;  /* "" if unknown */
+  const char* file;  /* "" if unknown */
   int line;          /* from 1; 0 if unknown */
-  const char *key;   /* "pad.thickness"; "" if it is about more */
-  const char *value; /* as written; "" if there is none */
-  const char *rule;  /* what would be right */
-  const char *text;  /* all of it in one line */
+  const char* key;   /* "pad.thickness"; "" if it is about more */
+  const char* value; /* as written; "" if there is none */
+  const char* rule;  /* what would be right */
+  const char* text;  /* all of it in one line */
 } dashpad_fault;
 
-DASHPAD_API size_t dashpad_faults_size(const dashpad_faults *faults);
+DASHPAD_API size_t dashpad_faults_size(const dashpad_faults* faults);
 /* `i` < dashpad_faults_size(); beyond it, empty texts. */
-DASHPAD_API dashpad_fault dashpad_faults_at(const dashpad_faults *faults, size_t i);
+DASHPAD_API dashpad_fault dashpad_faults_at(const dashpad_faults* faults, size_t i);
 /* All in one text, a line each. */
-DASHPAD_API const char *dashpad_faults_text(const dashpad_faults *faults);
-DASHPAD_API void dashpad_faults_free(dashpad_faults *faults);
+DASHPAD_API const char* dashpad_faults_text(const dashpad_faults* faults);
+DASHPAD_API void dashpad_faults_free(dashpad_faults* faults);
 
 /* ---- Cases ---- */
 
 typedef struct dashpad_case dashpad_case;
 
 /*
- * Reads and checks a case file. With `text` it is read in place of the file, which then gives the name in faults and the
- * folder in which other files are found. `materials` is the folder of the cards that the case names.
+ * Reads and checks a case file. With `text` it is read in place of the file, which then gives the name in
+ * faults and the folder in which other files are found. `materials` is the folder of the cards that the case
+ * names.
  */
-DASHPAD_API dashpad_case *dashpad_case_read(const char *file, const char *text, const char *materials,
-                                            dashpad_faults **faults);
-DASHPAD_API dashpad_case *dashpad_case_copy(const dashpad_case *given);
-DASHPAD_API void dashpad_case_free(dashpad_case *given);
+DASHPAD_API dashpad_case* dashpad_case_read(const char* file, const char* text, const char* materials,
+                                            dashpad_faults** faults);
+DASHPAD_API dashpad_case* dashpad_case_copy(const dashpad_case* given);
+DASHPAD_API void dashpad_case_free(dashpad_case* given);
 
 /*
- * Sets a key of the case as `dashpad run --set` does: "pad.thickness" to "30 mm", "pad.material" to "vn600". Returns
- * whether the changed case is valid; if it is not, the case stays as it was.
+ * Sets a key of the case as `dashpad run --set` does: "pad.thickness" to "30 mm", "pad.material" to "vn600".
+ * Returns whether the changed case is valid; if it is not, the case stays as it was.
  */
-DASHPAD_API int dashpad_case_set(dashpad_case *given, const char *key, const char *value, dashpad_faults **faults);
+DASHPAD_API int dashpad_case_set(dashpad_case* given, const char* key, const char* value,
+                                 dashpad_faults** faults);
 /* The same for a number in SI: of the keys that dashpad_case_key() lists, and much faster for those. */
-DASHPAD_API int dashpad_case_set_number(dashpad_case *given, const char *key, double value, dashpad_faults **faults);
+DASHPAD_API int dashpad_case_set_number(dashpad_case* given, const char* key, double value,
+                                        dashpad_faults** faults);
 /* A number of the case in SI; NaN if the case does not have it. */
-DASHPAD_API double dashpad_case_number(const dashpad_case *given, const char *key);
+DASHPAD_API double dashpad_case_number(const dashpad_case* given, const char* key);
 
 /* The numbers that a case has, with its nose, foam and support. */
-DASHPAD_API size_t dashpad_case_size(const dashpad_case *given);
+DASHPAD_API size_t dashpad_case_size(const dashpad_case* given);
 /* Key and SI unit ("1" for a pure number) of the i-th; NULL beyond the last. */
-DASHPAD_API const char *dashpad_case_key(const dashpad_case *given, size_t i);
-DASHPAD_API const char *dashpad_case_unit(const dashpad_case *given, size_t i);
+DASHPAD_API const char* dashpad_case_key(const dashpad_case* given, size_t i);
+DASHPAD_API const char* dashpad_case_unit(const dashpad_case* given, size_t i);
 /* The case as a case file in SI that needs no other files; NULL if memory is short. */
-DASHPAD_API const char *dashpad_case_toml(dashpad_case *given);
+DASHPAD_API const char* dashpad_case_toml(dashpad_case* given);
 
 /* ---- Solving ---- */
 
 /* The memory of a solver, which grows with use and serves one solution after the other. */
 typedef struct dashpad_solver dashpad_solver;
 /* NULL if memory is short. */
-DASHPAD_API dashpad_solver *dashpad_solver_new(void);
-DASHPAD_API void dashpad_solver_free(dashpad_solver *solver);
+DASHPAD_API dashpad_solver* dashpad_solver_new(void);
+DASHPAD_API void dashpad_solver_free(dashpad_solver* solver);
 
 typedef struct dashpad_result dashpad_result;
 /*
- * Solves the case to a relative error, from 1e-8 to 1e-2; 0: to that of the case. Of repeated blows the result is that of
- * the last. A result is there even if the tolerance is missed: see dashpad_result_is_trustworthy().
+ * Solves the case to a relative error, from 1e-8 to 1e-2; 0: to that of the case. Of repeated blows the
+ * result is that of the last. A result is there even if the tolerance is missed: see
+ * dashpad_result_is_trustworthy().
  */
-DASHPAD_API dashpad_result *dashpad_solve(dashpad_solver *solver, const dashpad_case *given, double tolerance,
-                                          dashpad_faults **faults);
-DASHPAD_API void dashpad_result_free(dashpad_result *result);
+DASHPAD_API dashpad_result* dashpad_solve(dashpad_solver* solver, const dashpad_case* given, double tolerance,
+                                          dashpad_faults** faults);
+DASHPAD_API void dashpad_result_free(dashpad_result* result);
 
 /* "released", "bottomed out", "time limit", "tolerance not met", "at rest". */
-DASHPAD_API const char *dashpad_result_status(const dashpad_result *result);
+DASHPAD_API const char* dashpad_result_status(const dashpad_result* result);
 /* Whether the figures may be relied on to the tolerance. */
-DASHPAD_API int dashpad_result_is_trustworthy(const dashpad_result *result);
+DASHPAD_API int dashpad_result_is_trustworthy(const dashpad_result* result);
 
 /*
- * A figure in SI by its key in studies ("peak_acceleration", "hic15", "rebound_speed"); NaN if the impact does not have it
- * or there is no such figure.
+ * A figure in SI by its key in studies ("peak_acceleration", "hic15", "rebound_speed"); NaN if the impact
+ * does not have it or there is no such figure.
  */
-DASHPAD_API double dashpad_result_figure(dashpad_result *result, const char *key);
+DASHPAD_API double dashpad_result_figure(dashpad_result* result, const char* key);
 /* All figures: how many, and key, SI unit and title of the i-th; NULL beyond the last. */
 DASHPAD_API size_t dashpad_figures_size(void);
-DASHPAD_API const char *dashpad_figure_key(size_t i);
-DASHPAD_API const char *dashpad_figure_unit(size_t i);
-DASHPAD_API const char *dashpad_figure_title(size_t i);
+DASHPAD_API const char* dashpad_figure_key(size_t i);
+DASHPAD_API const char* dashpad_figure_unit(size_t i);
+DASHPAD_API const char* dashpad_figure_title(size_t i);
 
-/* The flags of the result: its reservations. A line that begins with the name of the flag; NULL beyond the last. */
-DASHPAD_API size_t dashpad_result_flags_size(dashpad_result *result);
-DASHPAD_API const char *dashpad_result_flag(dashpad_result *result, size_t i);
+/* The flags of the result: its reservations. A line that begins with the name of the flag; NULL beyond the
+ * last. */
+DASHPAD_API size_t dashpad_result_flags_size(dashpad_result* result);
+DASHPAD_API const char* dashpad_result_flag(dashpad_result* result, size_t i);
 
 /*
- * A column over time, in SI, with the signs of docs/theory.md: "time", "force", "acceleration", "velocity", "motion",
- * "penetration", "support_deflection", "contact_radius", "axis_strain", and where there is one "transmitted_force",
- * "body_motion", "pad_force" and "layer_strain_1" on. `size` entries; NULL and 0 if the impact has no such column.
+ * A column over time, in SI, with the signs of docs/theory.md: "time", "force", "acceleration", "velocity",
+ * "motion", "penetration", "support_deflection", "contact_radius", "axis_strain", and where there is one
+ * "transmitted_force", "body_motion", "pad_force" and "layer_strain_1" on. `size` entries; NULL and 0 if the
+ * impact has no such column.
  */
-DASHPAD_API const double *dashpad_result_history(const dashpad_result *result, const char *column, size_t *size);
+DASHPAD_API const double* dashpad_result_history(const dashpad_result* result, const char* column,
+                                                 size_t* size);
 
 /* The result as `dashpad run --no-intervals --json` writes it; NULL if memory is short. */
-DASHPAD_API const char *dashpad_result_json(dashpad_result *result);
+DASHPAD_API const char* dashpad_result_json(dashpad_result* result);
 
 /* ---- Everything else ---- */
 
 /*
- * The answer to a request, both JSON: {"do": "solve" | "solve-for" | "fit" | "pulse" | "read" | "list", ...} as
- * src/live/answer.hpp and docs/c.md list them. What cannot be answered is {"faults": [...]}. `materials` and `standards` are
- * the folders of cards and standards. Free it with dashpad_text_free(); NULL if memory is short.
+ * The answer to a request, both JSON: {"do": "solve" | "solve-for" | "fit" | "pulse" | "read" | "list", ...}
+ * as src/live/answer.hpp and docs/c.md list them. What cannot be answered is {"faults": [...]}. `materials`
+ * and `standards` are the folders of cards and standards. Free it with dashpad_text_free(); NULL if memory is
+ * short.
  */
-DASHPAD_API char *dashpad_answer(const char *request, const char *materials, const char *standards);
-DASHPAD_API void dashpad_text_free(char *text);
+DASHPAD_API char* dashpad_answer(const char* request, const char* materials, const char* standards);
+DASHPAD_API void dashpad_text_free(char* text);
 
 #ifdef __cplusplus
 }
