@@ -35,7 +35,7 @@ deviation about the value of the case, "A..B" evenly from A to B, "M +- S" from 
 draws all that the card of the foam leaves uncertain, and --vary STUDY.toml what a study draws.
 
 Exit codes: 0 some value passes, or the aim is reached; 4 no value of the range passes, or the aim is not reached; 3 no
-value passes for certain, but some may, or the search is incomplete or not reliable; 1 a result could not be written;
+value passes with its interval, but some may, or the search is incomplete or not reliable; 1 a result could not be written;
 2 invalid input or command line (nothing was run).)";
 
 int run_solve_for(const SolveForRequest& request) {

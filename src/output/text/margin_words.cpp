@@ -56,7 +56,7 @@ std::string bound_text(const margin::Answer& answer, double bound, bool up, cons
   return text;
 }
 
-/// ", and for certain from 31 mm on": where the whole interval keeps the limits; "" without intervals.
+/// ", with its 95 % interval from 31 mm on": where the whole interval keeps the limits; "" without intervals.
 std::string certain_text(const margin::Answer& answer, const UnitSystem& units) {
   if (answer.question.chance || !answer.question.intervals) return "";
   std::vector<std::string> parts;
@@ -70,8 +70,8 @@ std::string certain_text(const margin::Answer& answer, const UnitSystem& units) 
                                : fmt::format("from {} to {}", bound_text(answer, from, true, units),
                                              bound_text(answer, to, false, units)));
   }
-  if (is_everywhere) return ", and that for certain";
-  return parts.empty() ? ", but nowhere for certain" : ", and for certain " + joined(parts, " and ");
+  if (is_everywhere) return ", and that with its 95 % interval";
+  return parts.empty() ? ", but nowhere with its 95 % interval" : ", with its 95 % interval " + joined(parts, " and ");
 }
 
 /// "; a spike goes unseen from 8 to 12 mm: at 8 mm the pad is crushed through, with a peak of 412 g too short
