@@ -3,7 +3,7 @@
 
 # What every page runs, in the order in which the files need each other, and what the live page runs behind it.
 set(of_all scale curves panel plot units moment drawing main)
-set(of_live unpack engine state sliders files live)
+set(of_live unpack engine state sliders files pads live)
 
 # join(VARIABLE FOLDER name...): the files, without indentation and comments on lines of their own.
 function(join variable folder)

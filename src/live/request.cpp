@@ -230,10 +230,12 @@ Json list_all(const Folders& folders) {
   if (const auto files = input::list_standards(folders.standards))
     for (const std::filesystem::path& file : *files)
       if (const auto standard = input::read_standard(file)) {
-        Json variants = Json::array();
-        for (const injury::StandardVariant& variant : standard->variants) variants.push_back(variant.name);
-        list["standards"].push_back(
-            {{"name", standard->name}, {"title", standard->title}, {"variants", variants}});
+        const auto name = [](const injury::StandardVariant& variant) { return Json(variant.name); };
+        const auto title = [](const injury::StandardVariant& variant) { return Json(variant.title); };
+        list["standards"].push_back({{"name", standard->name},
+                                     {"title", standard->title},
+                                     {"variants", array_of(standard->variants, name)},
+                                     {"variant_titles", array_of(standard->variants, title)}});
       }
   return list;
 }

@@ -1,4 +1,4 @@
-// The live page: its numbers are those of the command, whatever is changed, linked or dropped.
+// The live page: its numbers are those of the command, whatever is changed.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -7,51 +7,7 @@ import { join } from "node:path";
 import test from "node:test";
 
 import { example, open, picture, report, scratch, settled, write } from "./browser.mjs";
-
-const { DASHPAD_COMMAND: command, DASHPAD_SOURCE_DIR: source } = process.env;
-
-let count = 0;
-function livePage(caseFile, ...more) {
-  const file = join(scratch, `live-${++count}.html`);
-  execFileSync(command, ["explore", caseFile, "--out", file, ...more], { cwd: source, stdio: "pipe" });
-  return file;
-}
-
-// Everything is computed that was asked for, and is in the link.
-const answered = (page) =>
-  page.waitForFunction(() => {
-    const { answer, complete } = document.getElementById("result").dataset;
-    return document.querySelector("#sliders input") && document.querySelector("main footer") && !document.body.classList.contains("pending") && complete === answer;
-  });
-
-async function openLive(file, options) {
-  const page = await open(file, options);
-  page.setDefaultTimeout(60_000);
-  await answered(page);
-  return page;
-}
-
-// Heading and key figures, as people read them.
-const shown = (page) =>
-  page.evaluate(() => [document.querySelector("h1"), ...document.querySelectorAll("#result .key-figures li, body > .lead .key-figures li")].map((each) => each.textContent.trim()));
-
-async function shownByCommand(file) {
-  const page = await open(file);
-  return shown(page);
-}
-
-// After a change that `make` makes.
-async function changed(page, make) {
-  const before = await page.evaluate(() => document.getElementById("result").dataset.answer);
-  await make();
-  await page.waitForFunction((before) => document.getElementById("result").dataset.answer !== before, before);
-  await answered(page);
-}
-
-const type = (page, label, text) => changed(page, async () => {
-  await page.getByRole("textbox", { name: label, exact: true }).fill(text);
-  await page.getByRole("textbox", { name: label, exact: true }).press("Enter");
-});
+import { answered, changed, command, linkOf, livePage, openLive, shown, shownByCommand, source, stateOf, type } from "./live.mjs";
 
 for (const name of readdirSync(join(source, "examples")).filter((name) => name.endsWith(".toml")))
   test(`${name} has the figures of the command`, async () => {
@@ -195,6 +151,7 @@ test("up to four pads stand side by side, and the browser goes back", async () =
   }
   await page.waitForFunction(() => document.querySelectorAll(".pad").length === 4);
   assert.ok(await add.isDisabled());
+  assert.equal(await page.locator("#why-not").textContent(), "Thinnest pad: choose a standard first. At most four pads.");
   await settled(page);
   await page.screenshot({ path: picture("live-four-pads.png") });
   const link = await page.evaluate(() => location.href);
@@ -209,108 +166,6 @@ test("up to four pads stand side by side, and the browser goes back", async () =
   await again.waitForFunction(() => document.querySelectorAll(".pad").length === 4);
 });
 
-const linkOf = (state) => `#${Buffer.from(JSON.stringify(state)).toString("base64url")}`;
-const stateOf = (pad, more = {}) => ({ case: { impactor: { mass: "5 kg", radius: "80 mm", speed: "3 m/s" }, support: { type: "rigid" } }, pads: [pad], active: 0, standard: "", units: "si", user: {}, ...more });
-
-test("a link of a stranger is data, or nothing", async () => {
-  const file = livePage(example("dashboard-20mph"));
-  const own = await shown(await openLive(file));
-  const nothing = ["#x", "#%", `#${"A".repeat(70000)}`, linkOf([]), linkOf({}), linkOf(stateOf({}, { pads: [] })), linkOf(stateOf({}, { active: 7 })), linkOf(stateOf({}, { pads: [null] })), linkOf(stateOf({}, { units: "furlong" })), linkOf(stateOf({}, { user: { do: 1 } })), linkOf(stateOf(JSON.parse(`${'{"a":'.repeat(3000)}1${"}".repeat(3000)}`)))];
-  for (const link of nothing) {
-    const page = await open(file);
-    await page.goto("about:blank");
-    await page.goto(`file://${file}${link}`);
-    await answered(page);
-    assert.deepEqual(await shown(page), own, link.slice(0, 40));
-    assert.deepEqual(page.seen.complaints, []);
-  }
-  const attack = "</script><img src=x onerror=window.pwned=1>";
-  const hostile = [
-    stateOf({ thickness: "20 mm", material: attack }),
-    stateOf({ thickness: "20 mm", material: "vn600" }, { case: { title: attack, impactor: { mass: "5 kg", radius: "80 mm", speed: "3 m/s" }, support: { type: "rigid" }, [attack]: attack } }),
-    stateOf({ thickness: { deep: [[[[1]]]] } }),
-    stateOf({ thickness: "20 mm", material: "../../../etc/passwd" }),
-    stateOf({ thickness: "20 mm", material: "vn600" }, { standard: attack }),
-    stateOf({ thickness: "20 mm", material: "vn600" }, { user: { mass: -1, speed: 1e300 }, standard: "en-1078" }),
-    stateOf({ thickness: "20 mm", material: "vn600", ["__proto__x"]: attack }),
-    stateOf({ layers: Array.from({ length: 300 }, () => ({ thickness: "20 mm", material: "vn600" })) }),
-  ];
-  for (const state of hostile) {
-    const page = await open(file);
-    await page.goto("about:blank");
-    await page.goto(`file://${file}${linkOf(state)}`);
-    await page.locator("#faults").waitFor();
-    assert.equal(await page.evaluate(() => window.pwned), undefined);
-    assert.deepEqual(page.seen.complaints, []);
-    // It is still a page: a case of one's own is answered.
-    await page.selectOption("#standard", "");
-    await changed(page, () => page.setInputFiles("#open", example("helmet-pad-10fps")));
-  }
-});
-
-test("what is dropped is read as the command reads it", async () => {
-  const page = await openLive(livePage(example("dashboard-20mph")));
-  const drop = (name, text) => page.setInputFiles("#open", { name, mimeType: "text/plain", buffer: Buffer.from(text) });
-  await drop("broken.toml", '[impactor]\nmass = "5 kpg"\n[pad\n');
-  await page.locator("#faults").waitFor();
-  assert.match(await page.locator("#faults").textContent(), /broken|the case/);
-  await drop("noise.toml", Buffer.from(Array.from({ length: 3000 }, (_, i) => (i * 7919) % 256)));
-  await page.locator("#faults").waitFor();
-  await changed(page, () => page.setInputFiles("#open", example("helmet-pad-10fps")));
-  assert.deepEqual(await shown(page), await shownByCommand(report(example("helmet-pad-10fps"))));
-  const card = 'title = "My foam"\nsource = "a test"\nlaw = "elastic"\n[parameters]\nmodulus = "300 kPa"\n';
-  await changed(page, () => drop("my-foam.toml", card));
-  assert.equal(await page.getByLabel("Foam", { exact: true }).inputValue(), "my-foam");
-});
-
-test("compression tests become a foam, which the link takes along", async () => {
-  const tests = ["slow", "fast"].map((name) => join(source, "examples/tutorial", `epp-${name}.csv`));
-  const page = await openLive(livePage(example("dashboard-20mph")));
-  await page.setInputFiles("#tests", tests);
-  await page.locator("#test-faults").waitFor();
-  assert.match(await page.locator("#test-faults").textContent(), /displacement_mm: is a displacement; for a strain, give the specimen thickness\n/);
-  await page.getByLabel("Specimen thickness").fill("25 mm");
-  await page.getByLabel("Specimen area").fill("25 cm2");
-  await changed(page, () => page.getByRole("button", { name: "Fit a foam" }).click());
-  assert.match(await page.locator("#fit-found").textContent(), /^Proposed: law foam with the measured curve as its base/);
-  assert.equal(await page.getByLabel("Foam", { exact: true }).inputValue(), "epp-slow");
-  await page.locator("#fitted summary").click();
-  await page.locator("#fitted").getByText("What these tests do not determine").waitFor();
-  // The case as text has the foam itself.
-  const whole = write("with-foam.toml", await page.locator("#case").textContent());
-  assert.deepEqual((await shown(page)).slice(0, 1), (await shownByCommand(report(whole))).slice(0, 1));
-  await page.screenshot({ path: picture("live-fit.png") });
-
-  const card = join(scratch, "epp-slow.toml");
-  execFileSync(process.env.DASHPAD_COMMAND, ["fit", "--auto", ...tests, "--thickness", "25 mm", "--area", "25 cm2", "--output", card], { stdio: "pipe" });
-  const setting = ["--set", `pad.material=${card}`];
-  const figures = await shown(page);
-  assert.deepEqual(figures.slice(0, 1), (await shownByCommand(report(example("dashboard-20mph"), ...setting))).slice(0, 1));
-  const file = livePage(example("helmet-pad-10fps"));
-  const colleague = await open(file);
-  await colleague.goto("about:blank");
-  await colleague.goto(`file://${file}${new URL(page.url()).hash}`);
-  await answered(colleague);
-  assert.deepEqual(await shown(colleague), figures);
-  assert.deepEqual(page.seen, { complaints: [], requests: [] });
-});
-
-test("a measured pulse is shown beside the computed one", async () => {
-  const page = await openLive(livePage(example("helmet-pad-10fps"), "--standard", "en-1078"));
-  await page.setInputFiles("#open", join(source, "examples/pulses/synthetic-helmet-pad.csv"));
-  const summary = page.locator("#fitted summary");
-  await summary.getByText("The pulse in synthetic-helmet-pad.csv: Within the limits").waitFor();
-  const compared = await page.locator("#fitted h2").first().textContent();
-  assert.match(compared, /The computed peak is /);
-  await page.screenshot({ path: picture("live-pulse.png"), fullPage: true });
-  // It follows the case.
-  await type(page, "Thickness", "50 mm");
-  await page.waitForFunction((before) => document.querySelector("#fitted h2").textContent !== before, compared);
-  await page.setInputFiles("#open", { name: "acc.csv", mimeType: "text/csv", buffer: Buffer.from("time_ms,acc_g\n0,0\n1,x\n") });
-  await page.locator("#faults").getByText(/acc.csv/).waitFor();
-  assert.deepEqual(page.seen, { complaints: [], requests: [] });
-});
-
 test("the thinnest pad is that for the speed of the reader", async () => {
   const page = await openLive(livePage(example("dashboard-20mph"), "--standard", "fmvss-201-instrument-panel"));
   const thinnest = async () => {
@@ -323,19 +178,6 @@ test("the thinnest pad is that for the speed of the reader", async () => {
   const usual = await thinnest();
   await type(page, "Speed", "5 m/s");
   assert.ok((await thinnest()) < usual);
-});
-
-test("tables that are no compression tests are refused in the words of the command", async () => {
-  const page = await openLive(livePage(example("dashboard-20mph")));
-  const figures = await shown(page);
-  for (const [text, words] of [["", /is empty/], ["a,b\n1,2\n", /no column for the strain/], ["strain,stress_kPa\n0,0\n0.1,nan\n", /tests.csv:3/], ["<img src=x onerror=alert(1)>\n", /is XML or HTML/], ["\0\x01", /is not text/]]) {
-    await page.setInputFiles("#tests", { name: "tests.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
-    await page.waitForFunction((words) => document.getElementById("fit-found").textContent === "" && new RegExp(words).test(document.getElementById("test-faults").textContent), words.source);
-    await page.evaluate(() => document.getElementById("test-faults").replaceChildren());
-  }
-  await page.setInputFiles("#tests", { name: "tests.csv", mimeType: "text/csv", buffer: Buffer.alloc(2 ** 20 + 1, 49) });
-  await page.locator("#faults").getByText("larger than 1 MiB").waitFor();
-  assert.deepEqual(await shown(page), figures);
 });
 
 test("sizes of the nose and the support are set", async () => {
@@ -356,14 +198,61 @@ test("sizes of the nose and the support are set", async () => {
   await page.locator("#faults").getByText(/Length.*must be/).waitFor();
 });
 
-test("what pads differ by stands below them", async () => {
-  const page = await openLive(livePage(example("dashboard-20mph")));
+test("what pads differ by stands above them", async () => {
+  const page = await openLive(livePage(example("helmet-pad-10fps"), "--standard", "en-1078"));
   await changed(page, () => page.getByRole("button", { name: "Compare with another pad" }).click());
-  await type(page, "Thickness", "50.8 mm");
-  await page.getByText(/^Lowest peak acceleration: pad B, [\d.]+ % below pad A\.$/).waitFor();
+  await changed(page, () => page.getByLabel("Foam", { exact: true }).selectOption("ensolite-aac-21"));
+  await page.getByText("Lowest peak acceleration: pad A, 38 % below pad B.").waitFor();
   const row = page.locator(".differences tr", { hasText: "Peak acceleration" });
-  await page.waitForFunction(() => /\(\u2212\d+ %\)/.test(document.querySelector(".differences").textContent));
-  assert.match(await row.textContent(), /^Peak acceleration129\.4\sg[\d.]+\sg \(\u2212[\d.]+ %\)$/);
+  assert.match(await row.textContent(), /^Peak acceleration94\.65\sg\s✓151\.6\sg\s✓ \(\+60\s%\)$/);
+});
+
+test("pads whose intervals overlap are not told apart, and a copy is called one", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph")), { viewport: { width: 390, height: 844 } });
+  await changed(page, () => page.getByRole("button", { name: "Compare with another pad" }).click());
+  assert.ok(await page.getByText("Pad B is a copy of pad A: choose another foam or thickness.").isVisible());
+  assert.ok(await page.locator("#pads").evaluate((pads) => pads.getBoundingClientRect().top < innerHeight / 2));
+  assert.match((await shown(page))[0], /^B: Peak/);
+  await type(page, "Thickness", "25.6 mm");
+  for (const figure of ["peak acceleration", "HIC15", "3 ms clip"])
+    await page.getByText(`Lowest ${figure}: pad B; within their uncertainty it cannot be told apart from pad A.`).waitFor();
+  assert.equal(await page.getByText("is a copy").count(), 0);
+});
+
+test("with a fault no verdict of another standard stands", async () => {
+  const page = await openLive(livePage(example("helmet-pad-10fps"), "--standard", "en-1078"));
+  const field = page.getByRole("textbox", { name: "Thickness", exact: true });
+  await field.fill("2,5 cm");
+  await field.press("Enter");
+  await page.locator(".slider:has([aria-invalid]) + #faults").waitFor();
+  await page.getByLabel("Standard", { exact: true }).selectOption({ label: "FMVSS 201U, free-motion headform on upper interior" });
+  await page.getByRole("heading", { name: "No answer: mend the marked field" }).waitFor();
+  assert.equal(await page.locator("#found").textContent(), "");
+  await type(page, "Thickness", "45 mm");
+  assert.match((await shown(page)).join(), /HIC\(d\)/);
+  await changed(page, () => page.getByLabel("Standard", { exact: true }).selectOption({ label: "EN 1078: headform A, 500 mm in circumference" }));
+  assert.match(await page.locator("#found").textContent(), /are now those of the standard/);
+});
+
+test("a search tells how long it lasts, and is cancelled by its button or a change", async () => {
+  const page = await openLive(livePage(example("helmet-pad-10fps"), "--standard", "en-1078"));
+  await changed(page, () => page.getByLabel("Foam", { exact: true }).selectOption("ensolite-aac-21"));
+  const button = page.locator("#thinnest");
+  await button.click();
+  await page.waitForFunction(() => /^Cancel the search \([1-9]\d* s\)$/.test(document.getElementById("thinnest").textContent));
+  await button.click();
+  await page.getByText("The search is cancelled.").waitFor();
+  await button.click();
+  await type(page, "Thickness", "60 mm");
+  assert.equal(await button.textContent(), "Thinnest pad that passes");
+  assert.equal(await page.locator("#found").textContent(), "");
+});
+
+test("the speed of the case is used by a button where it changes the verdict", async () => {
+  const page = await openLive(livePage(example("dashboard-20mph"), "--standard", "fmvss-201-instrument-panel"));
+  assert.doesNotMatch(await page.locator("body").innerText(), /--keep/);
+  await changed(page, () => page.getByRole("button", { name: "Use the case's speed, 8.941 m/s (then: fail)" }).click());
+  assert.match((await shown(page))[0], /Fails: 3\sms clip/);
 });
 
 test("a case that does not end leaves the page alive", async () => {

@@ -29,7 +29,7 @@ class EngineWorker {
     this.worker.onmessage = ({ data }) => this.took(data);
     this.worker.onerror = (event) => {
       event.preventDefault();
-      if (this.asked) this.giveUp("this cannot be computed in a browser");
+      this.giveUp("this cannot be computed in a browser");
     };
     this.worker.postMessage({ module: this.module, files: this.files });
     this.asked = null;
@@ -46,11 +46,11 @@ class EngineWorker {
     this.send();
   }
 
-  // The answer, or null if a later request of the same kind took its place.
-  ask(request, seconds = 10) {
+  // The answer, or null if a later request of the same kind took its place. `command` answers what takes longer.
+  ask(request, seconds = 10, command = "the command") {
     return new Promise((resolve) => {
       this.waiting?.resolve(null);
-      this.waiting = { request, seconds, resolve };
+      this.waiting = { request, seconds, command, resolve };
       this.send();
     });
   }
@@ -59,8 +59,8 @@ class EngineWorker {
     if (this.asked || !this.waiting) return;
     this.asked = { ...this.waiting, id: ++this.count };
     this.waiting = null;
-    const { seconds } = this.asked;
-    this.asked.guard = setTimeout(() => this.giveUp(`no answer within ${seconds} s; use the command for it`), 1000 * seconds);
+    const { seconds, command } = this.asked;
+    this.asked.guard = setTimeout(() => this.giveUp(`no answer within ${seconds} s; ${command} has more time`), 1000 * seconds);
     this.worker.postMessage({ id: this.asked.id, request: this.asked.request });
   }
 
@@ -74,6 +74,7 @@ class EngineWorker {
   }
 
   giveUp(rule) {
+    if (!this.asked) return;
     const { resolve, guard } = this.asked;
     clearTimeout(guard);
     this.worker.terminate();

@@ -5,6 +5,7 @@ class OwnFiles {
     this.page = page;
     for (const id of ["open", "tests"]) byId(id).addEventListener("change", ({ target }) => this.open([...target.files]));
     byId("fit").addEventListener("click", () => this.fitTests());
+    byId("own").addEventListener("change", () => this.lacking?.every((id) => byId(id).value.trim()) && this.fitTests());
     byId("copy-card").addEventListener("click", () => page.copy(page.state.cards[this.card], "The card is copied.", "fit-found"));
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
@@ -80,18 +81,31 @@ class OwnFiles {
   async fitTests() {
     const found = byId("fit-found");
     found.textContent = "Fitting ...";
+    this.lacking = null;
+    byId("fit").disabled = byId("test-faults").hidden = true;
     const engine = new EngineWorker(this.page.quick.module, Object.fromEntries(this.tests));
     const given = Object.fromEntries(["thickness", "area", "rate"].map((what) => [what, byId(`test-${what}`).value.trim()]).filter(([, text]) => text));
     const answer = await engine.ask({ do: "fit", files: this.tests.map(([name]) => name), units: this.page.state.units, ...given }, 60);
     engine.worker.terminate();
     found.textContent = "";
+    byId("fit").disabled = false;
     byId("test-faults").hidden = !answer.faults;
     byId("test-faults").replaceChildren(...(answer.faults ?? []).map(({ text }) => textElement("li", text.replace(/, such as --\w+ "[^"]*"/g, ""))));
-    if (answer.faults) return;
+    if (answer.faults) return this.askForLacking(answer.faults);
     found.textContent = `${answer.title}.${answer.card ? "" : " The fit did not converge, so there is no card."}`;
     if (answer.card) this.card = this.useCard(this.tests[0][0], answer.card);
     byId("copy-card").hidden = !answer.card;
     this.showDropped(`The fit: ${answer.title}`, [answer.html]);
+  }
+
+  // What the tests do not say is to be filled in; then they are fitted by themselves.
+  askForLacking(faults) {
+    const lacking = ["thickness", "area", "rate"].filter((what) => faults.some(({ text }) => text.includes(`such as --${what}`)));
+    if (lacking.length === 0) return;
+    this.lacking = lacking.map((what) => `test-${what}`);
+    const first = byId(this.lacking.find((id) => !byId(id).value.trim()) ?? this.lacking[0]);
+    first.scrollIntoView({ block: "center" });
+    first.focus({ preventScroll: true });
   }
 
   showDropped(title, pages) {

@@ -10,9 +10,9 @@ class LivePage {
     this.serial = 0;
     byId("controls").hidden = false;
     byId("more").open = matchMedia("(min-width: 62rem)").matches;
-    this.cards = new Map();
     this.sliders = ["sliders", "more-sliders"].map((box) => new Sliders(byId(box), (...chosen) => this.set(...chosen)));
     this.files = new OwnFiles(this);
+    this.pads = new ComparedPads(this);
     this.fillChoices();
     this.listen();
     history.replaceState(state, "");
@@ -28,8 +28,15 @@ class LivePage {
     options(byId("foam"), foams.map(({ name, title }) => [name, title || name]));
     options(byId("standard"), [
       ["", "none"],
-      ...standards.flatMap(({ name, title, variants }) => [[name, title], ...variants.map((variant) => [`${name}:${variant}`, `${title}: ${variant}`])]),
+      ...standards.filter(({ variants }) => variants.length === 0).map(({ name, title }) => [name, title]),
     ]);
+    // Those with variants are groups.
+    for (const { name, title, variants, variant_titles: titles } of standards.filter(({ variants }) => variants.length > 0)) {
+      const group = Object.assign(document.createElement("optgroup"), { label: title });
+      const short = title.split(",")[0];
+      group.append(new Option(title, name), ...variants.map((variant, i) => new Option(`${short}: ${titles[i] || `variant ${variant}`}`, `${name}:${variant}`)));
+      byId("standard").append(group);
+    }
     options(byId("nose"), [["sphere", "Sphere"], ["flat-disc", "Flat disc"], ["cylinder", "Cylinder, lying"]]);
     options(byId("support"), [["rigid", "Rigid"], ["linear", "Linear spring"]]);
   }
@@ -38,6 +45,10 @@ class LivePage {
   choose(select, value) {
     if (![...select.options].some((option) => option.value === value)) select.add(new Option(value || "as in the case", value));
     select.value = value;
+    // Longer names do not fit into the control.
+    const whole = select.parentElement.querySelector(".whole");
+    const text = select.selectedOptions[0].textContent;
+    if (whole) whole.textContent = text.length > 32 ? text : "";
   }
 
   showChoices() {
@@ -50,8 +61,9 @@ class LivePage {
     this.choose(byId("standard"), state.standard);
     byId("units").value = state.units;
     byId("thinnest").disabled = state.standard === "" || Boolean(pad.layers);
-    byId("thinnest").title = state.standard === "" ? "Choose a standard first" : "";
     byId("add").disabled = state.pads.length >= 4;
+    const why = { "Thinnest pad: choose a standard first.": state.standard === "", "Thinnest pad: not for a pad in layers.": pad.layers, "At most four pads.": state.pads.length >= 4 };
+    byId("why-not").textContent = Object.keys(why).filter((words) => why[words]).join(" ");
   }
 
   // --- Changes
@@ -60,7 +72,8 @@ class LivePage {
   change(make, isDone = false, dragged = null) {
     this.state = structuredClone(this.state);
     this.dragged = dragged;
-    byId("found").textContent = "";
+    byId("found").textContent = this.told = "";
+    this.searching?.giveUp("");
     make(this.state);
     this.refresh(isDone);
   }
@@ -105,15 +118,16 @@ class LivePage {
     });
     byId("standard").addEventListener("change", ({ target: { value } }) => {
       this.change((state) => ([state.standard, state.user] = [value, {}]), true);
-      if (value) byId("found").textContent = "Mass, nose and speed are now those of the standard, as far as it states them. Pad and support remain those of the case: check that the support is that of the test.";
+      if (value) this.told = "Mass, nose and speed are now those of the standard, as far as it states them. Pad and support remain those of the case: check that the support is that of the test.";
     });
     chosen("units", (state, value) => (state.units = value));
     byId("add").addEventListener("click", () =>
       this.change((state) => {
         state.active = state.pads.push(structuredClone(state.pads[state.active])) - 1;
+        this.pads.isAdded = true;
       }, true),
     );
-    byId("thinnest").addEventListener("click", () => this.findThinnest());
+    byId("thinnest").addEventListener("click", () => (this.isSearching ? this.searching.giveUp("the search is cancelled") : this.findThinnest()));
     byId("copy-link").addEventListener("click", () => this.copy(location.href.split("#")[0] + linkOf(this.state), `The link is copied.${location.protocol === "file:" ? " It has the path of this file: for somebody else, put what follows # behind the address of their copy of the page." : ""}`, "copied"));
     byId("copy-case").addEventListener("click", () => this.copy(byId("case").textContent, "The case is copied.", "copied"));
     byId("controls").addEventListener("submit", (event) => event.preventDefault());
@@ -122,7 +136,8 @@ class LivePage {
       const state = isState(event.state) ? event.state : stateOf(location.hash);
       if (!state) return this.showFaults([{ rule: "this link cannot be read" }]);
       [this.state, this.link, this.dragged] = [state, linkOf(state), null];
-      byId("found").textContent = "";
+      byId("found").textContent = this.told = "";
+      this.searching?.giveUp("");
       this.refresh(true, false);
     });
   }
@@ -165,20 +180,20 @@ class LivePage {
     while (this.isStale) {
       this.isStale = false;
       const { serial } = this;
-      const answer = await this.quick.ask(this.request(false));
+      const answer = await this.quick.ask(this.request(false), 10, this.command());
       const isOld = () => (this.settled ?? 0) >= serial;
       if (answer && !isOld()) this.show(answer, false);
-      if (!this.isStale) await this.comparePads(false, () => this.isStale || isOld());
+      if (!this.isStale) await this.pads.compare(false, () => this.isStale || isOld());
     }
     this.isAnimating = false;
   }
 
   async settle(serial, isNew) {
-    const answer = await this.thorough.ask(this.request(true));
+    const answer = await this.thorough.ask(this.request(true), 10, this.command());
     if (!answer || serial !== this.serial) return;
     this.settled = serial;
     this.show(answer, true);
-    await this.comparePads(true, () => serial !== this.serial);
+    await this.pads.compare(true, () => serial !== this.serial);
     await this.files.comparePulse(() => serial !== this.serial);
     if (serial !== this.serial) return;
     const link = linkOf(this.state);
@@ -193,12 +208,19 @@ class LivePage {
   show(answer, isWhole) {
     this.showFaults(answer.faults ?? []);
     document.body.classList.toggle("pending", !isWhole || Boolean(answer.faults));
-    if (answer.faults) return;
+    if (answer.faults) return this.dropVerdict();
+    this.judged = this.state.standard;
+    if (this.told) byId("found").textContent = this.told;
+    this.told = "";
     Sliders.lists(answer.numbers, this.state.units).forEach((list, i) => this.sliders[i].show(list, this.dragged));
     byId("case").textContent = answer.toml;
-    this.showCommand();
+    byId("solves").textContent = this.command();
     const parts = this.partsOf(answer, isWhole);
-    const [title, tone] = this.titleOf(answer, parts, isWhole);
+    const [words, tone] = this.titleOf(answer, parts, isWhole);
+    const name = this.state.pads.length > 1 ? `${"ABCD"[this.state.active]}: ` : "";
+    const title = name + words;
+    parts.querySelector("h1").prepend(name);
+    this.offerOtherSpeed(answer, parts);
     document.title = `${title} - Dashpad`;
     Object.assign(byId("brief"), { textContent: title, className: `brief ${tone}` });
     const onTime = this.time?.slider && document.activeElement === this.time.slider;
@@ -217,6 +239,33 @@ class LivePage {
     byId("result").dataset.answer = this.serial;
   }
 
+  // A verdict by another standard is none.
+  dropVerdict() {
+    if (this.judged === undefined || this.judged === this.state.standard) return;
+    this.judged = undefined;
+    const words = "No answer: mend the marked field";
+    const lead = Object.assign(document.createElement("div"), { className: "lead" });
+    lead.append(textElement("h1", words));
+    byId("result").querySelector(".lead").replaceWith(lead);
+    byId("result").querySelector("main").replaceChildren();
+    byId("pads").replaceChildren();
+    Object.assign(byId("brief"), { textContent: words, className: "brief" });
+    document.title = `${words} - Dashpad`;
+  }
+
+  // In place of the option that the command has for it.
+  offerOtherSpeed(answer, parts) {
+    const [choice] = answer.result?.other_choices ?? [];
+    if (choice?.speed !== "case" || choice.nose) return;
+    const speed = answer.result.impactor.speed_m_per_s.case_value;
+    const shown = Sliders.text(speed, Sliders.unit("m/s", this.state.units));
+    const button = Object.assign(textElement("button", `Use the case's speed, ${shown} (then: ${choice.verdict})`), { type: "button" });
+    button.addEventListener("click", () => this.set("impactor.speed", `${speed} m/s`));
+    const line = Object.assign(document.createElement("p"), { className: "buttons" });
+    line.append(button);
+    parts.querySelector("h1").after(line);
+  }
+
   // Without its interval a figure is no verdict yet.
   isVerdict(isWhole) {
     return isWhole || this.state.standard === "";
@@ -228,7 +277,7 @@ class LivePage {
   }
   partsOf(answer, isWhole) {
     const parts = document.createElement("template");
-    parts.innerHTML = answer.html;
+    parts.innerHTML = answer.html.replace(/; to check, run (?:(?:and )?with(?:out)? (?:--keep-\w+ ?)+)+/g, "");
     const { content } = parts;
     if (this.isVerdict(isWhole)) return content;
     content.querySelector("h1").textContent = this.titleOf(answer, content, isWhole)[0];
@@ -239,10 +288,10 @@ class LivePage {
   }
 
   // What solves the case that is shown as text.
-  showCommand() {
+  command() {
     const { standard, user } = this.state;
     const replaced = Object.entries(user).map(([name, value]) => ` --${name} "${value}"`).join("");
-    byId("solves").textContent = standard ? `dashpad assess case.toml --standard ${standard}${replaced}` : "dashpad run case.toml";
+    return standard ? `dashpad assess case.toml --standard ${standard}${replaced}` : "dashpad run case.toml";
   }
 
   showFaults(faults) {
@@ -250,6 +299,10 @@ class LivePage {
     const known = faults.map((fault) => ({ ...fault, key: fault.key || keys[fault.file?.split(" ")[0]] || "" }));
     document.body.classList.toggle("fault", faults.length > 0);
     const list = byId("faults");
+    // Beneath the first field with a fault. Without faults it is elsewhere: the rows of sliders are replaced.
+    const place = known.map(({ key }) => document.querySelector(`[data-key="${CSS.escape(key)}"]`)?.closest(".control")).find(Boolean);
+    place?.closest("details")?.setAttribute("open", "");
+    (place ?? byId("standard").closest(".control")).after(list);
     list.hidden = faults.length === 0;
     const words = ({ key, value, rule, text }) => {
       const label = document.querySelector(`[data-key="${CSS.escape(key)}"] label, label:has(+ [data-key="${CSS.escape(key)}"])`)?.textContent ?? key;
@@ -263,118 +316,29 @@ class LivePage {
     }
   }
 
-  // The pads below the same impact, side by side, unless `isOver` says that another state is to be shown. What has not
-  // changed is not solved again.
-  async comparePads(isWhole, isOver) {
-    const { pads } = this.state;
-    if (pads.length < 2) return;
-    const engine = isWhole ? this.thorough : this.quick;
-    const [kept, answers] = [new Map(), []];
-    for (let i = 0; i < pads.length; ++i) {
-      const request = { ...this.request(false, i), quick: !isWhole, intervals: isWhole };
-      const text = JSON.stringify(request);
-      const answer = this.cards.get(text) ?? (await engine.ask(request));
-      if (answer === null || isOver()) return;
-      kept.set(text, answer);
-      answers.push(answer);
-    }
-    // Those with intervals stay while others are dragged, and the other way round.
-    this.cards = new Map([...[...this.cards].slice(-8), ...kept]);
-    byId("pads").classList.toggle("provisional", !isWhole);
-    const cards = answers.map((answer, i) => this.padCard(answer, i, isWhole));
-    const beside = Object.assign(document.createElement("div"), { className: "beside" });
-    beside.append(...cards);
-    byId("pads").replaceChildren(beside, this.differences(cards));
-  }
-
-  // The key figures of the pads, with how much more or less than that of the first.
-  differences(cards) {
-    const figuresOf = (card) =>
-      new Map([...card.querySelectorAll(".key-figures li")].map((figure) => [figure.querySelector(".label").textContent, figure.querySelector("b").textContent.trim()]));
-    const all = cards.map(figuresOf);
-    const [first, ...others] = all;
-    const table = Object.assign(document.createElement("table"), { className: "differences" });
-    const row = (kind, words) => {
-      const line = document.createElement("tr");
-      line.append(...words.map((text, i) => textElement(i === 0 ? "th" : kind, text)));
-      line.firstElementChild.scope = "row";
-      return line;
-    };
-    table.append(textElement("caption", "Difference from pad A"), row("th", ["", ...cards.map((_, i) => "ABCD"[i])]));
-    const share = (text, of) => {
-      const more = (100 * Number.parseFloat(text)) / Number.parseFloat(of) - 100;
-      return Number.isFinite(more) && text !== of ? ` (${more > 0 ? "+" : "\u2212"}${Math.abs(more).toPrecision(2)} %)` : "";
-    };
-    for (const [label, text] of first) {
-      const cells = others.map((figures) => figures.get(label) ?? "");
-      table.append(row("td", [label, text, ...cells.map((cell) => `${cell}${share(cell, text)}`)]));
-    }
-    const part = document.createElement("div");
-    part.append(...[...first.keys()].filter((label) => /acceleration|HIC|clip/.test(label)).flatMap((label) => this.lowest(label, all)), table);
-    return part;
-  }
-
-  // The pad with the lowest figure, and how far the next is above it.
-  lowest(label, all) {
-    const order = all.map((figures, i) => [Number.parseFloat(figures.get(label)), "ABCD"[i]]).filter(([value]) => Number.isFinite(value)).sort(([a], [b]) => a - b);
-    if (order.length < 2 || order[0][0] === order[1][0]) return [];
-    const share = 100 - (100 * order[0][0]) / order[1][0];
-    return [textElement("p", `Lowest ${label.replace(/^(Peak|Cumulative)/, (word) => word.toLowerCase())}: pad ${order[0][1]}, ${share.toPrecision(2)} % below pad ${order[1][1]}.`)];
-  }
-
-  padCard(answer, i, isWhole) {
-    const { state } = this;
-    const pad = state.pads[i];
-    const letter = "ABCD"[i];
-    const card = Object.assign(document.createElement("section"), { className: i === state.active ? "pad active" : "pad" });
-    const thickness = answer.faults || pad.layers ? "" : `, ${Sliders.text(answer.numbers.thickness, Sliders.unit("m", state.units))}`;
-    const title = this.lists.foams.find(({ name }) => name === pad.material)?.title;
-    card.append(textElement("h2", `${letter}: ${pad.layers ? `${pad.layers.length} layers` : title || (pad.material ?? "foam of the case")}${thickness}`));
-    if (answer.faults) {
-      card.append(textElement("p", answer.faults[0].text));
-    } else {
-      // The names of the drawing's parts are those of one page.
-      const own = { ...answer, html: answer.html.replace(/\bdd-[0-9a-f]{8}(?=-)/g, `$&-${letter}`) };
-      const parts = this.partsOf(own, isWhole);
-      const [verdict, tone] = this.titleOf(own, parts, isWhole);
-      card.append(Object.assign(textElement("p", verdict), { className: `answer ${tone}` }));
-      card.append(...[".drawing", ".key-figures"].flatMap((each) => parts.querySelector(each) ?? []));
-    }
-    const buttons = Object.assign(document.createElement("p"), { className: "buttons" });
-    const button = (text, make) => {
-      const element = Object.assign(textElement("button", text), { type: "button" });
-      element.setAttribute("aria-label", text === "Remove" ? `Remove pad ${letter}` : `Change pad ${letter}`);
-      element.addEventListener("click", () => {
-        // These cards may be of a state before.
-        if (this.state.pads.length !== state.pads.length) return;
-        this.change(make, true);
-        byId("foam").focus();
-      });
-      buttons.append(element);
-    };
-    if (i !== state.active) button("Change this pad", (next) => (next.active = i));
-    button("Remove", (next) => {
-      next.pads.splice(i, 1);
-      next.active = Math.min(next.active > i ? next.active - 1 : next.active, next.pads.length - 1);
-    });
-    card.append(buttons);
-    return card;
-  }
-
   async findThinnest() {
     const found = byId("found");
-    found.textContent = "Searching ...";
     const { serial } = this;
     this.searching ??= new EngineWorker(this.quick.module, this.quick.files);
-    const answer = await this.searching.ask({ ...this.request(true), do: "solve-for", key: "pad.thickness" }, 60);
+    this.isSearching = true;
+    const begun = performance.now();
+    const tell = () => (byId("thinnest").textContent = `Cancel the search (${Math.round((performance.now() - begun) / 1000)} s)`);
+    tell();
+    const clock = setInterval(tell, 1000);
+    found.textContent = "Searching between a quarter of the thickness and four times it ...";
+    // To 0.1 %: next to bottoming out a step more takes seconds.
+    const answer = await this.searching.ask({ ...this.request(true), do: "solve-for", key: "pad.thickness", tolerance: 1e-3 }, 60, `dashpad solve-for pad.thickness case.toml --standard ${this.state.standard}`);
+    clearInterval(clock);
+    this.isSearching = false;
+    byId("thinnest").textContent = "Thinnest pad that passes";
     if (!answer || serial !== this.serial) return;
-    if (answer.faults) return (found.textContent = answer.faults[0].text);
+    if (answer.faults) return (found.textContent = `${answer.faults[0].text.replace(/^./, (letter) => letter.toUpperCase())}.`);
     const turn = answer.result.turns.find(({ passes_above: above }) => above);
-    // The place from which it passes for certain, rounded up to a tenth of a millimetre. Without one nothing is chosen.
+    // The place from which the whole interval passes, rounded up to a tenth of a millimetre. Without one nothing is chosen.
     const isCertain = Number.isFinite(turn?.high);
     const thickness = isCertain && `${Math.ceil(turn.high * 1e4) / 10} mm`;
     if (isCertain) this.change((next) => (next.pads[next.active].thickness = thickness), true);
-    found.textContent = `${answer.title}. ${isCertain ? `The thickness is set to ${thickness}` : "The thickness is left as it is, since none passes for certain"}.`;
+    found.textContent = `${answer.title}. ${isCertain ? `The thickness is set to ${thickness}` : "The thickness is left as it is, since none passes with its 95 % interval"}.`;
   }
 }
 

@@ -57,9 +57,10 @@ class Sliders {
       if (dragged === key) continue;
       if (!row.dataset.typed) field.value = text;
       const place = Math.log(value);
-      if (!row.dataset.middle || (Math.abs(place - row.dataset.middle) > 1.2 && document.activeElement !== range)) {
+      if (!row.dataset.middle || (Math.abs(place - row.dataset.middle) > 1.35 && document.activeElement !== range)) {
         row.dataset.middle = place;
         Object.assign(range, { min: place - Math.log(4), max: place + Math.log(4) });
+        [0.25, 4].forEach((times, i) => (row.querySelectorAll(".end")[i].textContent = Sliders.text(times * value, unit, 2)));
       }
       range.value = place;
     }
@@ -86,7 +87,8 @@ class Sliders {
       const text = field.value.trim();
       this.set(key, Sliders.isNumber(text) ? `${text} ${unit[0]}`.trim() : text);
     });
-    row.append(name, field, range);
+    const ends = ["end", "end"].map((className) => Object.assign(textElement("span", ""), { className }));
+    row.append(name, field, range, ...ends);
     return row;
   }
 }

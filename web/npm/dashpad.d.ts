@@ -122,6 +122,8 @@ export interface StandardEntry {
   name: string;
   title: string;
   variants: string[];
+  /** One for each variant; "" where there is none. */
+  variant_titles: string[];
 }
 
 export class Engine {
