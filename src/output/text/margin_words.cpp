@@ -71,7 +71,8 @@ std::string certain_text(const margin::Answer& answer, const UnitSystem& units) 
                                              bound_text(answer, to, false, units)));
   }
   if (is_everywhere) return ", and that with its 95 % interval";
-  return parts.empty() ? ", but nowhere with its 95 % interval" : ", with its 95 % interval " + joined(parts, " and ");
+  return parts.empty() ? ", but nowhere with its 95 % interval"
+                       : ", with its 95 % interval " + joined(parts, " and ");
 }
 
 /// "; a spike goes unseen from 8 to 12 mm: at 8 mm the pad is crushed through, with a peak of 412 g too short
