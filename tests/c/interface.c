@@ -1,6 +1,8 @@
 /* The C interface from C: what it answers is what the command answers, and no mistake of its caller ends the
  * program. */
 
+#define _POSIX_C_SOURCE 200809L /* popen() */
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -195,9 +197,36 @@ static void answers_requests(void) {
   }
 }
 
-/* The folder of the sources. */
+/* Without the line of a key that is not the same each time. */
+static void forget(char* json, const char* key) {
+  char* const line = strstr(json, key);
+  EXPECT(line != NULL);
+  if (line != NULL) memmove(line, strchr(line, '\n'), strlen(strchr(line, '\n')) + 1);
+}
+
+/* The same text as from the command, so the same numbers to the last bit. */
+static void agrees_with_the_command(const char* sources, const char* command) {
+  static char line[9000], of_command[1 << 16], own[1 << 16], file[4200];
+  snprintf(file, sizeof file, "%s/examples/dashboard-20mph.toml", sources);
+  snprintf(line, sizeof line, "'%s' run '%s' --no-intervals --json - 2>/dev/null", command, file);
+  FILE* const pipe = popen(line, "r");
+  of_command[fread(of_command, 1, sizeof of_command - 1, pipe)] = 0;
+  pclose(pipe);
+  dashpad_case* const given = dashpad_case_read(file, NULL, materials, NULL);
+  dashpad_solver* const solver = dashpad_solver_new();
+  dashpad_result* const result = dashpad_solve(solver, given, 0, NULL);
+  snprintf(own, sizeof own, "%s", dashpad_result_json(result));
+  const char* const keys[] = {"\"wall_time_s\"", "\"commit\""};
+  for (size_t i = 0; i < 2; ++i) forget(of_command, keys[i]), forget(own, keys[i]);
+  EXPECT(strlen(own) > 1000 && strcmp(own, of_command) == 0);
+  dashpad_result_free(result);
+  dashpad_solver_free(solver);
+  dashpad_case_free(given);
+}
+
+/* The folder of the sources, and the command, if it is built. */
 int main(int count, char** arguments) {
-  if (count != 2) return EXIT_FAILURE;
+  if (count < 2) return EXIT_FAILURE;
   snprintf(materials, sizeof materials, "%s/materials", arguments[1]);
   snprintf(standards, sizeof standards, "%s/standards", arguments[1]);
   tells_versions();
@@ -207,5 +236,6 @@ int main(int count, char** arguments) {
   survives_null();
   lists_figures();
   answers_requests();
+  if (count > 2) agrees_with_the_command(arguments[1], arguments[2]);
   return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
