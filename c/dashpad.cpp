@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,19 +29,24 @@
 #include "dashpad/output/impact.hpp"
 #include "dashpad/quantities/constants.hpp"
 #include "dashpad/study/responses.hpp"
+#include "dashpad/study/run_study.hpp"
+#include "dashpad/study/study.hpp"
 #include "dashpad/version.hpp"
 #include "input/disk.hpp"
 #include "live/answer.hpp"
 #include "model/parameter_values.hpp"
 #include "output/text/case_toml.hpp"
+#include "study/run_batches.hpp"
 
 using dashpad::CaseQuantities;
 using dashpad::CaseQuantity;
 using dashpad::ImpactCase;
 using dashpad::ResultQuantity;
+using dashpad::Status;
 using dashpad::Violation;
 using dashpad::input::Fault;
 using dashpad::input::InputError;
+namespace study = dashpad::study;
 
 struct dashpad_faults {
   std::vector<Fault> all;
@@ -132,6 +142,43 @@ Handle& of(Handle* handle) {
   return *handle;
 }
 
+/// The rows as a study of the case.
+study::Study study_of(const dashpad_case& given, const dashpad_batch& batch) {
+  study::Study made;
+  made.base = given.read.impact;
+  made.options = given.read.options;
+  if (batch.tolerance != 0) made.options.tolerance = batch.tolerance;
+  const bool lacks_an_array = (batch.rows > 0 && batch.keys_size > 0 && batch.values == nullptr) ||
+                              (batch.keys_size > 0 && batch.keys == nullptr) ||
+                              (batch.figures_size > 0 && batch.figures == nullptr);
+  if (lacks_an_array) throw std::invalid_argument("an array of the batch is NULL");
+  if (batch.keys_size == 0) throw std::invalid_argument("a batch needs a key whose values its rows have");
+  std::vector<Fault> faults;
+  const std::vector<study::FactorKey> known = study::factor_keys(made.base);
+  for (std::size_t i = 0; i < batch.keys_size; ++i) {
+    const std::string key = text_of(batch.keys[i]);
+    const auto found = std::ranges::find(known, key, &study::FactorKey::key);
+    if (found == known.end() || found->unit.empty()) {
+      faults.push_back(fault_of(key, study::rule_for_unknown(key, made.base, known)));
+      continue;
+    }
+    study::ByRow column;
+    for (std::size_t row = 0; row < batch.rows; ++row)
+      column.values.push_back(batch.values[row * batch.keys_size + i]);
+    made.factors.push_back({.key = key, .unit = found->unit, .spread = std::move(column)});
+  }
+  for (std::size_t i = 0; i < batch.figures_size; ++i) {
+    made.responses.push_back(text_of(batch.figures[i]));
+    if (!study::find_response(made.responses.back()))
+      faults.push_back(fault_of(made.responses.back(), "is no figure"));
+  }
+  if (faults.empty() && batch.rows > 0)
+    for (const Violation& violation : violations(made))
+      faults.push_back(fault_of(violation.key, violation.rule));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return made;
+}
+
 /// The value that `find` finds, or NaN.
 template <class Find>
 double value_of(Find&& find) noexcept {
@@ -147,16 +194,16 @@ const CaseQuantity* number_at(const dashpad_case* given, std::size_t i) {
 }
 
 const ResultQuantity* figure_at(std::size_t i) {
-  const auto& kinds = dashpad::study::response_kinds();
+  const auto& kinds = study::response_kinds();
   return i < kinds.size() ? &kinds[i] : nullptr;
 }
 
 const std::vector<double>& figures_of(dashpad_result& result) {
   if (!result.figures) {
     std::vector<std::string> names;
-    for (const ResultQuantity& kind : dashpad::study::response_kinds()) names.emplace_back(kind.key);
-    dashpad::study::Outcome outcome;
-    dashpad::study::ResponseReader reader(names);
+    for (const ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
+    study::Outcome outcome;
+    study::ResponseReader reader(names);
     reader(result.solution, outcome);
     result.figures = std::move(outcome.values);
   }
@@ -318,13 +365,13 @@ int dashpad_result_is_trustworthy(const dashpad_result* result) {
 
 double dashpad_result_figure(dashpad_result* result, const char* key) {
   return value_of([&] {
-    const auto& kinds = dashpad::study::response_kinds();
+    const auto& kinds = study::response_kinds();
     const auto kind = std::ranges::find(kinds, text_of(key), &ResultQuantity::key);
     return kind == kinds.end() ? dashpad::no_value
                                : figures_of(of(result))[std::size_t(kind - kinds.begin())];
   });
 }
-size_t dashpad_figures_size(void) { return dashpad::study::response_kinds().size(); }
+size_t dashpad_figures_size(void) { return study::response_kinds().size(); }
 const char* dashpad_figure_key(size_t i) { return figure_at(i) == nullptr ? nullptr : figure_at(i)->key; }
 const char* dashpad_figure_unit(size_t i) {
   return figure_at(i) == nullptr ? nullptr : figure_at(i)->si_unit;
@@ -361,6 +408,55 @@ const char* dashpad_result_json(dashpad_result* result) {
                                           dashpad::injury::whole_pulse_figures(result->solution));
     return json.c_str();
   });
+}
+
+// ------------------------------------------------------------------ many impacts
+
+int dashpad_solve_batch(const dashpad_case* given, const dashpad_batch* batch, double* results,
+                        unsigned char* statuses, double* errors, dashpad_faults** faults) {
+  return guarded(faults, [&] {
+    const study::Study asked = study_of(of(given), of(batch));
+    const std::size_t width = batch->figures_size;
+    if (results == nullptr) throw std::invalid_argument("there is no place for the results");
+    std::fill_n(results, batch->rows * width, dashpad::no_value);
+    if (statuses != nullptr) std::fill_n(statuses, batch->rows, static_cast<unsigned char>(Status::not_run));
+    if (errors != nullptr) std::fill_n(errors, batch->rows, dashpad::no_value);
+    if (batch->rows == 0) return 1;
+
+    const study::Design design(asked);
+    constexpr std::uint64_t rows_of_batch = 32;
+    std::vector<std::uint64_t> numbers((batch->rows + rows_of_batch - 1) / rows_of_batch);
+    std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
+    std::atomic<bool> stop = false;
+    std::size_t done = 0;
+    const auto worker = [&]() -> study::BatchWork::Compute {
+      return [own = std::make_shared<study::Worker>(asked, design)](std::uint64_t number,
+                                                                    std::vector<study::StoredRow>& rows) {
+        own->compute(number, rows_of_batch, rows);
+      };
+    };
+    const auto write = [&](std::uint64_t, std::span<const study::StoredRow> rows) {
+      for (const study::StoredRow& row : rows) {
+        std::ranges::copy(row.outcome.values, results + row.row * width);
+        if (statuses != nullptr) statuses[row.row] = static_cast<unsigned char>(row.outcome.status);
+        if (errors != nullptr) errors[row.row] = row.outcome.error;
+      }
+      done += rows.size();
+      if (batch->progress != nullptr && batch->progress(batch->context, done, batch->rows) == 0) stop = true;
+    };
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int threads = batch->threads > 0 ? batch->threads : cores;
+    return study::run_batches(numbers, threads, &stop, {.worker = worker, .write = write}) ? 1 : 0;
+  });
+}
+
+const char* dashpad_status_name(unsigned char status) {
+  static const std::array names = [] {
+    std::array<std::string, 6> all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = to_string(static_cast<Status>(i));
+    return all;
+  }();
+  return status < names.size() ? names[status].c_str() : nullptr;
 }
 
 // ------------------------------------------------------------------ everything else

@@ -153,6 +153,38 @@ DASHPAD_API const double* dashpad_result_history(const dashpad_result* result, c
 /* The result as `dashpad run --no-intervals --json` writes it; NULL if memory is short. */
 DASHPAD_API const char* dashpad_result_json(dashpad_result* result);
 
+/* ---- Many impacts ---- */
+
+/* Told of the rows that are done, by one thread at a time; returns whether to go on. */
+typedef int (*dashpad_progress)(void* context, size_t done, size_t rows);
+
+/* A case with some of its numbers from a table, one impact a row. */
+typedef struct dashpad_batch {
+  size_t rows;
+  const char* const* keys; /* keys that studies may vary: "impactor.speed", "impactor.drop_height" */
+  size_t keys_size;
+  const double* values;       /* rows times keys_size, one row after the other, in SI */
+  const char* const* figures; /* keys of figures, such as "hic15" */
+  size_t figures_size;
+  double tolerance;          /* 0: that of the case */
+  int threads;               /* 0: one a core */
+  dashpad_progress progress; /* may be NULL */
+  void* context;             /* handed to progress */
+} dashpad_batch;
+
+/*
+ * Solves the rows on many threads. `results` takes rows times figures_size numbers in SI, one row after the
+ * other, NaN where an impact does not have the figure; the numbers are those of a study with these rows.
+ * `statuses` and `errors`, each of which may be NULL, take the status of each row (dashpad_status_name()) and
+ * the largest estimated relative error of its figures. Rows whose values make no valid case are faults, and
+ * nothing is solved. Returns 1 if all rows are done, and 0 with no fault if progress() ended it: rows that
+ * were not reached are NaN, and "not run".
+ */
+DASHPAD_API int dashpad_solve_batch(const dashpad_case* given, const dashpad_batch* batch, double* results,
+                                    unsigned char* statuses, double* errors, dashpad_faults** faults);
+/* "released" and so on; NULL for an unknown number. */
+DASHPAD_API const char* dashpad_status_name(unsigned char status);
+
 /* ---- Everything else ---- */
 
 /*

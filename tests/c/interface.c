@@ -179,6 +179,76 @@ static void survives_null(void) {
       dashpad_text_free(NULL);
 }
 
+static int count_calls(void* context, size_t done, size_t rows) {
+  size_t* const last = context;
+  EXPECT(done > *last && done <= rows);
+  *last = done;
+  return 1;
+}
+static int stop_at_once(void* context, size_t done, size_t rows) {
+  (void)context, (void)done, (void)rows;
+  return 0;
+}
+
+static void solves_batches(void) {
+  enum { rows = 200 };
+  static double values[rows][2], results[rows][2], errors[rows];
+  static unsigned char statuses[rows];
+  for (size_t i = 0; i < rows; ++i)
+    values[i][0] = 3 + 0.01 * (double)i, values[i][1] = 0.03 + 1e-4 * (double)i;
+  const char* const keys[] = {"impactor.speed", "pad.thickness"};
+  const char* const figures[] = {"peak_acceleration", "hic15"};
+  size_t done = 0;
+  dashpad_batch batch = {rows, keys, 2, &values[0][0], figures, 2, 1e-3, 2, count_calls, &done};
+  dashpad_faults* faults = NULL;
+  dashpad_case* const given = read_drop();
+  EXPECT(dashpad_solve_batch(given, &batch, &results[0][0], statuses, errors, &faults) && faults == NULL);
+  EXPECT(done == rows);
+
+  /* The numbers of each impact by itself. */
+  dashpad_solver* const solver = dashpad_solver_new();
+  for (size_t i = 0; i < rows; i += 50) {
+    dashpad_case_set_number(given, keys[0], values[i][0], NULL);
+    dashpad_case_set_number(given, keys[1], values[i][1], NULL);
+    dashpad_result* const result = dashpad_solve(solver, given, 1e-3, NULL);
+    EXPECT(dashpad_result_figure(result, figures[0]) == results[i][0]);
+    EXPECT(dashpad_result_figure(result, figures[1]) == results[i][1]);
+    EXPECT(strcmp(dashpad_result_status(result), dashpad_status_name(statuses[i])) == 0);
+    EXPECT(errors[i] > 0 && errors[i] < 0.01);
+    dashpad_result_free(result);
+  }
+  dashpad_solver_free(solver);
+
+  batch.progress = stop_at_once;
+  EXPECT(!dashpad_solve_batch(given, &batch, &results[0][0], statuses, NULL, &faults) && faults == NULL);
+  EXPECT(isnan(results[rows - 1][0]) && strcmp(dashpad_status_name(statuses[rows - 1]), "not run") == 0);
+
+  /* What is wrong, and nothing is solved. */
+  batch.progress = NULL;
+  values[7][1] = -1;
+  EXPECT(!dashpad_solve_batch(given, &batch, &results[0][0], NULL, NULL, &faults) &&
+         dashpad_faults_size(faults) == 1);
+  dashpad_faults_free(faults);
+  values[7][1] = NAN;
+  EXPECT(!dashpad_solve_batch(given, &batch, &results[0][0], NULL, NULL, &faults) &&
+         dashpad_faults_size(faults) >= 1);
+  dashpad_faults_free(faults);
+  const char* const bad_keys[] = {"impactor.sped", "pad.material"};
+  const char* const bad_figures[] = {"hic16", NULL};
+  batch.keys = bad_keys, batch.figures = bad_figures;
+  EXPECT(!dashpad_solve_batch(given, &batch, &results[0][0], NULL, NULL, &faults) &&
+         dashpad_faults_size(faults) == 4);
+  dashpad_faults_free(faults);
+  batch.values = NULL;
+  EXPECT(!dashpad_solve_batch(given, &batch, &results[0][0], NULL, NULL, &faults) &&
+         dashpad_faults_size(faults) == 1);
+  dashpad_faults_free(faults);
+  EXPECT(!dashpad_solve_batch(given, NULL, NULL, NULL, NULL, &faults) && dashpad_faults_size(faults) == 1);
+  dashpad_faults_free(faults);
+  EXPECT(dashpad_status_name(99) == NULL);
+  dashpad_case_free(given);
+}
+
 static void lists_figures(void) {
   EXPECT(dashpad_figures_size() > 10 && dashpad_figure_key(dashpad_figures_size()) == NULL);
   for (size_t i = 0; i < dashpad_figures_size(); ++i)
@@ -234,6 +304,7 @@ int main(int count, char** arguments) {
   changes_a_case();
   tells_all_that_is_wrong();
   survives_null();
+  solves_batches();
   lists_figures();
   answers_requests();
   if (count > 2) agrees_with_the_command(arguments[1], arguments[2]);
