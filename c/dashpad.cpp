@@ -33,7 +33,11 @@
 #include "dashpad/study/study.hpp"
 #include "dashpad/version.hpp"
 #include "input/disk.hpp"
+#include "input/toml_tree.hpp"
+#include "json/json_values.hpp"
 #include "live/answer.hpp"
+#include "live/case_tables.hpp"
+#include "live/request.hpp"
 #include "model/parameter_values.hpp"
 #include "output/text/case_toml.hpp"
 #include "study/run_batches.hpp"
@@ -56,6 +60,7 @@ struct dashpad_faults {
 
 struct dashpad_case {
   std::string text, file, materials;
+  bool is_file = false;               ///< the text is that of the file
   std::vector<std::string> settings;  ///< "KEY=VALUE", in the order in which they were made
   dashpad::input::CaseFile read;
   std::shared_ptr<const CaseQuantities> quantities;  ///< of `read`; copies of a case share them
@@ -179,6 +184,19 @@ study::Study study_of(const dashpad_case& given, const dashpad_batch& batch) {
   return made;
 }
 
+/// A request with a case and its changes; what is no request stays as it is.
+std::string about(const dashpad_case& given, const std::string& request) {
+  dashpad::Json asked = dashpad::Json::parse(request, nullptr, false);
+  if (!asked.is_object()) return request;
+  if (given.is_file)
+    asked["file"] = given.file;
+  else
+    asked["case"] =
+        dashpad::live::tables_of(dashpad::input::read_toml_text(given.file, given.text).value().root);
+  asked["set"] = given.settings;
+  return asked.dump();
+}
+
 /// The value that `find` finds, or NaN.
 template <class Find>
 double value_of(Find&& find) noexcept {
@@ -266,6 +284,7 @@ dashpad_case* dashpad_case_read(const char* file, const char* text, const char* 
     auto made = std::make_unique<dashpad_case>();
     made->file = text_of(file);
     made->materials = text_of(materials);
+    made->is_file = text == nullptr;
     made->text = text == nullptr ? dashpad::input::read_text_file(made->file).value() : text;
     take(*made, dashpad::input::read_case_text(made->text, made->file, made->materials).value());
     return made.release();
@@ -461,10 +480,18 @@ const char* dashpad_status_name(unsigned char status) {
 
 // ------------------------------------------------------------------ everything else
 
-char* dashpad_answer(const char* request, const char* materials, const char* standards) {
+char* dashpad_answer(const char* request, const dashpad_case* given, const char* materials,
+                     const char* standards) {
   return guarded(nullptr, [&]() -> char* {
-    const std::string answer =
-        dashpad::live::answer(text_of(request), {text_of(materials), text_of(standards)});
+    std::string answer;
+    try {
+      answer = given == nullptr
+                   ? dashpad::live::answer(text_of(request), {text_of(materials), text_of(standards)})
+                   : dashpad::live::answer(about(*given, text_of(request)),
+                                           {given->materials, text_of(standards)});
+    } catch (const std::exception& error) {
+      answer = dashpad::live::fault_json("", error.what()).dump();
+    }
     auto text = std::make_unique<char[]>(answer.size() + 1);
     std::memcpy(text.get(), answer.c_str(), answer.size() + 1);
     return text.release();

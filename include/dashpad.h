@@ -189,11 +189,12 @@ DASHPAD_API const char* dashpad_status_name(unsigned char status);
 
 /*
  * The answer to a request, both JSON: {"do": "solve" | "solve-for" | "fit" | "pulse" | "read" | "list", ...}
- * as src/live/answer.hpp and docs/c.md list them. What cannot be answered is {"faults": [...]}. `materials`
- * and `standards` are the folders of cards and standards. Free it with dashpad_text_free(); NULL if memory is
- * short.
+ * as src/live/answer.hpp lists them. `given` may be NULL; else the request is about that case, with its
+ * changes and the folder of its cards in place of `materials`. What cannot be answered is {"faults": [...]}.
+ * `standards` is the folder of standards. Free it with dashpad_text_free(); NULL if memory is short.
  */
-DASHPAD_API char* dashpad_answer(const char* request, const char* materials, const char* standards);
+DASHPAD_API char* dashpad_answer(const char* request, const dashpad_case* given, const char* materials,
+                                 const char* standards);
 DASHPAD_API void dashpad_text_free(char* text);
 
 #ifdef __cplusplus

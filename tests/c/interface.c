@@ -256,12 +256,22 @@ static void lists_figures(void) {
 }
 
 static void answers_requests(void) {
-  char* answer = dashpad_answer("{\"do\": \"list\"}", materials, standards);
+  char* answer = dashpad_answer("{\"do\": \"list\"}", NULL, materials, standards);
   EXPECT(answer != NULL && strstr(answer, "\"vn600\"") != NULL && strstr(answer, "\"en-1078\"") != NULL);
   dashpad_text_free(answer);
+  /* Of a case with its changes, by a standard. */
+  dashpad_case* const given = read_drop();
+  EXPECT(dashpad_case_set(given, "pad.thickness", "50 mm", NULL));
+  answer = dashpad_answer("{\"do\": \"solve\", \"standard\": \"en-1078\", \"intervals\": true}", given, NULL,
+                          standards);
+  EXPECT(strstr(answer, "\"verdict\"") != NULL && strstr(answer, "\"thickness_m\":0.05,") != NULL);
+  dashpad_text_free(answer);
+
+  dashpad_case_free(given);
+
   const char* bad[] = {NULL, "", "{", "[]", "{\"do\": \"fly\"}", "{\"do\": \"solve\"}", "\xff\xfe"};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-    answer = dashpad_answer(bad[i], materials, standards);
+    answer = dashpad_answer(bad[i], NULL, materials, standards);
     EXPECT(answer != NULL && strstr(answer, "\"faults\"") != NULL);
     dashpad_text_free(answer);
   }
