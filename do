@@ -30,6 +30,7 @@ Usage: ./do TASK [arguments]
                            (tests/fuzz/fuzz_TARGET.cpp); failing inputs go to build/fuzz/findings
   wasm                     compile the engine for WebAssembly: build/wasm/engine.wasm.lzma, which explore puts into pages
   npm                      pack the engine, its module and its command for npm: build/npm/dashpad-VERSION.tgz
+  wheel                    make the package for Python 3 and try it: build/wheel/dashpad-VERSION-py3-none-linux_x86_64.whl
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
                            WebAssembly, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
@@ -476,13 +477,41 @@ task_npm() {
   say "The package: build/npm/dashpad-$version.tgz"
 }
 
+# The package of python/ with the library, what it loads, cards and standards; tried in an environment of its own, where
+# NumPy is the system's.
+task_wheel() {
+  need_packages run wheel
+  say "Building the library ..."
+  configure release
+  build release dashpad-shared
+  local version folder="$root/build/wheel" python=/usr/bin/python3 library
+  version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
+  rm -rf "$folder"
+  mkdir -p "$folder/package"
+  cp -R "$root/python/pyproject.toml" "$root/python/setup.py" "$root/python/dashpad" "$root/LICENSE" "$folder/package"
+  rm -rf "$folder/package/dashpad/__pycache__"
+  echo "$version" >"$folder/package/VERSION"
+  cp -R "$root/materials" "$root/standards" "$folder/package/dashpad"
+  for library in "$root/build/release/c/libdashpad.so.1" \
+    $(ldd "$root/build/release/c/libdashpad.so.1" | sed -n 's/.* => \(.*\(fmt\|sqlite3\|tbb\)[^ ]*\) .*/\1/p'); do
+    cp -L "$library" "$folder/package/dashpad"
+  done
+  strip --strip-unneeded "$folder"/package/dashpad/*.so*
+  (cd "$folder/package" && "$python" setup.py --quiet bdist_wheel --dist-dir "$folder" >"$folder/log" 2>&1) ||
+    { cat "$folder/log" >&2 && return 1; }
+  "$python" -m venv --system-site-packages "$folder/trial"
+  "$folder/trial/bin/pip" install --quiet --no-index --no-deps "$folder"/dashpad-*.whl
+  (cd "$folder" && env -u DASHPAD_LIBRARY -u PYTHONPATH "$folder/trial/bin/python" "$root/python/tests/test_dashpad.py")
+  say "The package: $(cd "$root" && echo build/wheel/dashpad-*.whl)"
+}
+
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
 # build/nightly, and what has passed is not done again while the code is the same, so that a night that is cut off goes on
 # and words in documents cost nothing.
 task_nightly() {
   need_packages run test bench format lint clang
   local tests="$root/build/release/tests" ended=() failed=0 kind commit kept
-  local code=(.clang-tidy CMakeLists.txt CMakePresets.json app bench cmake data examples include materials schema src
+  local code=(.clang-tidy CMakeLists.txt CMakePresets.json app bench c cmake data examples include materials python schema src
     standards tests web ':!*.md' ':!bench/results')
   commit="$(git -C "$root" describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)"
   kept="$root/build/nightly/$( (cd "$root" && git ls-files --stage -- "${code[@]}") | git hash-object --stdin | head -c 12)"
@@ -534,7 +563,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

@@ -88,7 +88,10 @@ void tell(dashpad_faults** faults, std::vector<Fault> all) {
   if (faults == nullptr) return;
   auto told = std::make_unique<dashpad_faults>();
   told->all = std::move(all);
-  for (const Fault& fault : told->all) told->lines.push_back(to_string(fault));
+  for (const Fault& fault : told->all) {
+    std::string& line = told->lines.emplace_back(to_string(fault));
+    if (line.starts_with(": ")) line.erase(0, 2);  // of no file
+  }
   for (const std::string& line : told->lines) told->text += line + '\n';
   *faults = told.release();
 }

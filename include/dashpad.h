@@ -9,7 +9,7 @@
  * it is freed or, of a case, changed.
  *
  * Errors: no function ends the program, none throws, and there is no global state. A function that can fail
- * returns NULL or 0 and puts what is wrong in *faults, all of it at once, if `faults` is not NULL; on success
+ * returns NULL or 0 and puts the faults in *faults, all of it at once, if `faults` is not NULL; on success
  * *faults is NULL.
  *
  * Threads: different handles may be used at the same time; one solver or one case that changes is for one
@@ -47,7 +47,7 @@ DASHPAD_API int dashpad_interface(void);
 /* The version of the program, such as "0.2.0". */
 DASHPAD_API const char* dashpad_version(void);
 
-/* ---- What is wrong ---- */
+/* ---- Faults ---- */
 
 typedef struct dashpad_faults dashpad_faults;
 

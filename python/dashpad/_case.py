@@ -1,0 +1,142 @@
+"""Cases: from files, texts, dictionaries and keywords, with their numbers by dotted keys."""
+
+import json
+import math
+import numbers
+import os
+import re
+from collections.abc import Mapping
+
+from . import _native
+from ._native import checked, library
+
+
+def _toml(value):
+    """A value as TOML, tables inline."""
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        number = float(value)
+        return repr(number) if math.isfinite(number) else ("nan" if math.isnan(number) else f"{number}")
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_key(key)} = {_toml(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, (list, tuple)) or hasattr(value, "tolist"):
+        return "[" + ", ".join(_toml(each) for each in (value.tolist() if hasattr(value, "tolist") else value)) + "]"
+    raise TypeError(f"a case holds texts, numbers, lists and tables, not {type(value).__name__}")
+
+
+def _key(key):
+    if not isinstance(key, str):
+        raise TypeError(f"a key of a case is a text, not {key!r}")
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
+
+
+class Case:
+    """A case: impactor, pad and support.
+
+    ``source`` is the path of a case file, the text of one (with a line break), or a dictionary of its tables; or the
+    tables are given as keywords, with units as in case files. ``materials`` is the folder of the foam cards (default: those supplied).
+
+    ``case["pad.thickness"]`` reads a number in SI; ``case["pad.thickness"] = 0.03`` or ``"30 mm"`` sets it, and other keys of
+    case files take texts (``case["pad.material"] = "vn600"``). ``case | {...}`` gives a changed copy. What makes the case
+    invalid raises :class:`DashpadFaults` and leaves it as it was.
+
+    >>> case = Case({"impactor": {"mass": "5 kg", "radius": "80 mm", "speed": "4 m/s"},
+    ...              "pad": {"thickness": "40 mm", "material": "eps-29"}, "support": {"type": "rigid"}})
+    >>> case["pad.thickness"], case.units["pad.thickness"]
+    (0.04, 'm')
+    """
+
+    __slots__ = ("_handle", "__weakref__")
+
+    def __init__(self, source=None, /, *, materials=None, **tables):
+        self._handle = None
+        if source is not None and tables:
+            raise TypeError("give a case either by one argument or by keywords")
+        if isinstance(source, Case):
+            self._handle = library.dashpad_case_copy(source._handle)
+            return
+        file, text = "the case", None
+        if isinstance(source, os.PathLike) or (isinstance(source, str) and "\n" not in source):
+            file = os.fspath(source)
+        elif isinstance(source, str):
+            text = source
+        elif source is None or isinstance(source, Mapping):
+            content = tables if source is None else source
+            text = "".join(f"{_key(key)} = {_toml(value)}\n" for key, value in content.items())
+        else:
+            raise TypeError(f"a case is a path, a text or a dictionary, not {type(source).__name__}")
+        folder = os.fspath(materials) if materials is not None else _native.materials
+        self._handle = checked(
+            library.dashpad_case_read, _bytes(file), None if text is None else _bytes(text), _bytes(folder)
+        )
+
+    def __del__(self):
+        if self._handle:
+            library.dashpad_case_free(self._handle)
+
+    def __getitem__(self, key):
+        value = library.dashpad_case_number(self._handle, _bytes(key))
+        if value != value and key not in self.units:
+            raise KeyError(key)
+        return value
+
+    def __setitem__(self, key, value):
+        if isinstance(value, str):
+            checked(library.dashpad_case_set, self._handle, _bytes(key), _bytes(value))
+        elif isinstance(value, numbers.Real) and not isinstance(value, bool):
+            checked(library.dashpad_case_set_number, self._handle, _bytes(key), float(value))
+        else:
+            raise TypeError(f"{key} is set to a number or a text, not to {type(value).__name__}")
+
+    def __or__(self, changes):
+        if not isinstance(changes, Mapping):
+            return NotImplemented
+        changed = Case(self)
+        for key, value in changes.items():
+            changed[key] = value
+        return changed
+
+    def __iter__(self):
+        return iter(self.units)
+
+    def __len__(self):
+        return library.dashpad_case_size(self._handle)
+
+    def __contains__(self, key):
+        return key in self.units
+
+    def keys(self):
+        """The keys of the numbers that the case has."""
+        return self.units.keys()
+
+    @property
+    def units(self):
+        """The SI unit of each number, by its key; "1" for a pure number."""
+        return {
+            library.dashpad_case_key(self._handle, i).decode(): library.dashpad_case_unit(self._handle, i).decode()
+            for i in range(len(self))
+        }
+
+    @property
+    def toml(self):
+        """The case as a case file in SI that needs no other files."""
+        return library.dashpad_case_toml(self._handle).decode()
+
+    def __repr__(self):
+        return f"<dashpad.Case\n{self.toml}>"
+
+    def __reduce__(self):
+        return Case, (self.toml,)
+
+
+def _bytes(text):
+    if not isinstance(text, str):
+        raise TypeError(f"{text!r} is no text")
+    if "\0" in text:
+        raise ValueError("a text must not contain a null character")
+    return text.encode()
