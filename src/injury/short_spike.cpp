@@ -39,8 +39,11 @@ std::string state_of_pad(const Summary& summary) {
              : "a layer of the pad is strained beyond the tests of its foam";
 }
 
-/// "a peak of 412 g": the peak above the level, or the end of its interval; empty if neither is.
+/// "a peak of 412 g": the peak clearly above the level, or the end of its interval; empty if neither is. The
+/// peak of a smooth pulse is a little above its clip, which sees it well: by 12 % for a half sine of 10 ms.
 std::string peak_above(double level, const Summary& summary) {
+  constexpr double of_a_spike = 1.25;
+  level *= of_a_spike;
   // A pad without thickness has no peak that means anything.
   const double most = 1e4;
   const auto in_g = [most](double acceleration) {

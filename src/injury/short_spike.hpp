@@ -21,8 +21,8 @@ struct UpperLimit {
 inline constexpr const char* short_spike_name = "SHORT SPIKE";
 
 /// SHORT SPIKE: the pad is crushed through, or strained beyond the tests of its foam, the peak is or may be
-/// above the level of a clip or a dwell time, and no limit is on a figure that sees a short spike, such as
-/// the peak or HIC. Nothing otherwise. With the peak in g, whatever the verdict.
+/// a quarter above the level of a clip or a dwell time, and no limit is on a figure that sees a short spike,
+/// such as the peak or HIC. Nothing otherwise. With the peak in g, whatever the verdict.
 std::optional<Flag> short_spike(const Summary& summary, std::span<const UpperLimit> limits);
 
 /// The text of a flag without its name: what follows ", but " in an answer.

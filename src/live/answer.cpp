@@ -81,7 +81,7 @@ Json solve_case(const Json& request, const Folders& folders) {
   add_page(answer, std::move(document), units);
   answer["numbers"] = numbers_of(impact);
   // A card of the reader's own is nowhere else, so that the case has its law.
-  answer["toml"] = is_set(request, "whole_foam")
+  answer["toml"] = is_set(request, "whole_foam") || !request.contains("case")
                        ? output::case_toml(asked->given.impact, asked->given.options)
                        : toml_of(request["case"]);
   return answer;

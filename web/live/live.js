@@ -256,7 +256,8 @@ class LivePage {
   // In place of the option that the command has for it.
   offerOtherSpeed(answer, parts) {
     const [choice] = answer.result?.other_choices ?? [];
-    if (choice?.speed !== "case" || choice.nose) return;
+    // A pass at another speed than the standard's is none by it.
+    if (choice?.speed !== "case" || choice.nose || choice.verdict === "pass") return;
     const speed = answer.result.impactor.speed_m_per_s.case_value;
     const shown = Sliders.text(speed, Sliders.unit("m/s", this.state.units));
     const button = Object.assign(textElement("button", `Use the case's speed, ${shown} (then: ${choice.verdict})`), { type: "button" });
@@ -318,6 +319,7 @@ class LivePage {
 
   async findThinnest() {
     const found = byId("found");
+    if (document.body.classList.contains("fault")) return (found.textContent = "Mend the marked field first.");
     const { serial } = this;
     this.searching ??= new EngineWorker(this.quick.module, this.quick.files);
     this.isSearching = true;

@@ -52,7 +52,7 @@ class ComparedPads {
       return Number.isFinite(more) && text !== of ? ` (${more > 0 ? "+" : "\u2212"}${Number(Math.abs(more).toPrecision(2))}\u00a0%)` : "";
     };
     for (const [label, text] of first) {
-      const cells = others.map((figures) => figures.get(label) ?? "");
+      const cells = others.map((figures) => figures.get(label) ?? "\u2013");
       table.append(row("td", [label, text, ...cells.map((cell) => `${cell}${share(cell, text)}`)]));
     }
     const part = document.createElement("div");
@@ -74,7 +74,7 @@ class ComparedPads {
     const own = intervalOf(order[0][1]);
     const alike = order.slice(1).map(([, letter]) => letter).filter((letter) => intervalOf(letter)?.low <= own?.high);
     const share = 100 - (100 * order[0][0]) / order[1][0];
-    const how = alike.length > 0 ? `; within their uncertainty it cannot be told apart from pad ${alike.sort().join(" or ")}` : `, ${share.toPrecision(2)} % below pad ${order[1][1]}`;
+    const how = alike.length > 0 ? `; within their uncertainty it cannot be told apart from pad ${alike.sort().join(" or ").replace(/ or (?=.* or )/g, ", ")}` : `, ${share.toPrecision(2)} % below pad ${order[1][1]}`;
     return [textElement("p", `Lowest ${label.replace(/^(Peak|Cumulative)/, (word) => word.toLowerCase())}: pad ${order[0][1]}${how}.`)];
   }
 

@@ -71,12 +71,12 @@ std::string certain_text(const margin::Answer& answer, const UnitSystem& units) 
                                              bound_text(answer, to, false, units)));
   }
   if (is_everywhere) return ", and that with its 95 % interval";
-  return parts.empty() ? ", but nowhere with its 95 % interval"
+  return parts.empty() ? ", but nowhere in this range with its 95 % interval"
                        : ", with its 95 % interval " + joined(parts, " and ");
 }
 
-/// "; a spike goes unseen from 8 to 12 mm: at 8 mm the pad is crushed through, with a peak of 412 g too short
-/// for the 3 ms clip to see"; "" without one.
+/// "; a spike may go unseen from 8 to 12 mm: at 8 mm the pad is crushed through, with a peak of 412 g too
+/// short for the 3 ms clip to see"; "" without one.
 std::string spike_text(const margin::Answer& answer, const UnitSystem& units) {
   const auto spike = std::ranges::find(answer.reservations, injury::short_spike_name, &Flag::name);
   if (spike == answer.reservations.end()) return "";
@@ -95,7 +95,7 @@ std::string spike_text(const margin::Answer& answer, const UnitSystem& units) {
     where += ": at " + bound_text(answer, highest->value, highest != last, units);
   else if (!answer.turns.empty())  // of draws the case as it is has a spike, at the turn
     where += ": at " + key_text(answer, answer.turns.front().value, units);
-  return fmt::format("; a spike goes unseen{} {}", where.empty() ? ":" : where, injury::words_of(*spike));
+  return fmt::format("; a spike may go unseen{} {}", where.empty() ? ":" : where, injury::words_of(*spike));
 }
 
 /// "is at least 29.4 mm", "is between 21 and 44 mm": where the limits are kept, within the range.
