@@ -76,7 +76,7 @@ class Case:
         )
 
     def __del__(self):
-        if self._handle:
+        if getattr(self, "_handle", None):
             library.dashpad_case_free(self._handle)
 
     def __getitem__(self, key):

@@ -2,6 +2,7 @@
 
 import ctypes
 import json
+import math
 import os
 import threading
 from collections.abc import Mapping
@@ -151,7 +152,18 @@ class Answer:
         return self.html or f"<p>{self.title}</p>"
 
 
+_units = ("si", "us", "engineering-metric")
+_texts = ("standard", "key", "thickness", "area", "rate")
+
+
 def _ask(request, case=None):
+    for name in _texts:
+        if not isinstance(request.get(name, ""), str):
+            raise TypeError(f"{name} is a text, not {request[name]!r}")
+    if request.get("units", "si") not in _units:
+        raise ValueError(f"units are one of {', '.join(_units)}, not {request['units']!r}")
+    if any(isinstance(value, float) and not math.isfinite(value) for value in request.values()):
+        raise ValueError("a number is not finite")
     given = None if case is None else case._handle
     place = library.dashpad_answer(
         json.dumps(request).encode(), given, _bytes(_native.materials), _bytes(_native.standards)
@@ -202,6 +214,11 @@ def standards():
     return {each["name"]: each["title"] for each in _ask({"do": "list"})["standards"]}
 
 
+def _column(values):
+    """Real numbers as an array; a TypeError for others."""
+    return np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
+
+
 def batch(case, rows, figures=("peak_acceleration", "hic15"), *, tolerance=None, threads=0, progress=None):
     """Solves a case once for each row of a table, on all cores.
 
@@ -220,8 +237,10 @@ def batch(case, rows, figures=("peak_acceleration", "hic15"), *, tolerance=None,
     if not hasattr(rows, "keys"):
         raise TypeError(f"rows are a dictionary or a data frame, not {type(rows).__name__}")
     keys = [str(key) for key in rows.keys()]
+    if not 0 <= threads <= 4096:
+        raise ValueError(f"threads are from 1 to 4096, or 0 for one a core, not {threads}")
     names = [figures] if isinstance(figures, str) else list(figures)
-    columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(rows[key], dtype=float)) for key in rows.keys())) if keys else []
+    columns = np.broadcast_arrays(*(_column(rows[key]) for key in rows.keys())) if keys else []
     if any(column.ndim != 1 for column in columns):
         raise ValueError("each column of the rows has one dimension")
     table = np.ascontiguousarray(np.stack(columns, axis=1)) if keys else np.empty((0, 0))

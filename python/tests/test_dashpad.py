@@ -148,11 +148,15 @@ class Batches(unittest.TestCase):
                               ({"pad.material": [1]}, "hic15"), ({}, "hic15")):
             with self.subTest(rows=rows), self.assertRaises(DashpadFaults):
                 batch(case, rows, figures)
-        for rows in ({"impactor.speed": ["a"]}, {"impactor.speed": [[1, 2]]}, {"impactor.speed": [1, 2], "pad.thickness": [1, 2, 3]}):
+        for rows in ({"impactor.speed": [[1, 2]]}, {"impactor.speed": [1, 2], "pad.thickness": [1, 2, 3]}):
             with self.subTest(rows=rows), self.assertRaises(ValueError):
                 batch(case, rows)
-        with self.assertRaises(TypeError):
-            batch(case, [1, 2])
+        for rows in ([1, 2], {"impactor.speed": ["a"]}, {"impactor.speed": [1j]}, {"impactor.speed": [None]}):
+            with self.subTest(rows=rows), self.assertRaises(TypeError):
+                batch(case, rows)
+        for threads in (-1, 10**12):
+            with self.subTest(threads=threads), self.assertRaises(ValueError):
+                batch(case, {"impactor.speed": [4]}, threads=threads)
         self.assertEqual(len(batch(case, {"impactor.speed": []})["hic15"]), 0)
 
     def test_progress_is_told_and_its_errors_are_handed_on(self):
@@ -191,6 +195,38 @@ class Batches(unittest.TestCase):
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=120)
         self.assertIn("KeyboardInterrupt", errors)
+
+
+class Questions(unittest.TestCase):
+    def test_what_is_wrong_is_told(self):
+        case = drop()
+        for wrong, ask in (
+            (TypeError, lambda: dashpad.assess(case, 3)),
+            (TypeError, lambda: dashpad.assess(case, "en-1078", colour=3)),
+            (TypeError, lambda: dashpad.solve_for(case, 3, until="hic15 <= 700")),
+            (ValueError, lambda: dashpad.assess(case, "en-1078", mass=math.nan)),
+            (ValueError, lambda: dashpad.assess(case, "en-1078", units="furlong")),
+            (DashpadFaults, lambda: dashpad.assess(case, "en 1078")),
+            (DashpadFaults, lambda: dashpad.assess(case, "en-1078", mass=-1)),
+            (DashpadFaults, lambda: dashpad.solve_for(case, "pad.thickness")),
+            (DashpadFaults, lambda: dashpad.solve_for(case, "pad.thickness", until="hic15")),
+            (DashpadFaults, lambda: dashpad.solve_for(case, "pad.colour", until="hic15 <= 700")),
+            (DashpadFaults, lambda: dashpad.fit()),
+            (DashpadFaults, lambda: dashpad.fit("/nowhere.csv")),
+            (DashpadFaults, lambda: dashpad.fit(__file__)),
+        ):
+            with self.assertRaises(wrong):
+                ask()
+
+    def test_processes_may_fork(self):
+        code = ("import dashpad, multiprocessing\n"
+                f"case = dashpad.Case({str(dashboard)!r})\n"
+                "rows = {'impactor.speed': [5.0 + i / 50 for i in range(100)]}\n"
+                "def total(_): return float(dashpad.batch(case, rows)['hic15'].sum())\n"
+                "expected = total(0)\n"
+                "with multiprocessing.get_context('fork').Pool(2) as pool:\n"
+                "    assert pool.map_async(total, range(2)).get(timeout=120) == [expected] * 2\n")
+        subprocess.run([sys.executable, "-c", code], check=True)
 
 
 class Fits(unittest.TestCase):

@@ -24,6 +24,8 @@ Json fit_tests(const Json& request) {
   input::StressStrainColumns columns;
   columns.thickness = value_of(request, "thickness", "--thickness", "m", faults);
   columns.area = value_of(request, "area", "--area", "m2", faults);
+  if (names.empty())
+    add(input::fault_of_file("fit", "needs the table of at least one compression test"), faults);
   if (!faults.empty()) return faults_json(faults);
   const std::vector<double> rates(rate ? names.size() : 0, rate.value_or(0));
   auto proposal = fit::propose({names.begin(), names.end()}, rates, columns);
