@@ -15,7 +15,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -40,6 +39,7 @@
 #include "live/request.hpp"
 #include "model/parameter_values.hpp"
 #include "output/text/case_toml.hpp"
+#include "result/history_columns.hpp"
 #include "study/run_batches.hpp"
 
 using dashpad::CaseQuantities;
@@ -232,21 +232,9 @@ const std::vector<double>& figures_of(dashpad_result& result) {
 }
 
 const std::vector<double>* column_of(const dashpad::History& history, std::string_view name) {
-  using Column = std::pair<std::string_view, std::vector<double> dashpad::History::*>;
-  static constexpr std::array columns{Column{"time", &dashpad::History::time},
-                                      Column{"force", &dashpad::History::force},
-                                      Column{"acceleration", &dashpad::History::acceleration},
-                                      Column{"velocity", &dashpad::History::velocity},
-                                      Column{"motion", &dashpad::History::motion},
-                                      Column{"penetration", &dashpad::History::penetration},
-                                      Column{"support_deflection", &dashpad::History::support_deflection},
-                                      Column{"contact_radius", &dashpad::History::contact_radius},
-                                      Column{"axis_strain", &dashpad::History::axis_strain},
-                                      Column{"transmitted_force", &dashpad::History::transmitted_force},
-                                      Column{"body_motion", &dashpad::History::body_motion},
-                                      Column{"pad_force", &dashpad::History::pad_force}};
-  for (const auto& [key, column] : columns)
-    if (key == name) return &(history.*column);
+  const auto columns = dashpad::history_columns();
+  const auto found = std::ranges::find(columns, name, &dashpad::HistoryColumn::key);
+  if (found != columns.end()) return &(history.*found->values);
   constexpr std::string_view layer = "layer_strain_";
   if (!name.starts_with(layer)) return nullptr;
   const std::string_view digits = name.substr(layer.size());
@@ -422,6 +410,11 @@ const double* dashpad_result_history(const dashpad_result* result, const char* c
   return is_there ? found->data() : nullptr;
 }
 
+const char* dashpad_history_key(size_t i) {
+  const auto columns = dashpad::history_columns();
+  return i < columns.size() ? columns[i].key : nullptr;
+}
+
 const char* dashpad_result_json(dashpad_result* result) {
   return guarded(nullptr, [&] {
     std::string& json = of(result).json;
@@ -466,9 +459,7 @@ int dashpad_solve_batch(const dashpad_case* given, const dashpad_batch* batch, d
       done += rows.size();
       if (batch->progress != nullptr && batch->progress(batch->context, done, batch->rows) == 0) stop = true;
     };
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int threads = batch->threads > 0 ? batch->threads : cores;
-    return study::run_batches(numbers, threads, &stop, {.worker = worker, .write = write}) ? 1 : 0;
+    return study::run_batches(numbers, batch->threads, &stop, {.worker = worker, .write = write}) ? 1 : 0;
   });
 }
 

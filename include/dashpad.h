@@ -150,6 +150,9 @@ DASHPAD_API const char* dashpad_result_flag(dashpad_result* result, size_t i);
 DASHPAD_API const double* dashpad_result_history(const dashpad_result* result, const char* column,
                                                  size_t* size);
 
+/* The name of the i-th column that an impact may have, but for those of layers; NULL beyond the last. */
+DASHPAD_API const char* dashpad_history_key(size_t i);
+
 /* The result as `dashpad run --no-intervals --json` writes it; NULL if memory is short. */
 DASHPAD_API const char* dashpad_result_json(dashpad_result* result);
 

@@ -78,6 +78,7 @@ _functions = {
     "dashpad_result_flags_size": (size, handle),
     "dashpad_result_flag": (text, handle, size),
     "dashpad_result_history": (ctypes.POINTER(number), handle, text, ctypes.POINTER(size)),
+    "dashpad_history_key": (text, size),
     "dashpad_result_json": (text, handle),
     "dashpad_solve_batch": (
         ctypes.c_int, handle, ctypes.POINTER(Batch), handle, handle, handle, ctypes.POINTER(handle),

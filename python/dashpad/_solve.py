@@ -1,6 +1,7 @@
 """Solving cases: one, many, and questions about one."""
 
 import ctypes
+import itertools
 import json
 import math
 import os
@@ -13,15 +14,13 @@ from . import _native
 from ._case import Case, _bytes
 from ._native import Batch, DashpadFaults, Fault, checked, library
 
-_columns = (
-    "time", "force", "acceleration", "velocity", "motion", "penetration", "support_deflection", "contact_radius",
-    "axis_strain", "transmitted_force", "body_motion", "pad_force",
-)
+
+def _listed(text_at):
+    """The texts that a function gives for 0, 1, ... until there is none."""
+    return [text.decode() for text in itertools.takewhile(lambda text: text is not None, map(text_at, itertools.count()))]
 
 
-def _listed(of):
-    return [of(i).decode() for i in range(library.dashpad_figures_size())]
-
+_columns = _listed(library.dashpad_history_key)
 
 #: The SI unit of each figure of a result, by its key.
 figures = dict(zip(_listed(library.dashpad_figure_key), _listed(library.dashpad_figure_unit)))
@@ -104,8 +103,7 @@ class Result:
     @property
     def flags(self):
         """The reservations about the result, a line each."""
-        return [library.dashpad_result_flag(self._handle, i).decode()
-                for i in range(library.dashpad_result_flags_size(self._handle))]
+        return _listed(lambda i: library.dashpad_result_flag(self._handle, i))
 
     @property
     def history(self):

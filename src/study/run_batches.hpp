@@ -20,8 +20,9 @@ struct BatchWork {
   std::function<void(std::uint64_t batch, std::span<const StoredRow> rows)> write;
 };
 
-/// Computes and writes the batches, with a few batches per thread in memory. True if all are written, false
-/// if `stop` came first. After an exception the batches before it in the list are written.
+/// Computes and writes the batches on `threads`, 0: one a core, with a few batches per thread in memory. True
+/// if all are written, false if `stop` came first. After an exception the batches before it in the list are
+/// written.
 bool run_batches(std::span<const std::uint64_t> batches, int threads, const std::atomic<bool>* stop,
                  const BatchWork& work);
 

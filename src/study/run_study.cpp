@@ -115,7 +115,7 @@ int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurre
 bool run_batches(std::span<const std::uint64_t> batches, int threads, const std::atomic<bool>* stop,
                  const BatchWork& work) {
   constexpr std::size_t batches_a_thread = 4;
-  const auto workers = static_cast<std::size_t>(threads);
+  const auto workers = static_cast<std::size_t>(threads > 0 ? threads : cores());
   // Allows more threads than cores if the user asks for them.
   const tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, workers};
   tbb::enumerable_thread_specific<BatchWork::Compute> compute{[&work] { return work.worker(); }};
@@ -179,7 +179,7 @@ bool run(const Study& study, Store& store, const RunSettings& settings) {
                            }};
   tell();
   const std::vector<std::uint64_t> missing = store.missing_batches();
-  return run_batches(missing, settings.threads > 0 ? settings.threads : cores(), settings.stop, work);
+  return run_batches(missing, settings.threads, settings.stop, work);
 }
 
 }  // namespace dashpad::study

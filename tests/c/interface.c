@@ -250,6 +250,7 @@ static void solves_batches(void) {
 }
 
 static void lists_figures(void) {
+  EXPECT(strcmp(dashpad_history_key(0), "time") == 0 && dashpad_history_key(99) == NULL);
   EXPECT(dashpad_figures_size() > 10 && dashpad_figure_key(dashpad_figures_size()) == NULL);
   for (size_t i = 0; i < dashpad_figures_size(); ++i)
     EXPECT(*dashpad_figure_key(i) && *dashpad_figure_unit(i) && *dashpad_figure_title(i));

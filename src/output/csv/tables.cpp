@@ -13,6 +13,7 @@
 #include "dashpad/output/materials.hpp"
 #include "dashpad/output/pulse.hpp"
 #include "dashpad/result/result_quantity.hpp"
+#include "result/history_columns.hpp"
 
 namespace dashpad::output {
 
@@ -53,22 +54,10 @@ std::string csv_text(const std::vector<Column>& columns) {
 }  // namespace
 
 std::string history_csv(const History& history, const UnitSystem& units) {
-  std::vector<Column> columns{
-      column("time", history.time, units),
-      column("force", history.force, units),
-      column("acceleration", history.acceleration, units),
-      column("velocity", history.velocity, units),
-      column("motion", history.motion, units),
-      column("penetration", history.penetration, units),
-      column("support_deflection", history.support_deflection, units),
-      column("contact_radius", history.contact_radius, units),
-      column("axis_strain", history.axis_strain, units),
-  };
-  if (!history.pad_force.empty()) columns.push_back(column("pad_force", history.pad_force, units));
-  if (!history.transmitted_force.empty()) {
-    columns.push_back(column("transmitted_force", history.transmitted_force, units));
-    columns.push_back(column("body_motion", history.body_motion, units));
-  }
+  std::vector<Column> columns;
+  for (const HistoryColumn& each : history_columns())
+    if (const std::vector<double>& values = history.*each.values; !each.is_optional || !values.empty())
+      columns.push_back(column(each.key, values, units));
   for (std::size_t i = 0; i < history.layer_strain.size(); ++i) {
     columns.push_back(column("axis_strain", history.layer_strain[i], units));
     columns.back().header += fmt::format("_layer_{}", i + 1);
