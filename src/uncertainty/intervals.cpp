@@ -41,7 +41,11 @@ Open open_sources_of(const ImpactCase& impact, const Summary& summary) {
 
 namespace {
 
-/// Tolerance of the impacts at the ends of lines.
+/// Runs of the impacts at the places of lines, if with them all meet `tolerance_of_few_runs`: what these few
+/// runs leave of the error is nearly alike at all places, and cancels in the differences.
+constexpr int few_runs = 2;
+constexpr double tolerance_of_few_runs = 1e-2;
+/// Tolerance of the impacts if they do not.
 constexpr double tolerance_of_ends = 1e-3;
 /// Share of the nominal figure that a point between the ends must add to be solved.
 constexpr double worth_solving = 3e-3;
@@ -98,12 +102,14 @@ struct Solved {
   bool failed = false;
 };
 
-/// The figures of a case; empty if it was not solved well enough. Forces of a pad that bottoms are infinite.
+/// The figures of a case; empty if it was not solved well enough, with a fixed number of runs if it missed
+/// the tolerance. Forces of a pad that bottoms are infinite.
 std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
                                    const std::vector<AskedFigure>& asked) {
   if (!violations(impact).empty()) return {};
   const Solution solution = solve(impact, options);
   const Summary& summary = solution.summary;
+  if (options.fixed_runs > 0 && !summary.trustworthy()) return {};
   std::vector<double> values = figures_of(solution, asked);
   if (bottomed_on_rigid_support(summary)) {
     for (std::size_t i = 0; i < asked.size(); ++i)
@@ -120,11 +126,12 @@ class Search {
   Search(const ImpactCase& impact, const Options& options, const Solution& nominal,
          const std::vector<AskedFigure>& asked, const std::vector<Line>& lines)
       : impact_(impact), options_(options), asked_(asked), nominal_(figures_of(nominal, asked)) {
+    options_.tolerance = std::max(options.tolerance, tolerance_of_few_runs);
+    options_.fixed_runs = few_runs;
+    if (solve(lines)) return;
     options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
     options_.fixed_runs = 0;
-    for (const Line& line : lines) solved_.push_back({.line = &line});
-    solve_ends();
-    solve_between();
+    solve(lines);
   }
 
   [[nodiscard]] const std::vector<Solved>& solved() const { return solved_; }
@@ -137,6 +144,16 @@ class Search {
     double at;
     std::vector<double> figures = {};
   };
+
+  /// Returns whether every impact was solved well enough.
+  bool solve(const std::vector<Line>& lines) {
+    solved_.clear();
+    impacts_ = 0;
+    for (const Line& line : lines) solved_.push_back({.line = &line});
+    solve_ends();
+    solve_between();
+    return std::ranges::none_of(solved_, &Solved::failed);
+  }
 
   void solve_all(std::vector<Job>& jobs) {
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
@@ -237,7 +254,7 @@ class Search {
   const std::vector<AskedFigure>& asked_;
   std::vector<double> nominal_, base_;
   std::vector<Solved> solved_;
-  int impacts_ = 0;
+  int impacts_ = 0;  ///< of the last attempt
 };
 
 /// Distances of the ends of an interval below and above the nominal figure.

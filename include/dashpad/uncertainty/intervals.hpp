@@ -17,10 +17,10 @@ namespace dashpad::uncertainty {
 /// Largest number of impacts solved for the ends of ranges and the axes of a posterior.
 inline constexpr int max_impacts = 12;
 
-/// Sets solution.summary.intervals of a solved impact. Further impacts are solved, on all cores and to a
-/// tolerance of 1e-3, only for uncertain sources that the impact reaches. `dwell_levels` are those of the
-/// wanted dwell times, m/s2. For an impact that was cut or bottomed out on a rigid support only the sources
-/// are named; for one that was not run nothing is set.
+/// Sets solution.summary.intervals of a solved impact. Further impacts are solved, on all cores, in two runs
+/// each or to a tolerance of 1e-3, only for uncertain sources that the impact reaches. `dwell_levels` are
+/// those of the wanted dwell times, m/s2. For an impact that was cut or bottomed out on a rigid support only
+/// the sources are named; for one that was not run nothing is set.
 ///
 /// Example:
 /// \code
