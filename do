@@ -31,9 +31,11 @@ Usage: ./do TASK [arguments]
   wasm                     compile the engine for WebAssembly: build/wasm/engine.wasm.lzma, which explore puts into pages
   npm                      pack the engine, its module and its command for npm: build/npm/dashpad-VERSION.tgz
   wheel                    make the package for Python 3 and try it: build/wheel/dashpad-VERSION-py3-none-linux_x86_64.whl
+  notebooks [--record]     run the notebooks in examples/notebooks; pages go to build/notebooks (--record also keeps
+                           their pictures in docs/images/notebooks)
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
-                           WebAssembly, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
+                           WebAssembly, notebooks, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
                            reader, and lint
   clean                    remove build/
   install-packages [GROUP...]
@@ -483,8 +485,8 @@ task_wheel() {
   need_packages run wheel
   say "Building the library ..."
   configure release
-  build release dashpad-shared
-  local version folder="$root/build/wheel" python=/usr/bin/python3 library
+  build release dashpad-shared dashpad-command
+  local version folder="$root/build/wheel" python=/usr/bin/python3 library test
   version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
   rm -rf "$folder"
   mkdir -p "$folder/package"
@@ -492,17 +494,37 @@ task_wheel() {
   rm -rf "$folder/package/dashpad/__pycache__"
   echo "$version" >"$folder/package/VERSION"
   cp -R "$root/materials" "$root/standards" "$folder/package/dashpad"
+  mkdir "$folder/package/dashpad/bin"
+  cp "$root/build/release/app/dashpad" "$folder/package/dashpad/bin"
   for library in "$root/build/release/c/libdashpad.so.1" \
     $(ldd "$root/build/release/c/libdashpad.so.1" | sed -n 's/.* => \(.*\(fmt\|sqlite3\|tbb\)[^ ]*\) .*/\1/p'); do
     cp -L "$library" "$folder/package/dashpad"
   done
-  strip --strip-unneeded "$folder"/package/dashpad/*.so*
+  strip --strip-unneeded "$folder"/package/dashpad/*.so* "$folder"/package/dashpad/bin/*
   (cd "$folder/package" && "$python" setup.py --quiet bdist_wheel --dist-dir "$folder" >"$folder/log" 2>&1) ||
     { cat "$folder/log" >&2 && return 1; }
   "$python" -m venv --system-site-packages "$folder/trial"
   "$folder/trial/bin/pip" install --quiet --no-index --no-deps "$folder"/dashpad-*.whl
-  (cd "$folder" && env -u DASHPAD_LIBRARY -u PYTHONPATH "$folder/trial/bin/python" "$root/python/tests/test_dashpad.py")
+  for test in package commands; do
+    (cd "$folder" && env -u DASHPAD_LIBRARY -u DASHPAD_COMMAND -u PYTHONPATH "$folder/trial/bin/python" \
+      "$root/python/tests/test_$test.py")
+  done
+  "$folder/trial/bin/dashpad" run "$root/examples/helmet-pad-10fps.toml" >"$folder/trial.txt"
   say "The package: $(cd "$root" && echo build/wheel/dashpad-*.whl)"
+}
+
+task_notebooks() {
+  need_packages run notebooks
+  say "Building the library and the command ..."
+  configure release
+  build release dashpad-shared dashpad-command
+  local out="$root/build/notebooks" pictures=()
+  if [[ "${1:-}" == --record ]]; then pictures=("$root/docs/images/notebooks"); fi
+  rm -rf "$out"
+  mkdir -p "$out" "${pictures[@]}"
+  cp -R "$root/examples" "$out"  # a notebook writes a card beside itself
+  PYTHONPATH="$root/python" PYTHONDONTWRITEBYTECODE=1 PYDEVD_DISABLE_FILE_VALIDATION=1 \
+    /usr/bin/python3 "$root/python/run_notebooks.py" "$out/examples" "$out" "${pictures[@]}"
 }
 
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
@@ -543,6 +565,7 @@ task_nightly() {
   rm -f "$kept/do_docs.passed"  # the code may be the same, the documents not
   step "$root/do" docs
   step "$root/do" wasm
+  step "$root/do" notebooks
   step "$root/do" test asan-ubsan -LE 'page|documents|consumer|wasm'  # a browser, and other compilers' programs
   step "$root/do" lint
   step "$root/do" fuzz 30
@@ -563,7 +586,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | notebooks | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

@@ -17,12 +17,15 @@ Numbers are in SI; texts may have any unit that case files know. Input that cann
 :class:`DashpadFaults`, a ValueError with all faults as data.
 """
 
+from ._answer import Answer
 from ._case import Case
+from ._command import Store, compare, fall_height, material_test, pulse, sensitivity, study
 from ._native import DashpadFaults, Fault, library
-from ._solve import Answer, Result, assess, batch, figures, fit, solve, solve_for, standards
+from ._solve import Result, assess, batch, figures, fit, solve, solve_for, standards
 
 __version__ = library.dashpad_version().decode()
 __all__ = [
-    "Answer", "Case", "DashpadFaults", "Fault", "Result",
-    "assess", "batch", "figures", "fit", "solve", "solve_for", "standards",
+    "Answer", "Case", "DashpadFaults", "Fault", "Result", "Store",
+    "assess", "batch", "compare", "fall_height", "figures", "fit", "material_test", "pulse", "sensitivity", "solve",
+    "solve_for", "standards", "study",
 ]

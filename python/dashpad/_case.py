@@ -1,17 +1,22 @@
 """Cases: from files, texts, dictionaries and keywords, with their numbers by dotted keys."""
 
+from __future__ import annotations
+
 import json
 import math
 import numbers
 import os
 import re
-from collections.abc import Mapping
+import typing
+from collections.abc import Iterator, KeysView, Mapping
 
 from . import _native
 from ._native import checked, library
 
+Tables = Mapping[str, typing.Any]
 
-def _toml(value):
+
+def _toml(value: typing.Any) -> str:
     """A value as TOML, tables inline."""
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
@@ -29,10 +34,15 @@ def _toml(value):
     raise TypeError(f"a case holds texts, numbers, lists and tables, not {type(value).__name__}")
 
 
-def _key(key):
+def _key(key: typing.Any) -> str:
     if not isinstance(key, str):
         raise TypeError(f"a key of a case is a text, not {key!r}")
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
+
+
+def toml_of_tables(tables: Tables) -> str:
+    """Tables as a TOML file."""
+    return "".join(f"{_key(key)} = {_toml(value)}\n" for key, value in tables.items())
 
 
 class Case:
@@ -53,8 +63,8 @@ class Case:
 
     __slots__ = ("_handle", "__weakref__")
 
-    def __init__(self, source=None, /, *, materials=None, **tables):
-        self._handle = None
+    def __init__(self, source: CaseLike | None = None, /, *, materials: str | os.PathLike[str] | None = None, **tables: Tables):
+        self._handle: int | None = None
         if source is not None and tables:
             raise TypeError("give a case either by one argument or by keywords")
         if isinstance(source, Case):
@@ -66,8 +76,7 @@ class Case:
         elif isinstance(source, str):
             text = source
         elif source is None or isinstance(source, Mapping):
-            content = tables if source is None else source
-            text = "".join(f"{_key(key)} = {_toml(value)}\n" for key, value in content.items())
+            text = toml_of_tables(tables if source is None else source)
         else:
             raise TypeError(f"a case is a path, a text or a dictionary, not {type(source).__name__}")
         folder = os.fspath(materials) if materials is not None else _native.materials
@@ -75,17 +84,17 @@ class Case:
             library.dashpad_case_read, _bytes(file), None if text is None else _bytes(text), _bytes(folder)
         )
 
-    def __del__(self):
+    def __del__(self) -> None:
         if getattr(self, "_handle", None):
             library.dashpad_case_free(self._handle)
 
-    def __getitem__(self, key):
-        value = library.dashpad_case_number(self._handle, _bytes(key))
+    def __getitem__(self, key: str) -> float:
+        value = float(library.dashpad_case_number(self._handle, _bytes(key)))
         if value != value and key not in self.units:
             raise KeyError(key)
         return value
 
-    def __setitem__(self, key, value):
+    def __setitem__(self, key: str, value: float | str) -> None:
         if isinstance(value, str):
             checked(library.dashpad_case_set, self._handle, _bytes(key), _bytes(value))
         elif isinstance(value, numbers.Real) and not isinstance(value, bool):
@@ -93,7 +102,7 @@ class Case:
         else:
             raise TypeError(f"{key} is set to a number or a text, not to {type(value).__name__}")
 
-    def __or__(self, changes):
+    def __or__(self, changes: Mapping[str, float | str]) -> Case:
         if not isinstance(changes, Mapping):
             return NotImplemented
         changed = Case(self)
@@ -101,21 +110,21 @@ class Case:
             changed[key] = value
         return changed
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.units)
 
-    def __len__(self):
-        return library.dashpad_case_size(self._handle)
+    def __len__(self) -> int:
+        return int(library.dashpad_case_size(self._handle))
 
-    def __contains__(self, key):
+    def __contains__(self, key: object) -> bool:
         return key in self.units
 
-    def keys(self):
+    def keys(self) -> KeysView[str]:
         """The keys of the numbers that the case has."""
         return self.units.keys()
 
     @property
-    def units(self):
+    def units(self) -> dict[str, str]:
         """The SI unit of each number, by its key; "1" for a pure number."""
         return {
             library.dashpad_case_key(self._handle, i).decode(): library.dashpad_case_unit(self._handle, i).decode()
@@ -123,20 +132,24 @@ class Case:
         }
 
     @property
-    def toml(self):
+    def toml(self) -> str:
         """The case as a case file in SI that needs no other files."""
-        return library.dashpad_case_toml(self._handle).decode()
+        return str(library.dashpad_case_toml(self._handle).decode())
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<dashpad.Case\n{self.toml}>"
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Case], tuple[str]]:
         return Case, (self.toml,)
 
 
-def _bytes(text):
+def _bytes(text: typing.Any) -> bytes:
     if not isinstance(text, str):
         raise TypeError(f"{text!r} is no text")
     if "\0" in text:
         raise ValueError("a text must not contain a null character")
     return text.encode()
+
+
+#: What a case is made from: another case, a path, the text of a case file, or its tables.
+CaseLike = typing.Union[Case, str, "os.PathLike[str]", Tables]

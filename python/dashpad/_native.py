@@ -1,24 +1,31 @@
 """The functions of dashpad.h, by ctypes, and faults as exceptions."""
 
+from __future__ import annotations
+
 import ctypes
 import os
 import pathlib
 import typing
+from collections.abc import Iterable
 
-_here = pathlib.Path(__file__).resolve().parent
+here = pathlib.Path(__file__).resolve().parent
 
 
-def _first(*candidates):
+def _first(*candidates: pathlib.Path) -> pathlib.Path:
     return next((path for path in candidates if path.exists()), candidates[0])
 
 
-_source = _here.parents[1]
+_source = here.parents[1]
 library_file = pathlib.Path(
     os.environ.get("DASHPAD_LIBRARY")
-    or _first(_here / "libdashpad.so.1", _source / "build/release/c/libdashpad.so.1")
+    or _first(here / "libdashpad.so.1", _source / "build/release/c/libdashpad.so.1")
 )
-materials = os.environ.get("DASHPAD_MATERIALS") or str(_first(_here / "materials", _source / "materials"))
-standards = os.environ.get("DASHPAD_STANDARDS") or str(_first(_here / "standards", _source / "standards"))
+materials = os.environ.get("DASHPAD_MATERIALS") or str(_first(here / "materials", _source / "materials"))
+standards = os.environ.get("DASHPAD_STANDARDS") or str(_first(here / "standards", _source / "standards"))
+
+command_file = pathlib.Path(
+    os.environ.get("DASHPAD_COMMAND") or _first(here / "bin/dashpad", _source / "build/release/app/dashpad")
+)
 
 handle = ctypes.c_void_p
 text = ctypes.c_char_p
@@ -48,7 +55,7 @@ class Batch(ctypes.Structure):
     ]
 
 
-_functions = {
+_functions: dict[str, tuple[typing.Any, ...]] = {
     "dashpad_interface": (ctypes.c_int,),
     "dashpad_version": (text,),
     "dashpad_faults_size": (size, handle),
@@ -103,12 +110,12 @@ class Fault(typing.NamedTuple):
 class DashpadFaults(ValueError):
     """Input that cannot be computed. ``faults`` has all of it as data, the message as text."""
 
-    def __init__(self, faults):
+    def __init__(self, faults: Iterable[Fault]):
         self.faults = tuple(faults)
         super().__init__("\n".join(fault.text for fault in self.faults))
 
 
-def _load():
+def _load() -> ctypes.CDLL:
     library = ctypes.CDLL(str(library_file))
     for name, (result, *arguments) in _functions.items():
         function = getattr(library, name)
@@ -122,7 +129,7 @@ interface = 1
 library = _load()
 
 
-def checked(function, *arguments):
+def checked(function: typing.Any, *arguments: typing.Any) -> typing.Any:
     """The result of a function whose last argument takes faults."""
     faults = handle()
     result = function(*arguments, ctypes.byref(faults))

@@ -1,24 +1,31 @@
 """Solving cases: one, many, and questions about one."""
 
+from __future__ import annotations
+
 import ctypes
 import itertools
 import json
 import math
 import os
 import threading
-from collections.abc import Mapping
+import typing
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from . import _native
-from ._case import Case, _bytes
+from ._answer import Answer
+from ._case import Case, CaseLike, _bytes
+from ._command import page_of
 from ._native import Batch, DashpadFaults, Fault, checked, library
 
 
-def _listed(text_at):
+def _listed(text_at: Callable[[int], typing.Any]) -> list[str]:
     """The texts that a function gives for 0, 1, ... until there is none."""
     return [text.decode() for text in itertools.takewhile(lambda text: text is not None, map(text_at, itertools.count()))]
 
+
+Array = np.ndarray[typing.Any, np.dtype[np.float64]]
 
 _columns = _listed(library.dashpad_history_key)
 
@@ -29,10 +36,10 @@ figures = dict(zip(_listed(library.dashpad_figure_key), _listed(library.dashpad_
 class _Solvers(threading.local):
     """A solver for each thread."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.handle = library.dashpad_solver_new()
 
-    def __del__(self):
+    def __del__(self) -> None:
         library.dashpad_solver_free(self.handle)
 
 
@@ -42,32 +49,32 @@ _solvers = _Solvers()
 class _Column:
     """Memory of a result as NumPy sees it, which keeps the result alive."""
 
-    def __init__(self, result, address, size):
+    def __init__(self, result: Result, address: int | None, size: int):
         self.result = result
         self.__array_interface__ = {"version": 3, "typestr": "<f8", "shape": (size,), "data": (address, True)}
 
 
-class _History(Mapping):
-    def __init__(self, result):
+class _History(typing.Mapping[str, "Array"]):
+    def __init__(self, result: Result):
         self._result = result
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Array:
         size = ctypes.c_size_t()
         address = library.dashpad_result_history(self._result._handle, _bytes(name), ctypes.byref(size))
         if not address:
             raise KeyError(name)
         return np.asarray(_Column(self._result, ctypes.cast(address, ctypes.c_void_p).value, size.value))
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return (name for name in (*_columns, *(f"layer_strain_{i}" for i in range(1, 9))) if self._has(name))
 
-    def _has(self, name):
+    def _has(self, name: str) -> bool:
         return bool(library.dashpad_result_history(self._result._handle, name.encode(), None))
 
-    def __len__(self):
+    def __len__(self) -> int:
         return sum(1 for _ in self)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<history: {', '.join(self)}>"
 
 
@@ -75,56 +82,66 @@ class Result:
     """A solved case. Every figure is an attribute, in SI: ``result.peak_acceleration``, ``result.hic15``; NaN if the impact
     does not have it. ``dashpad.figures`` lists them with their units."""
 
-    def __init__(self, handle, case):
+    def __init__(self, handle: int, case: Case):
         self._handle = handle
         self.case = case
 
-    def __del__(self):
+    def __del__(self) -> None:
         library.dashpad_result_free(self._handle)
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> float:
         if name in figures:
-            return library.dashpad_result_figure(self._handle, name.encode())
+            return float(library.dashpad_result_figure(self._handle, name.encode()))
         raise AttributeError(f"a result has no {name}; its figures are {', '.join(figures)}")
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *figures]
 
     @property
-    def status(self):
+    def status(self) -> str:
         """ "released", "bottomed out", "time limit", "tolerance not met" or "at rest"."""
-        return library.dashpad_result_status(self._handle).decode()
+        return str(library.dashpad_result_status(self._handle).decode())
 
     @property
-    def is_trustworthy(self):
+    def is_trustworthy(self) -> bool:
         """Whether the figures may be relied on to the tolerance."""
         return bool(library.dashpad_result_is_trustworthy(self._handle))
 
     @property
-    def flags(self):
+    def flags(self) -> list[str]:
         """The reservations about the result, a line each."""
         return _listed(lambda i: library.dashpad_result_flag(self._handle, i))
 
     @property
-    def history(self):
+    def history(self) -> Mapping[str, Array]:
         """Columns over time by name, in SI: arrays that are not copied and cannot be written."""
         return _History(self)
 
     @property
-    def data(self):
+    def data(self) -> dict[str, typing.Any]:
         """All of it as ``dashpad run --no-intervals --json`` writes it."""
-        return json.loads(library.dashpad_result_json(self._handle))
+        return dict(json.loads(library.dashpad_result_json(self._handle)))
 
-    def __repr__(self):
+    def plot(self, axes: typing.Any = None) -> typing.Any:
+        """Draws the deceleration, g, over time, ms, by matplotlib, in `axes` or a figure of its own; returns the axes."""
+        if axes is None:
+            from matplotlib import pyplot
+
+            axes = pyplot.figure().subplots()
+        axes.plot(1e3 * self.history["time"], -self.history["acceleration"] / 9.80665)
+        axes.set(xlabel="Time (ms)", ylabel="Deceleration (g)")
+        return axes
+
+    def __repr__(self) -> str:
         peak = self.peak_acceleration
         shown = f"peak {peak / 9.80665:.4g} g" if peak == peak else "no finite peak"
         return f"<dashpad.Result: {shown}, {self.status}>"
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return assess(self.case)._repr_html_()
 
 
-def solve(case, *, tolerance=None):
+def solve(case: CaseLike, *, tolerance: float | None = None) -> Result:
     """Solves a case, to a relative error from 1e-8 to 1e-2 (default: that of the case). Takes what :class:`Case` takes."""
     case = Case(case)
     handle = checked(
@@ -133,28 +150,12 @@ def solve(case, *, tolerance=None):
     return Result(handle, case)
 
 
-class Answer:
-    """An answer in words, ``title``, with what it rests on: ``data`` as the command writes it with ``--json`` (None where it
-    writes none) and the page of the command, which notebooks show."""
-
-    def __init__(self, given):
-        self.title = given.get("title", "")
-        self.data = given.get("result")
-        self.html = given.get("html", "")
-        self.card = given.get("card")
-
-    def __repr__(self):
-        return f"<dashpad.Answer: {self.title}>"
-
-    def _repr_html_(self):
-        return self.html or f"<p>{self.title}</p>"
-
-
+_units_of_values = {"mass": "kg", "radius": "m", "speed": "m/s"}
 _units = ("si", "us", "engineering-metric")
 _texts = ("standard", "key", "thickness", "area", "rate")
 
 
-def _ask(request, case=None):
+def _ask(request: dict[str, typing.Any], case: Case | None = None) -> dict[str, typing.Any]:
     for name in _texts:
         if not isinstance(request.get(name, ""), str):
             raise TypeError(f"{name} is a text, not {request[name]!r}")
@@ -168,7 +169,7 @@ def _ask(request, case=None):
     )
     if not place:
         raise MemoryError
-    answer = json.loads(ctypes.cast(place, ctypes.c_char_p).value)
+    answer: dict[str, typing.Any] = json.loads(ctypes.cast(place, ctypes.c_char_p).value or b"{}")
     library.dashpad_text_free(place)
     if "faults" in answer:
         raise DashpadFaults(
@@ -177,47 +178,64 @@ def _ask(request, case=None):
     return answer
 
 
-def assess(case, standard="", *, intervals=True, keep_speed=False, keep_nose=False, tolerance=None, units="si", **values):
+def assess(case: CaseLike, standard: str = "", *, intervals: bool = True, keep_speed: bool = False, keep_nose: bool = False,
+           tolerance: float | None = None, units: str = "si", **values: float | str) -> Answer:
     """The verdict of a standard ("en-1078", "en-960:a"), with the 95 % intervals of all figures; without a standard the
     figures alone. ``mass``, ``radius`` and ``speed`` replace those of the standard."""
-    unknown = set(values) - {"mass", "radius", "speed"}
+    unknown = set(values) - set(_units_of_values)
     if unknown:
         raise TypeError(f"assess() has no {', '.join(sorted(unknown))}")
-    request = {"do": "solve", "standard": standard, "intervals": intervals, "whole": True, "keep_speed": keep_speed,
-               "keep_nose": keep_nose, "units": units, **values}
+    given = Case(case)
+    request = {"do": "solve", "standard": standard, "intervals": intervals, "keep_speed": keep_speed, "keep_nose": keep_nose,
+               "units": units, **values}
     if tolerance is not None:
         request["tolerance"] = tolerance
-    return Answer(_ask(request, Case(case)))
+    found = _ask(request, given)
+    options: dict[str, typing.Any] = {"no_intervals": not intervals, "tolerance": tolerance, "units": units}
+    if standard:
+        options |= {"standard": standard, "keep_speed": keep_speed, "keep_nose": keep_nose}
+        options |= {name: value if isinstance(value, str) else f"{value!r} {_units_of_values[name]}" for name, value in values.items()}
+    command = "assess" if standard else "run"
+    return Answer(found["title"], found["result"], lambda: page_of(command, [], options, given))
 
 
-def solve_for(case, key, *, until=(), standard="", intervals=True, units="si"):
+def solve_for(case: CaseLike, key: str, *, until: str | Sequence[str] = (), standard: str = "", intervals: bool = True,
+              units: str = "si") -> Answer:
     """The values of ``key`` at which limits are reached: those of a standard, or ``until``, such as
     ``"peak_acceleration <= 80 g"``, one or several."""
     limits = [until] if isinstance(until, str) else list(until)
-    return Answer(_ask({"do": "solve-for", "key": key, "until": limits, "standard": standard, "intervals": intervals,
-                        "units": units}, Case(case)))
+    given = Case(case)
+    found = _ask({"do": "solve-for", "key": key, "until": limits, "standard": standard, "intervals": intervals, "units": units}, given)
+    options = {"until": limits, "standard": standard, "no_intervals": not intervals, "units": units}
+    return Answer(found["title"], found["result"], lambda: page_of("solve-for", [key], options, given))
 
 
-def fit(*files, thickness="", area="", rate="", units="si"):
+def fit(*files: str | os.PathLike[str], thickness: str = "", area: str = "", rate: str = "", units: str = "si") -> Answer:
     """A foam from the tables of compression tests (CSV), as ``dashpad fit --auto`` makes it: ``card`` is the material card,
     None if the fit does not converge. Specimen ``thickness`` and ``area``, or ``rate``, are texts with units where the
     files lack them."""
-    given = {"thickness": thickness, "area": area, "rate": rate}
-    return Answer(_ask({"do": "fit", "files": [os.fspath(file) for file in files], "units": units,
-                        **{name: text for name, text in given.items() if text}}))
+    options: dict[str, typing.Any] = {
+        name: text for name, text in (("thickness", thickness), ("area", area), ("rate", rate)) if text}
+    names = [os.path.abspath(file) for file in files]
+    found = _ask({"do": "fit", "files": names, "units": units, **options})
+    shown = {**options, "units": units, "auto": True, "rate": [rate] * len(names) if rate else ""}
+    return Answer(found["title"], None, lambda: page_of("fit", names, shown), found.get("card"))
 
 
-def standards():
+def standards() -> dict[str, str]:
     """The titles of the standards, by name."""
     return {each["name"]: each["title"] for each in _ask({"do": "list"})["standards"]}
 
 
-def _column(values):
+def _column(values: typing.Any) -> Array:
     """Real numbers as an array; a TypeError for others."""
-    return np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
+    column: Array = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
+    return column
 
 
-def batch(case, rows, figures=("peak_acceleration", "hic15"), *, tolerance=None, threads=0, progress=None):
+def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("peak_acceleration", "hic15"), *,
+          tolerance: float | None = None, threads: int = 0,
+          progress: Callable[[int, int], object] | None = None) -> typing.Any:
     """Solves a case once for each row of a table, on all cores.
 
     ``rows`` maps keys of the case to numbers in SI, arrays of one length or single numbers: a dictionary or a data frame.
@@ -247,9 +265,9 @@ def batch(case, rows, figures=("peak_acceleration", "hic15"), *, tolerance=None,
     statuses = np.zeros(count, dtype=np.uint8)
     errors = np.full(count, np.nan)
     stop = threading.Event()
-    failed = []
+    failed: list[BaseException] = []
 
-    def told(_, done, all_rows):
+    def told(_: object, done: int, all_rows: int) -> int:
         try:
             if progress is not None:
                 progress(done, all_rows)
@@ -258,14 +276,14 @@ def batch(case, rows, figures=("peak_acceleration", "hic15"), *, tolerance=None,
             stop.set()
         return 0 if stop.is_set() else 1
 
-    def texts(words):
+    def texts(words: list[str]) -> typing.Any:
         return (ctypes.c_char_p * len(words))(*(_bytes(word) for word in words))
 
     asked = Batch(count, texts(keys), len(keys), table.ctypes.data, texts(names), len(names),
                   0.0 if tolerance is None else float(tolerance), int(threads), _native.progress_function(told), None)
     given = Case(case)
 
-    def work():
+    def work() -> None:
         try:
             checked(library.dashpad_solve_batch, given._handle, ctypes.byref(asked), results.ctypes.data,
                     statuses.ctypes.data, errors.ctypes.data)

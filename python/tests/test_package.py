@@ -127,7 +127,7 @@ class Results(unittest.TestCase):
 
     def test_notebooks_show_the_page(self):
         shown = solve(dashboard)._repr_html_()
-        self.assertIn("<svg", shown)
+        self.assertIn("&lt;svg", shown)
         self.assertIn("129", shown)
 
 

@@ -1,0 +1,163 @@
+"""What the package asks the command: its data is that of the command, and what is wrong is told as exceptions."""
+
+import doctest
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import dashpad
+from dashpad import Case, DashpadFaults, _native
+
+sources = Path(__file__).resolve().parents[2]
+examples = sources / "examples"
+measured = examples / "pulses/synthetic-helmet-pad.csv"
+helmet = examples / "helmet-pad-10fps.toml"
+time_of_sine = np.linspace(0, 0.02, 201)
+half_sine = (time_of_sine, 600 * np.sin(np.pi * time_of_sine / 0.02))
+
+
+def by_command(*words):
+    done = subprocess.run([_native.command_file, *map(str, words), "--json", "-"], capture_output=True, text=True, check=False)
+    data = json.loads(done.stdout)
+    data.get("program", {}).pop("commit", None)
+    return data
+
+
+def without_commit(answer):
+    data = dict(answer.data)
+    data["program"] = {name: value for name, value in data.get("program", {}).items() if name != "commit"}
+    return data
+
+
+class Answers(unittest.TestCase):
+    def test_data_is_that_of_the_command(self):
+        drops = examples / "drops/mat-50mm.csv"
+        for answer, words in (
+            (dashpad.pulse(measured, filter="CFC1000", drop_height="1.5 m"),
+             ("pulse", measured, "--filter", "CFC1000", "--drop-height", "1.5 m")),
+            (dashpad.material_test("eps-29", rate="10", stress_limit=["50 kPa", "100 kPa"]),
+             ("material-test", "eps-29", "--rate", "10", "--stress-limit", "50 kPa,100 kPa")),
+            (dashpad.fall_height(drops, standard="en-1177"), ("fall-height", drops, "--standard", "en-1177")),
+        ):
+            with self.subTest(words[0]):
+                self.assertEqual(without_commit(answer), {"program": {}, **by_command(*words)})
+
+    def test_a_case_is_compared_with_a_pulse(self):
+        of_file = dashpad.compare(helmet, measured)
+        self.assertIn("measured", of_file.title)
+        times, values = np.loadtxt(measured, delimiter=",", comments="#", skiprows=6, unpack=True)
+        of_arrays = dashpad.compare(Case(helmet), (times / 1e3, values * 9.80665))
+        self.assertEqual(of_arrays.title, of_file.title)
+        self.assertIn("1984", dashpad.compare(examples / "dashboard-20mph.toml").title)
+
+    def test_a_pulse_of_arrays_is_called_the_pulse(self):
+        answer = dashpad.pulse(half_sine, standard="en-1177")
+        self.assertEqual(answer.data["source"]["file"], "the pulse")
+        self.assertNotIn(tempfile.gettempdir(), answer.page)
+        self.assertEqual(dashpad.pulse({"time": half_sine[0], "acceleration": half_sine[1]}).data["figures"],
+                         dashpad.pulse(half_sine).data["figures"])
+        self.assertAlmostEqual(answer.data["figures"]["peak_acceleration"]["value_g"], 600 / 9.80665)
+
+    def test_pages_are_saved_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "foam.html")
+            dashpad.material_test("vn600").save(file)
+            self.assertIn("<svg", file.read_text(encoding="utf-8"))
+            with self.assertRaises(FileExistsError):
+                dashpad.assess(helmet).save(file)
+
+    def test_what_is_wrong_is_told(self):
+        case = Case(helmet)
+        short, silent = (half_sine[0], half_sine[1][:-1]), (half_sine[0], np.full(201, np.nan))
+        for error, ask in (
+            (DashpadFaults, lambda: dashpad.pulse("no-file.csv")),
+            (DashpadFaults, lambda: dashpad.pulse(silent)),
+            (DashpadFaults, lambda: dashpad.sensitivity(case, "peak")),
+            (DashpadFaults, lambda: dashpad.material_test("-x")),
+            (DashpadFaults, lambda: dashpad.material_test("eps-29", strain="abc")),
+            (DashpadFaults, lambda: dashpad.fall_height(case | {"impactor.mass": "4.6 kg"}, standard="none")),
+            (TypeError, lambda: dashpad.pulse(measured, colour="red")),
+            (TypeError, lambda: dashpad.pulse(measured, filter=object())),
+            (ValueError, lambda: dashpad.pulse(short)),
+            (ValueError, lambda: dashpad.pulse(("a", "b"))),
+            (FileNotFoundError, lambda: dashpad.Store("no-store.db")),
+            (ValueError, lambda: dashpad.Store(helmet)),
+            (TypeError, lambda: dashpad.study(3, "store.db")),
+        ):
+            with self.subTest(error.__name__), self.assertRaises(error):
+                ask()
+        with self.assertRaises(DashpadFaults) as caught:
+            dashpad.pulse("no-file.csv")
+        (fault,) = caught.exception.faults
+        self.assertEqual((fault.file, fault.rule), ("no-file.csv", "no such file"))
+
+
+class Studies(unittest.TestCase):
+    tables = {"case": Case(helmet), "responses": ["hic15", "peak_strain"],
+              "factors": {"impactor.speed": {"from": "2 m/s", "to": "4 m/s", "count": 5}}}
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name, "study.db")
+
+    def test_rows_are_those_of_single_cases(self):
+        store = dashpad.study(self.tables, self.file)
+        rows = store.rows()
+        self.assertEqual((len(store), store.units["impactor.speed"]), (5, "m/s"))
+        np.testing.assert_allclose(rows["impactor.speed"], np.linspace(2, 4, 5))
+        found = dashpad.batch(helmet, {"impactor.speed": rows["impactor.speed"]}, ["hic15", "peak_strain"],
+                              tolerance=1e-3)
+        for name in ("hic15", "peak_strain", "error"):
+            np.testing.assert_array_equal(rows[name], found[name])
+        self.assertIn("HIC15", store.summary(limit="hic15 > 100").title)
+
+    def test_the_same_call_goes_on(self):
+        dashpad.study(self.tables, self.file)
+        before = self.file.stat().st_mtime_ns
+        self.assertEqual(len(dashpad.study(self.tables, self.file)), 5)
+        self.assertLessEqual(self.file.stat().st_mtime_ns - before, 10**9)
+        with self.assertRaises(DashpadFaults):
+            dashpad.study({**self.tables, "responses": ["hic36"]}, self.file)
+
+    def test_ctrl_c_loses_no_row(self):
+        code = ("import sys, dashpad; sys.path.insert(0, sys.argv[1]); import test_commands as t\n"
+                "many = {**t.Studies.tables, 'factors': {'impactor.speed': {'from': '2 m/s', 'to': '4 m/s', 'count': 200_000}}}\n"
+                "dashpad.study(many, sys.argv[2])")
+        # In a session of its own, as that of a notebook, whose interrupt reaches Python alone.
+        process = subprocess.Popen([sys.executable, "-c", code, str(Path(__file__).parent), str(self.file)],
+                                   stderr=subprocess.PIPE, start_new_session=True,
+                                   env={**os.environ, "PYTHONPATH": str(Path(dashpad.__file__).parents[1])})
+        for _ in range(200):
+            time.sleep(0.1)
+            if self.file.exists() and self.rows() > 0:
+                break
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+        self.assertIn(b"KeyboardInterrupt", err)
+        self.assertTrue(0 < self.rows() < 200_000)
+
+    def rows(self):
+        try:
+            return len(dashpad.Store(self.file))
+        except (ValueError, sqlite3.OperationalError):
+            return 0
+
+
+def load_tests(loader, tests, pattern):
+    tests.addTests(doctest.DocTestSuite("dashpad._command"))
+    return tests
+
+
+if __name__ == "__main__":
+    os.chdir(tempfile.gettempdir())
+    unittest.main()
