@@ -483,26 +483,16 @@ task_npm() {
 # NumPy is the system's.
 task_wheel() {
   need_packages run wheel
-  say "Building the library ..."
+  say "Building the library and the command ..."
   configure release
   build release dashpad-shared dashpad-command
-  local version folder="$root/build/wheel" python=/usr/bin/python3 library test
-  version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
-  rm -rf "$folder"
-  mkdir -p "$folder/package"
-  cp -R "$root/python/pyproject.toml" "$root/python/setup.py" "$root/python/dashpad" "$root/LICENSE" "$folder/package"
-  rm -rf "$folder/package/dashpad/__pycache__"
-  echo "$version" >"$folder/package/VERSION"
-  cp -R "$root/materials" "$root/standards" "$folder/package/dashpad"
-  mkdir "$folder/package/dashpad/bin"
-  cp "$root/build/release/app/dashpad" "$folder/package/dashpad/bin"
-  for library in "$root/build/release/c/libdashpad.so.1" \
-    $(ldd "$root/build/release/c/libdashpad.so.1" | sed -n 's/.* => \(.*\(fmt\|sqlite3\|tbb\)[^ ]*\) .*/\1/p'); do
-    cp -L "$library" "$folder/package/dashpad"
-  done
-  strip --strip-unneeded "$folder"/package/dashpad/*.so* "$folder"/package/dashpad/bin/*
-  (cd "$folder/package" && "$python" setup.py --quiet bdist_wheel --dist-dir "$folder" >"$folder/log" 2>&1) ||
-    { cat "$folder/log" >&2 && return 1; }
+  local folder="$root/build/wheel" python=/usr/bin/python3 test
+  # What setuptools leaves beside its sources would go into the next wheel.
+  rm -rf "$folder" "$root/python/build" "$root"/python/*.egg-info
+  mkdir -p "$folder"
+  "$python" -m pip wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$folder" "$root/python" \
+    >"$folder/log" 2>&1 || { cat "$folder/log" >&2 && return 1; }
+  rm -rf "$root/python/build" "$root"/python/*.egg-info
   "$python" -m venv --system-site-packages "$folder/trial"
   "$folder/trial/bin/pip" install --quiet --no-index --no-deps "$folder"/dashpad-*.whl
   for test in package commands; do
