@@ -8,9 +8,11 @@
 #include <span>
 
 #include "dashpad/quantities/constants.hpp"
+#include "dashpad/study/responses.hpp"
 #include "dashpad/study/run_study.hpp"
 #include "dashpad/study/study.hpp"
 #include "handles.hpp"
+#include "input/spelling.hpp"
 #include "study/run_batches.hpp"
 
 using dashpad::Status;
@@ -49,14 +51,25 @@ study::Study study_of(const dashpad_case& given, const dashpad_batch& batch) {
   }
   for (std::size_t i = 0; i < batch.figures_size; ++i) {
     made.responses.push_back(text_of(batch.figures[i]));
-    if (!study::find_response(made.responses.back()))
-      faults.push_back(fault_of(made.responses.back(), "is no figure"));
+    if (study::find_response(made.responses.back())) continue;
+    std::vector<std::string> names;
+    for (const dashpad::ResultQuantity& kind : study::response_kinds()) names.emplace_back(kind.key);
+    faults.push_back(fault_of(made.responses.back(), "is no figure" + dashpad::input::meant_or_listed(
+                                                                          made.responses.back(), names)));
   }
   if (faults.empty() && batch.rows > 0)
     for (const Violation& violation : violations(made))
       faults.push_back(fault_of(violation.key, violation.rule));
   if (!faults.empty()) throw InputError(std::move(faults));
   return made;
+}
+
+unsigned char flags_of(const study::Outcome& outcome) {
+  unsigned flags = 0;
+  if (outcome.extrapolated & study::extrapolated_strain) flags |= DASHPAD_EXTRAPOLATED_STRAIN;
+  if (outcome.extrapolated & study::extrapolated_rate) flags |= DASHPAD_EXTRAPOLATED_RATE;
+  if (outcome.bottomed) flags |= DASHPAD_BOTTOMED;
+  return static_cast<unsigned char>(flags);
 }
 
 }  // namespace
@@ -70,6 +83,7 @@ int dashpad_solve_batch(const dashpad_case* given, const dashpad_batch* batch, d
     std::fill_n(results, batch->rows * width, dashpad::no_value);
     if (statuses != nullptr) std::fill_n(statuses, batch->rows, static_cast<unsigned char>(Status::not_run));
     if (errors != nullptr) std::fill_n(errors, batch->rows, dashpad::no_value);
+    if (batch->flags != nullptr) std::fill_n(batch->flags, batch->rows, static_cast<unsigned char>(0));
     if (batch->rows == 0) return 1;
 
     const study::Design design(asked);
@@ -89,6 +103,7 @@ int dashpad_solve_batch(const dashpad_case* given, const dashpad_batch* batch, d
         std::ranges::copy(row.outcome.values, results + row.row * width);
         if (statuses != nullptr) statuses[row.row] = static_cast<unsigned char>(row.outcome.status);
         if (errors != nullptr) errors[row.row] = row.outcome.error;
+        if (batch->flags != nullptr) batch->flags[row.row] = flags_of(row.outcome);
       }
       done += rows.size();
       if (batch->progress != nullptr && batch->progress(batch->context, done, batch->rows) == 0) stop = true;

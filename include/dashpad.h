@@ -173,7 +173,13 @@ typedef struct dashpad_batch {
   int threads;               /* 0: one a core */
   dashpad_progress progress; /* may be NULL */
   void* context;             /* handed to progress */
+  unsigned char* flags;      /* may be NULL; takes for each row a sum of DASHPAD_EXTRAPOLATED_STRAIN ... */
 } dashpad_batch;
+
+/* The foam was strained further, or faster, than it was tested; the pad was compressed fully. */
+#define DASHPAD_EXTRAPOLATED_STRAIN 1
+#define DASHPAD_EXTRAPOLATED_RATE 2
+#define DASHPAD_BOTTOMED 4
 
 /*
  * Solves the rows on many threads. `results` takes rows times figures_size numbers in SI, one row after the

@@ -10,8 +10,10 @@ from collections.abc import Callable
 
 
 def framed(page: str) -> str:
-    """A page in a frame of its own, so that the styles of a notebook and of the page leave each other alone."""
-    return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 40rem; border: 0"></iframe>'
+    """A page in a frame of its own, so that the styles of a notebook and of the page leave each other alone. Its lower corner
+    pulls it longer."""
+    box = "height: 45rem; resize: vertical; overflow: hidden; border: 1px solid #8888"
+    return f'<div style="{box}"><iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 100%; border: 0"></iframe></div>'
 
 
 class Answer:
@@ -20,7 +22,7 @@ class Answer:
 
     ``card`` is the material card that a fit has made, a text; else None."""
 
-    def __init__(self, title: str, data: dict[str, typing.Any] | None, page: Callable[[], str], card: str | None = None):
+    def __init__(self, title: str, data: dict[str, typing.Any] | None, page: str | Callable[[], str], card: str | None = None):
         self.title = title
         self.data = data
         self.card = card
@@ -29,7 +31,7 @@ class Answer:
     @functools.cached_property
     def page(self) -> str:
         """The page of the answer, one HTML document that needs no other files."""
-        return self._page()
+        return self._page if isinstance(self._page, str) else self._page()
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the page as an HTML file; FileExistsError if there is one of that name."""

@@ -20,6 +20,7 @@ import numpy as np
 from . import _native
 from ._answer import Answer
 from ._case import Case, toml_of_tables
+from ._columns import column_of
 from ._native import DashpadFaults, Fault
 
 File = typing.Union[str, "os.PathLike[str]"]
@@ -45,6 +46,8 @@ def _words_of(options: Mapping[str, typing.Any]) -> list[str]:
     """``drop_height="1.5 m"`` as ``--drop-height=1.5 m``; True as an option without a value, a list as several."""
     words = []
     for name, value in options.items():
+        if name in ("help", "json", "report", "force"):
+            raise TypeError(f"{name} is an option of the command alone")
         option = "--" + name.rstrip("_").replace("_", "-")
         if value is None or value is False or value == "":
             continue
@@ -113,7 +116,7 @@ def _answer(command: str, files: Sequence[str], options: Mapping[str, typing.Any
     title = re.search("<h1[^>]*>(.*?)</h1>", page, re.DOTALL)
     # Without the sign of its tone.
     words = re.sub('<span class="sign[^>]*>[^<]*</span>|<[^>]*>', "", title[1]) if title else ""
-    return Answer(" ".join(html.unescape(words).split()), json.loads(data), lambda: page)
+    return Answer(" ".join(html.unescape(words).split()), json.loads(data), page)
 
 
 def page_of(command: str, words: Sequence[str], options: Mapping[str, typing.Any], case: Case | None = None) -> str:
@@ -143,10 +146,16 @@ def _as_files(**given: str) -> Iterator[dict[str, str]]:
 
 
 def _pulse_text(pulse: typing.Any) -> str:
-    time, acceleration = (pulse["time"], pulse["acceleration"]) if hasattr(pulse, "keys") else pulse
-    columns = [np.asarray(each, dtype=float) for each in (time, acceleration)]
-    if any(column.ndim != 1 for column in columns) or columns[0].shape != columns[1].shape:
-        raise ValueError("times and accelerations are arrays of one length")
+    names = ("time", "acceleration")
+    if hasattr(pulse, "keys"):
+        if not all(name in pulse.keys() for name in names):
+            raise ValueError(f'a pulse needs the columns "time" and "acceleration", not {", ".join(map(str, pulse.keys()))}')
+        pulse = (pulse["time"], pulse["acceleration"])
+    if not isinstance(pulse, (tuple, list)) or len(pulse) != 2:
+        raise TypeError(f"a pulse is a file or a pair of arrays, times and accelerations, not {type(pulse).__name__}")
+    columns = [column_of(name, each) for name, each in zip(names, pulse)]
+    if columns[0].shape != columns[1].shape:
+        raise ValueError(f"times and accelerations are arrays of one length, not {len(columns[0])} and {len(columns[1])}")
     rows = (f"{t!r},{a!r}\n" for t, a in zip(columns[0].tolist(), columns[1].tolist()))
     return "time_s,acceleration_m_per_s2\n" + "".join(rows)
 
@@ -169,6 +178,8 @@ def pulse(measured: Pulse, *more: File, standard: str = "", **options: typing.An
     options = {"standard": standard, **options}
     if isinstance(measured, (str, os.PathLike)):
         return _answer("pulse", [os.fspath(file) for file in (measured, *more)], options, {})
+    if more:
+        raise TypeError("more than one pulse needs files")
     with _as_files(pulse_csv=_pulse_text(measured)) as files:
         return _answer("pulse", [files["pulse_csv"]], options, {files["pulse_csv"]: "the pulse"})
 
@@ -241,33 +252,40 @@ class Store:
     """The rows of a study in its file, an SQLite database. ``units`` has the SI unit of each column, by its key."""
 
     def __init__(self, file: File):
-        self.file = os.fspath(file)
-        if not pathlib.Path(self.file).is_file():
-            raise FileNotFoundError(self.file)
+        self.file = os.path.abspath(file)
+        if not pathlib.Path(self.file).exists():
+            raise FileNotFoundError(f"{self.file}: no such store")
         self.units = {key: unit for table in ("factors", "responses") for key, unit in self._read(
             f"SELECT {'key' if table == 'factors' else 'name'}, unit FROM {table} ORDER BY position")}
 
     def _read(self, query: str) -> list[typing.Any]:
         import sqlite3
 
-        with contextlib.closing(sqlite3.connect(f"{pathlib.Path(self.file).absolute().as_uri()}?mode=ro", uri=True)) as store:
-            try:
+        try:
+            with contextlib.closing(sqlite3.connect(f"{pathlib.Path(self.file).as_uri()}?mode=ro", uri=True)) as store:
                 return store.execute(query).fetchall()
-            except sqlite3.DatabaseError as error:
-                raise ValueError(f"{self.file} is not the store of a study: {error}") from error
+        except sqlite3.OperationalError as error:
+            raise OSError(f"{self.file} cannot be read: {error}") from error
+        except sqlite3.DatabaseError as error:
+            raise ValueError(f"{self.file} is not the store of a study: {error}") from error
 
     def __len__(self) -> int:
         return int(self._read("SELECT count(*) FROM samples")[0][0])
 
     def rows(self) -> dict[str, np.ndarray[typing.Any, typing.Any]]:
         """The rows in their order: an array for each factor and each response, in SI, NaN where an impact does not have it,
-        with "status" and "error". ``pandas.DataFrame(store.rows())`` makes a data frame."""
+        with "status", "error" and "bottomed"; materials by their names. ``pandas.DataFrame(store.rows())`` makes a data frame."""
         keys = list(self.units)
-        columns = ", ".join('"' + key.replace('"', '""') + '"' for key in ["status", "error", *keys])
-        found = list(zip(*self._read(f"SELECT {columns} FROM samples ORDER BY row"))) or [()] * (len(keys) + 2)
-        status, *numbers = found
-        return {**{key: np.array(column, dtype=float) for key, column in zip(keys, numbers[1:])},
-                "status": np.array(status, dtype=object), "error": np.array(numbers[0], dtype=float)}
+        columns = ", ".join('"' + key.replace('"', '""') + '"' for key in ["status", "bottomed", "error", *keys])
+        found = list(zip(*self._read(f"SELECT {columns} FROM samples ORDER BY row"))) or [()] * (len(keys) + 3)
+        status, bottomed, error, *numbers = found
+        rows = {key: np.array(column, dtype=float) for key, column in zip(keys, numbers)}
+        materials = dict(self._read("SELECT number, name FROM materials"))
+        for key in keys:
+            if key.endswith(".material") or key == "pad.material":
+                rows[key] = np.array([materials.get(int(number)) for number in rows[key]], dtype=object)
+        return {**rows, "status": np.array(status, dtype=object), "error": np.array(error, dtype=float),
+                "bottomed": np.array(bottomed, dtype=bool)}
 
     def summary(self, **options: typing.Any) -> Answer:
         """Distributions, probabilities and sensitivities, as ``dashpad study summary``: ``limit="hic15 > 1000"``,
@@ -284,6 +302,17 @@ def study(given: typing.Any, store: File, *, threads: int | None = None, extend:
     ``given`` is a study file, or a dictionary of its tables, whose "case" may be a :class:`Case`. The same call goes on with
     a study that was stopped by Ctrl-C or a crash: no row is lost and none computed twice. For a table of your own rows
     in memory there is :func:`batch`.
+
+    >>> import tempfile
+    >>> case = Case(impactor={"mass": "5 kg", "radius": "80 mm", "speed": "4 m/s"},
+    ...             pad={"thickness": "40 mm", "material": "eps-29"}, support={"type": "rigid"})
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     store = study({"case": case, "samples": 64, "responses": ["hic15", "peak_strain"], "factors": {
+    ...         "pad.thickness": {"values": ["30 mm", "40 mm"]},
+    ...         "impactor.speed": {"distribution": "normal", "mean": "4 m/s", "deviation": "0.2 m/s"},
+    ...     }}, folder + "/study.db")
+    ...     len(store), sorted(store.rows())[:3]
+    (128, ['bottomed', 'error', 'hic15'])
     """
     options = {"out": os.fspath(store), "threads": threads, "extend": extend, "quiet": True}
     if isinstance(given, (str, os.PathLike)):

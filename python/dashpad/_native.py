@@ -52,6 +52,7 @@ class Batch(ctypes.Structure):
         ("threads", ctypes.c_int),
         ("progress", progress_function),
         ("context", handle),
+        ("flags", handle),
     ]
 
 
@@ -113,6 +114,9 @@ class DashpadFaults(ValueError):
     def __init__(self, faults: Iterable[Fault]):
         self.faults = tuple(faults)
         super().__init__("\n".join(fault.text for fault in self.faults))
+
+    def __reduce__(self) -> tuple[type[DashpadFaults], tuple[tuple[Fault, ...]]]:
+        return DashpadFaults, (self.faults,)
 
 
 def _load() -> ctypes.CDLL:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import itertools
 import json
 import math
+import numbers
 import os
 import threading
 import typing
@@ -16,6 +18,7 @@ import numpy as np
 from . import _native
 from ._answer import Answer
 from ._case import Case, CaseLike, _bytes
+from ._columns import Array, column_of
 from ._command import page_of
 from ._native import Batch, DashpadFaults, Fault, checked, library
 
@@ -25,12 +28,13 @@ def _listed(text_at: Callable[[int], typing.Any]) -> list[str]:
     return [text.decode() for text in itertools.takewhile(lambda text: text is not None, map(text_at, itertools.count()))]
 
 
-Array = np.ndarray[typing.Any, np.dtype[np.float64]]
-
 _columns = _listed(library.dashpad_history_key)
 
 #: The SI unit of each figure of a result, by its key.
 figures = dict(zip(_listed(library.dashpad_figure_key), _listed(library.dashpad_figure_unit)))
+
+
+_flags_of_rows = {"extrapolated_strain": 1, "extrapolated_rate": 2, "bottomed": 4}
 
 
 class _Solvers(threading.local):
@@ -54,40 +58,31 @@ class _Column:
         self.__array_interface__ = {"version": 3, "typestr": "<f8", "shape": (size,), "data": (address, True)}
 
 
-class _History(typing.Mapping[str, "Array"]):
-    def __init__(self, result: Result):
-        self._result = result
-
-    def __getitem__(self, name: str) -> Array:
-        size = ctypes.c_size_t()
-        address = library.dashpad_result_history(self._result._handle, _bytes(name), ctypes.byref(size))
-        if not address:
-            raise KeyError(name)
-        return np.asarray(_Column(self._result, ctypes.cast(address, ctypes.c_void_p).value, size.value))
-
-    def __iter__(self) -> Iterator[str]:
-        return (name for name in (*_columns, *(f"layer_strain_{i}" for i in range(1, 9))) if self._has(name))
-
-    def _has(self, name: str) -> bool:
-        return bool(library.dashpad_result_history(self._result._handle, name.encode(), None))
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-    def __repr__(self) -> str:
-        return f"<history: {', '.join(self)}>"
-
-
 class Result:
-    """A solved case. Every figure is an attribute, in SI: ``result.peak_acceleration``, ``result.hic15``; NaN if the impact
-    does not have it. ``dashpad.figures`` lists them with their units."""
+    """What :func:`solve` finds. Every figure is an attribute, in SI: ``result.peak_acceleration``, ``result.hic15``; NaN if the
+    impact does not have it. ``dashpad.figures`` lists them with their units. A result that is pickled is solved again."""
 
-    def __init__(self, handle: int, case: Case):
-        self._handle = handle
+    __slots__ = ("_handle", "_tolerance", "case")
+
+    def __init__(self, case: Case, tolerance: float = 0.0):
+        self._handle: int | None = None
         self.case = case
+        self._tolerance = tolerance
+        with case._lock:
+            self._handle = checked(library.dashpad_solve, _solvers.handle, case._handle, tolerance)
 
     def __del__(self) -> None:
-        library.dashpad_result_free(self._handle)
+        handle, self._handle = getattr(self, "_handle", None), None
+        library.dashpad_result_free(handle)
+
+    def __copy__(self) -> Result:
+        return self
+
+    def __deepcopy__(self, _: typing.Any) -> Result:
+        return self
+
+    def __reduce__(self) -> tuple[type[Result], tuple[Case, float]]:
+        return Result, (self.case, self._tolerance)
 
     def __getattr__(self, name: str) -> float:
         if name in figures:
@@ -103,19 +98,27 @@ class Result:
         return str(library.dashpad_result_status(self._handle).decode())
 
     @property
-    def is_trustworthy(self) -> bool:
-        """Whether the figures may be relied on to the tolerance."""
+    def met_tolerance(self) -> bool:
+        """Whether the figures solve the case to its tolerance. Whether the foam was tested as far is said by ``flags``."""
         return bool(library.dashpad_result_is_trustworthy(self._handle))
 
     @property
     def flags(self) -> list[str]:
-        """The reservations about the result, a line each."""
+        """The reservations about the result, a line each; by how much they may matter is said by :func:`assess`."""
         return _listed(lambda i: library.dashpad_result_flag(self._handle, i))
 
     @property
-    def history(self) -> Mapping[str, Array]:
-        """Columns over time by name, in SI: arrays that are not copied and cannot be written."""
-        return _History(self)
+    def history(self) -> dict[str, Array]:
+        """Columns over time by name, in SI, with the signs of the theory (an acceleration is negative while the impactor is
+        braked): arrays of one length that are not copied and cannot be written."""
+        columns = {}
+        for name in (*_columns, *(f"layer_strain_{i}" for i in range(1, 9))):
+            size = ctypes.c_size_t()
+            address = library.dashpad_result_history(self._handle, name.encode(), ctypes.byref(size))
+            if address:
+                place = ctypes.cast(address, ctypes.c_void_p).value
+                columns[name] = np.asarray(_Column(self, place, size.value))
+        return columns
 
     @property
     def data(self) -> dict[str, typing.Any]:
@@ -128,7 +131,8 @@ class Result:
             from matplotlib import pyplot
 
             axes = pyplot.figure().subplots()
-        axes.plot(1e3 * self.history["time"], -self.history["acceleration"] / 9.80665)
+        history = self.history
+        axes.plot(1e3 * history["time"], -history["acceleration"] / 9.80665)
         axes.set(xlabel="Time (ms)", ylabel="Deceleration (g)")
         return axes
 
@@ -143,11 +147,7 @@ class Result:
 
 def solve(case: CaseLike, *, tolerance: float | None = None) -> Result:
     """Solves a case, to a relative error from 1e-8 to 1e-2 (default: that of the case). Takes what :class:`Case` takes."""
-    case = Case(case)
-    handle = checked(
-        library.dashpad_solve, _solvers.handle, case._handle, 0.0 if tolerance is None else float(tolerance)
-    )
-    return Result(handle, case)
+    return Result(Case(case), 0.0 if tolerance is None else float(tolerance))
 
 
 _units_of_values = {"mass": "kg", "radius": "m", "speed": "m/s"}
@@ -180,7 +180,7 @@ def _ask(request: dict[str, typing.Any], case: Case | None = None) -> dict[str, 
 
 def assess(case: CaseLike, standard: str = "", *, intervals: bool = True, keep_speed: bool = False, keep_nose: bool = False,
            tolerance: float | None = None, units: str = "si", **values: float | str) -> Answer:
-    """The verdict of a standard ("en-1078", "en-960:a"), with the 95 % intervals of all figures; without a standard the
+    """The verdict of a standard ("en-1078", "ece-22-06"), with the 95 % intervals of all figures; without a standard the
     figures alone. ``mass``, ``radius`` and ``speed`` replace those of the standard."""
     unknown = set(values) - set(_units_of_values)
     if unknown:
@@ -196,7 +196,7 @@ def assess(case: CaseLike, standard: str = "", *, intervals: bool = True, keep_s
         options |= {"standard": standard, "keep_speed": keep_speed, "keep_nose": keep_nose}
         options |= {name: value if isinstance(value, str) else f"{value!r} {_units_of_values[name]}" for name, value in values.items()}
     command = "assess" if standard else "run"
-    return Answer(found["title"], found["result"], lambda: page_of(command, [], options, given))
+    return Answer(found["title"], found["result"], functools.partial(page_of, command, [], options, given))
 
 
 def solve_for(case: CaseLike, key: str, *, until: str | Sequence[str] = (), standard: str = "", intervals: bool = True,
@@ -204,10 +204,12 @@ def solve_for(case: CaseLike, key: str, *, until: str | Sequence[str] = (), stan
     """The values of ``key`` at which limits are reached: those of a standard, or ``until``, such as
     ``"peak_acceleration <= 80 g"``, one or several."""
     limits = [until] if isinstance(until, str) else list(until)
+    if not all(isinstance(limit, str) for limit in limits):
+        raise TypeError('limits are texts, such as "peak_acceleration <= 80 g"')
     given = Case(case)
     found = _ask({"do": "solve-for", "key": key, "until": limits, "standard": standard, "intervals": intervals, "units": units}, given)
     options = {"until": limits, "standard": standard, "no_intervals": not intervals, "units": units}
-    return Answer(found["title"], found["result"], lambda: page_of("solve-for", [key], options, given))
+    return Answer(found["title"], found["result"], functools.partial(page_of, "solve-for", [key], options, given))
 
 
 def fit(*files: str | os.PathLike[str], thickness: str = "", area: str = "", rate: str = "", units: str = "si") -> Answer:
@@ -219,7 +221,7 @@ def fit(*files: str | os.PathLike[str], thickness: str = "", area: str = "", rat
     names = [os.path.abspath(file) for file in files]
     found = _ask({"do": "fit", "files": names, "units": units, **options})
     shown = {**options, "units": units, "auto": True, "rate": [rate] * len(names) if rate else ""}
-    return Answer(found["title"], None, lambda: page_of("fit", names, shown), found.get("card"))
+    return Answer(found["title"], None, functools.partial(page_of, "fit", names, shown), found.get("card"))
 
 
 def standards() -> dict[str, str]:
@@ -227,10 +229,16 @@ def standards() -> dict[str, str]:
     return {each["name"]: each["title"] for each in _ask({"do": "list"})["standards"]}
 
 
-def _column(values: typing.Any) -> Array:
-    """Real numbers as an array; a TypeError for others."""
-    column: Array = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
-    return column
+def _table(rows: typing.Any) -> tuple[list[str], Array]:
+    """The keys of the rows, and their values, one row after the other."""
+    if not hasattr(rows, "keys") or getattr(rows, "ndim", 2) != 2:
+        raise TypeError(f"rows are a dictionary or a data frame, not {type(rows).__name__}")
+    columns = {str(key): column_of(str(key), rows[key]) for key in rows.keys()}
+    lengths = {key: len(column) for key, column in columns.items() if len(column) != 1}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"columns of the rows have different lengths: {', '.join(f'{key} {n}' for key, n in lengths.items())}")
+    stacked = np.stack(np.broadcast_arrays(*columns.values()), axis=1) if columns else np.empty((0, 0))
+    return list(columns), np.ascontiguousarray(stacked)
 
 
 def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("peak_acceleration", "hic15"), *,
@@ -240,7 +248,9 @@ def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("pea
 
     ``rows`` maps keys of the case to numbers in SI, arrays of one length or single numbers: a dictionary or a data frame.
     Returns a dictionary of arrays, or a data frame with the same index: a column for each figure in SI, NaN where an
-    impact does not have it, with ``status`` and ``error``, the largest estimated relative error of the figures.
+    impact does not have it, with ``status``; ``error``, the largest estimated relative error of the figures (three times what
+    is held to the tolerance); and whether the foam was used beyond its tests, ``extrapolated_strain`` and
+    ``extrapolated_rate``, and the pad ``bottomed``.
     ``progress(done, rows)`` is called now and then, from another thread. Ctrl-C ends the batch.
 
     >>> import numpy as np
@@ -250,21 +260,16 @@ def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("pea
     >>> found["hic15"].shape, found["status"][0]
     ((100,), 'released')
     """
-    if not hasattr(rows, "keys"):
-        raise TypeError(f"rows are a dictionary or a data frame, not {type(rows).__name__}")
-    keys = [str(key) for key in rows.keys()]
-    if not 0 <= threads <= 4096:
+    if not isinstance(threads, numbers.Integral) or not 0 <= threads <= 4096:
         raise ValueError(f"threads are from 1 to 4096, or 0 for one a core, not {threads}")
     names = [figures] if isinstance(figures, str) else list(figures)
-    columns = np.broadcast_arrays(*(_column(rows[key]) for key in rows.keys())) if keys else []
-    if any(column.ndim != 1 for column in columns):
-        raise ValueError("each column of the rows has one dimension")
-    table = np.ascontiguousarray(np.stack(columns, axis=1)) if keys else np.empty((0, 0))
+    keys, table = _table(rows)
     count = len(table)
     results = np.full((count, len(names)), np.nan)
     statuses = np.zeros(count, dtype=np.uint8)
     errors = np.full(count, np.nan)
-    stop = threading.Event()
+    flags = np.zeros(count, dtype=np.uint8)
+    stop, ended = threading.Event(), threading.Event()
     failed: list[BaseException] = []
 
     def told(_: object, done: int, all_rows: int) -> int:
@@ -274,13 +279,14 @@ def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("pea
         except BaseException as error:  # handed on to the caller
             failed.append(error)
             stop.set()
-        return 0 if stop.is_set() else 1
+        # The main thread ends before those that go on in the background.
+        return 0 if stop.is_set() or not threading.main_thread().is_alive() else 1
 
     def texts(words: list[str]) -> typing.Any:
         return (ctypes.c_char_p * len(words))(*(_bytes(word) for word in words))
 
     asked = Batch(count, texts(keys), len(keys), table.ctypes.data, texts(names), len(names),
-                  0.0 if tolerance is None else float(tolerance), int(threads), _native.progress_function(told), None)
+                  0.0 if tolerance is None else float(tolerance), int(threads), _native.progress_function(told), None, flags.ctypes.data)
     given = Case(case)
 
     def work() -> None:
@@ -289,21 +295,27 @@ def batch(case: CaseLike, rows: typing.Any, figures: str | Sequence[str] = ("pea
                     statuses.ctypes.data, errors.ctypes.data)
         except BaseException as error:
             failed.append(error)
+        finally:
+            ended.set()
 
-    # Signals reach the main thread only while it runs Python.
-    worker = threading.Thread(target=work)
-    worker.start()
+    # Signals reach the main thread only while it runs Python. A join that is interrupted forgets its thread.
+    threading.Thread(target=work, daemon=False).start()
     try:
-        while worker.is_alive():
-            worker.join(0.05)
+        while not ended.wait(0.05):
+            pass
     except BaseException:
         stop.set()
-        worker.join()
+        while not ended.is_set():
+            try:
+                ended.wait()
+            except KeyboardInterrupt:  # it is on its way
+                pass
         raise
     if failed:
         raise failed[0]
     words = np.array([(library.dashpad_status_name(i) or b"").decode() for i in range(6)], dtype=object)
-    found = {**{name: results[:, i] for i, name in enumerate(names)}, "status": words[statuses], "error": errors}
+    found = {**{name: results[:, i] for i, name in enumerate(names)}, "status": words[statuses], "error": errors,
+             **{flag: flags & bit != 0 for flag, bit in _flags_of_rows.items()}}
     return type(rows)(found, index=rows.index) if hasattr(rows, "iloc") else found
 
 

@@ -4,7 +4,6 @@ import doctest
 import json
 import os
 import signal
-import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -88,7 +87,13 @@ class Answers(unittest.TestCase):
             (TypeError, lambda: dashpad.pulse(measured, colour="red")),
             (TypeError, lambda: dashpad.pulse(measured, filter=object())),
             (ValueError, lambda: dashpad.pulse(short)),
-            (ValueError, lambda: dashpad.pulse(("a", "b"))),
+            (ValueError, lambda: dashpad.pulse({"t": half_sine[0], "a": half_sine[1]})),
+            (TypeError, lambda: dashpad.pulse(("a", "b"))),
+            (TypeError, lambda: dashpad.pulse(3)),
+            (TypeError, lambda: dashpad.pulse((half_sine[0], half_sine[1] * 1j))),
+            (TypeError, lambda: dashpad.pulse(half_sine, measured)),
+            (TypeError, lambda: dashpad.pulse(half_sine, help=True)),
+            (OSError, lambda: dashpad.Store(sources)),
             (FileNotFoundError, lambda: dashpad.Store("no-store.db")),
             (ValueError, lambda: dashpad.Store(helmet)),
             (TypeError, lambda: dashpad.study(3, "store.db")),
@@ -129,6 +134,11 @@ class Studies(unittest.TestCase):
         with self.assertRaises(DashpadFaults):
             dashpad.study({**self.tables, "responses": ["hic36"]}, self.file)
 
+    def test_materials_have_their_names(self):
+        names = {"pad.material": {"values": ["eps-29", "vn600"]}}
+        rows = dashpad.study({**self.tables, "factors": names}, self.file).rows()
+        self.assertEqual(list(rows["pad.material"]), ["eps-29", "vn600"])
+
     def test_ctrl_c_loses_no_row(self):
         code = ("import sys, dashpad; sys.path.insert(0, sys.argv[1]); import test_commands as t\n"
                 "many = {**t.Studies.tables, 'factors': {'impactor.speed': {'from': '2 m/s', 'to': '4 m/s', 'count': 200_000}}}\n"
@@ -149,7 +159,7 @@ class Studies(unittest.TestCase):
     def rows(self):
         try:
             return len(dashpad.Store(self.file))
-        except (ValueError, sqlite3.OperationalError):
+        except (ValueError, OSError):
             return 0
 
 

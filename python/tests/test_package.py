@@ -1,5 +1,6 @@
 """The package for Python: its numbers are those of the command, and no mistake of its user ends the interpreter."""
 
+import copy
 import doctest
 import gc
 import json
@@ -22,6 +23,14 @@ from dashpad import Case, DashpadFaults, batch, solve
 sources = Path(__file__).resolve().parents[2]
 command = os.environ.get("DASHPAD_COMMAND")
 dashboard = sources / "examples/dashboard-20mph.toml"
+
+
+def pandas_or_skip():
+    try:
+        import pandas
+    except ImportError:
+        raise unittest.SkipTest("no pandas") from None
+    return pandas
 
 
 def drop():
@@ -118,12 +127,31 @@ class Results(unittest.TestCase):
         result = solve(dashboard)
         for name in dashpad.figures:
             self.assertIsInstance(getattr(result, name), float)
-        self.assertTrue(result.is_trustworthy)
+        self.assertTrue(result.met_tolerance)
         with self.assertRaises(AttributeError):
             result.colour
         for bad in (-1, math.nan, 1, 1e-12):
             with self.subTest(tolerance=bad), self.assertRaises(DashpadFaults):
                 solve(dashboard, tolerance=bad)
+
+    def test_copies_and_pickles_are_as_good(self):
+        result = solve(dashboard, tolerance=1e-3)
+        expected, force = result.hic15, result.history["force"].copy()
+        history = copy.deepcopy(result.history)
+        twins = [copy.copy(result), copy.deepcopy(result), pickle.loads(pickle.dumps(result))]
+        result.__del__()
+        del result
+        gc.collect()
+        for twin in twins[2:]:
+            self.assertEqual(twin.hic15, expected)
+        np.testing.assert_array_equal(history["force"], force)
+        with self.assertRaises(AttributeError):
+            twins[2].hic15 = 3
+        answer = dashpad.assess(dashboard)
+        self.assertEqual(pickle.loads(pickle.dumps(answer)).title, answer.title)
+        with self.assertRaises(DashpadFaults) as caught:
+            Case("no-file.toml")
+        self.assertEqual(pickle.loads(pickle.dumps(caught.exception)).faults, caught.exception.faults)
 
     def test_notebooks_show_the_page(self):
         shown = solve(dashboard)._repr_html_()
@@ -178,12 +206,48 @@ class Batches(unittest.TestCase):
 
         np.testing.assert_array_equal(batch(case, {"impactor.speed": np.linspace(3, 5, 500)}, progress=change)["hic15"], expected)
 
+    def test_a_case_may_change_while_others_read_it(self):
+        case, failed = drop(), []
+
+        def work(turn):
+            try:
+                for i in range(300):
+                    if turn == 0:
+                        case["pad.material"] = ("vn600", "eps-29")[i % 2]
+                    case.units, case.toml
+            except BaseException as error:
+                failed.append(error)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(failed, [])
+
     def test_threads_solve_at_the_same_time(self):
         found = []
         threads = [threading.Thread(target=lambda: found.append(solve(drop()).hic15)) for _ in range(8)]
         [thread.start() for thread in threads]
         [thread.join() for thread in threads]
         self.assertEqual(found, [solve(drop()).hic15] * 8)
+
+    def test_rows_tell_what_was_not_tested(self):
+        found = batch(drop(), {"impactor.speed": [1.0, 8.0]}, "peak_strain")
+        highest = 0.1  # of the card
+        np.testing.assert_array_equal(found["extrapolated_strain"], found["peak_strain"] > highest)
+        self.assertTrue(found["extrapolated_rate"].all())
+        self.assertFalse(found["bottomed"].any())
+
+    def test_tables_may_be_of_pandas(self):
+        pandas = pandas_or_skip()
+        frame = pandas.DataFrame({"impactor.speed": pandas.array([3, 4], dtype="Float64")}, index=[7, 9])
+        found = batch(drop(), frame, "hic15")
+        self.assertEqual(list(found.index), [7, 9])
+        self.assertEqual(found["hic15"][9], solve(drop() | {"impactor.speed": 4}).hic15)
+        for rows in (frame.iloc[0], frame.astype(str), frame.assign(note="x")):
+            with self.subTest(type(rows)), self.assertRaises(TypeError):
+                batch(drop(), rows, "hic15")
 
     def test_ctrl_c_ends_it(self):
         script = ("import dashpad, numpy as np, sys\n"
@@ -195,6 +259,7 @@ class Batches(unittest.TestCase):
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=120)
         self.assertIn("KeyboardInterrupt", errors)
+        self.assertEqual(running.returncode, -signal.SIGINT)  # and no abort
 
 
 class Questions(unittest.TestCase):
@@ -230,6 +295,17 @@ class Questions(unittest.TestCase):
 
 
 class Fits(unittest.TestCase):
+    def test_a_fitted_foam_is_the_material_of_a_case(self):
+        tests = sources / "examples/tutorial"
+        foam = dashpad.fit(tests / "epp-slow.csv", tests / "epp-fast.csv", thickness="25 mm", area="25 cm2")
+        case = Case(impactor={"mass": "5 kg", "radius": "80 mm", "speed": "4 m/s"},
+                    pad={"thickness": "40 mm", "material": foam}, support={"type": "rigid"})
+        other = drop()
+        other["pad.material"] = foam
+        self.assertEqual(solve(case).hic15, solve(other).hic15)
+        with self.assertRaises(ValueError):
+            other["pad.material"] = dashpad.assess(dashboard)
+
     def test_tests_become_a_foam(self):
         tests = [sources / "examples/tutorial" / f"epp-{name}.csv" for name in ("slow", "fast")]
         found = dashpad.fit(*tests, thickness="25 mm", area="25 cm2")

@@ -64,9 +64,14 @@ void add_material(const ImpactCase& base, const std::string& prefix, Of owner,
     const bool is_silent =
         (parameter.member == &PadCondition::density && !material.density_exponent) ||
         (parameter.member == &PadCondition::temperature && material.temperature_table.temperature.empty());
-    if (!is_silent)
-      add_parameter(
-          prefix, parameter, [owner](auto& impact) -> auto& { return owner(impact).condition; }, into);
+    if (is_silent) continue;
+    add_parameter(
+        prefix, parameter, [owner](auto& impact) -> auto& { return owner(impact).condition; }, into);
+    if (parameter.member == &PadCondition::density)
+      into.back().get = [owner](const ImpactCase& impact) {
+        const auto& part = owner(impact);
+        return part.condition.density.value_or(part.material.density.value_or(no_value));
+      };
   }
   const auto law_in = [owner](auto& impact) -> auto& { return owner(impact).material.law; };
   add_alternative(base, prefix + "parameters.", law_in, into);

@@ -193,13 +193,13 @@ static int stop_at_once(void* context, size_t done, size_t rows) {
 static void solves_batches(void) {
   enum { rows = 200 };
   static double values[rows][2], results[rows][2], errors[rows];
-  static unsigned char statuses[rows];
+  static unsigned char statuses[rows], flags[rows];
   for (size_t i = 0; i < rows; ++i)
     values[i][0] = 3 + 0.01 * (double)i, values[i][1] = 0.03 + 1e-4 * (double)i;
   const char* const keys[] = {"impactor.speed", "pad.thickness"};
   const char* const figures[] = {"peak_acceleration", "hic15"};
   size_t done = 0;
-  dashpad_batch batch = {rows, keys, 2, &values[0][0], figures, 2, 1e-3, 2, count_calls, &done};
+  dashpad_batch batch = {rows, keys, 2, &values[0][0], figures, 2, 1e-3, 2, count_calls, &done, flags};
   dashpad_faults* faults = NULL;
   dashpad_case* const given = read_drop();
   EXPECT(dashpad_solve_batch(given, &batch, &results[0][0], statuses, errors, &faults) && faults == NULL);

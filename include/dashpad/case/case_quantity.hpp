@@ -17,7 +17,7 @@ namespace dashpad {
 struct CaseQuantity {
   std::string key;   ///< key in case files: "impactor.speed", "pad.parameters.friction", "pad.curve.modulus"
   std::string unit;  ///< SI; "1" for a pure number
-  /// The value; NaN if the case does not give it, such as a density left to the card.
+  /// The value, of a density that of the card if the case gives none; NaN for a temperature left to the card.
   std::function<double(const ImpactCase&)> get;
   /// Sets any value; violations(ImpactCase) checks it later, under the same key. Only for a support that
   /// cannot exist it throws, std::invalid_argument.
