@@ -127,6 +127,9 @@ bool is_empty(const Database& database);
 /// Creates all tables within the caller's transaction.
 void create_tables(Database& database, const Study& study, const StoreHeading& heading);
 
+/// The statement that makes the view `results` unless it is there: the columns of export_csv(), and `flags`.
+std::string results_view(const StoreHeading& heading, const std::vector<RowLabel>& labels);
+
 /// Throws std::runtime_error for a file that is no store, has another layout or is damaged.
 StoreHeading read_heading(const Database& database);
 

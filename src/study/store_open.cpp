@@ -199,6 +199,7 @@ void make_or_check(Database& database, const Study& study, StoreHeading& heading
     if (stored.resolved != heading.resolved) extend_store(database, stored, heading);
     heading = std::move(stored);
   }
+  database.execute(results_view(heading, study.labels));
   transaction.commit();
 }
 

@@ -7,15 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
 
+#include "dashpad/quantities/constants.hpp"
+
 namespace dashpad {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The report's Eqs. 1, 2 and 4 term by term, with conservation beside them.
 TEST(PostImpact, KeepsMomentumAndAccountsForEnergy) {
