@@ -357,7 +357,7 @@ wasm_batches() {
     margin/draws.cpp                 # no page asks for a probability
     output/svg/rendered.cpp          # librsvg
     output/text/proposal_toml.cpp    # names files beside it
-    'output/.*/\(study_\([^wg]\|grid_\).*\|fall_height\|sensitivity\|material_.*\|post_impact\|filled\|test_plan\).*'
+    'output/.*/\(study_\([^wg]\|grid_\).*\|fall_height\|sensitivity\|material_.*\|citation.*\|bibtex\|post_impact\|filled\|test_plan\).*'
     'output/\(csv\|deck\)/.*'
   )
   # Two include themselves once for each instruction set, the third must be fast.

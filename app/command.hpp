@@ -59,6 +59,7 @@ void add_spit1984(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_assess(CLI::App& app, Action& action);
 void add_standards(CLI::App& app, Action& action);
+void add_cite(CLI::App& app, Action& action);
 void add_solve_for(CLI::App& app, Action& action);
 void add_fall_height(CLI::App& app, Action& action);
 void add_sensitivity(CLI::App& app, Action& action);

@@ -40,6 +40,7 @@ constexpr const char* main_footer = R"(Start here:
   dashpad material --help                        import and export other solvers' decks
   dashpad fit --help                             fit a card to measurements
   dashpad run --help                             files, units, tolerance
+  dashpad cite examples/dashboard-20mph.toml     what its results rest on, for a list of references
   dashpad spit1984 --help                        the program of the 1986 report, digit for digit
   dashpad compare CASE --pulse FILE              compare a case with a measured pulse
   dashpad compare examples/dashboard-20mph.toml  the solver and the 1984 program side by side
@@ -73,6 +74,7 @@ constexpr Command commands[]{{"Everyday use", "run", add_run},
                              {"Everyday use", "sensitivity", add_sensitivity},
                              {"Everyday use", "explore", add_explore},
                              {"Everyday use", "standards", add_standards, true},
+                             {"Everyday use", "cite", add_cite, true},
                              {"Everyday use", "pulse", add_pulse},
                              {"Everyday use", "export", add_export},
                              {"Everyday use", "post-impact", add_post_impact},

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -90,22 +90,6 @@ std::string sources_of(const injury::Standard& standard) {
   }
   return fmt::format("Sources of the standard's values: {}; dashpad standards {} lists them.",
                      fmt::join(kinds, ", "), full_name(standard));
-}
-
-/// Each source of what is in force with what comes from it, for those who cannot ask for the standard.
-std::vector<Basis> sources_in_full(const injury::Standard& standard) {
-  std::vector<Basis> all;
-  for (const auto& [name, origin] : origins_of(standard)) {
-    const std::string source = fmt::format("{} ({})", one_line(origin->source), to_string(origin->kind));
-    const std::string doubt = origin->verified ? "" : "unverified";
-    auto known = all.begin();
-    while (known != all.end() && (known->source != source || known->doubt != doubt)) ++known;
-    if (known == all.end())
-      all.push_back({"", capitalised(name), source, doubt});
-    else
-      known->value += ", " + name;
-  }
-  return all;
 }
 
 /// The one that is undecided, of several that which is next to its limit.
@@ -225,9 +209,14 @@ std::vector<Basis> basis_of(const AssessmentReport& report, const UnitSystem& un
   std::vector<Basis> rows = case_basis(report.assessed, units);
   const injury::Standard& standard = report.standard;
   rows.push_back({.what = "Standard",
-                  .value = fmt::format("{} ({})", one_line(standard.title), full_name(standard)),
+                  .value = fmt::format("{} ({}){}{}", one_line(standard.title), full_name(standard),
+                                       standard.article.empty() ? "" : "; ", one_line(standard.article)),
                   .doubt = one_line(standard.note)});
   for (Basis& row : sources_in_full(standard)) rows.push_back(std::move(row));
+  const injury::KeyFigures& figures = report.assessment.figures;
+  std::ranges::move(method_basis(report.assessed, {figures.hic15.value || figures.hic36.value,
+                                                   report.solution.summary.intervals.has_value()}),
+                    std::back_inserter(rows));
   rows.push_back(solver_basis(report.solution.summary));
   return rows;
 }
@@ -289,6 +278,21 @@ void add_plots(Document& document, const AssessmentReport& report, const UnitSys
 }
 
 }  // namespace
+
+std::vector<Basis> sources_in_full(const injury::Standard& standard) {
+  std::vector<Basis> all;
+  for (const auto& [name, origin] : origins_of(standard)) {
+    const std::string source = fmt::format("{} ({})", one_line(origin->source), to_string(origin->kind));
+    const std::string doubt = origin->verified ? "" : "unverified";
+    auto known = all.begin();
+    while (known != all.end() && (known->source != source || known->doubt != doubt)) ++known;
+    if (known == all.end())
+      all.push_back({"", capitalised(name), source, doubt});
+    else
+      known->value += ", " + name;
+  }
+  return all;
+}
 
 std::string margin_words(const injury::CriterionResult& result, const UnitSystem& units, int digits) {
   return brief_quantity(std::abs(*result.margin), result.criterion.quantity->si_unit, units, digits);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dashpad/output/assessment.hpp"
+#include "output/documents/basis.hpp"
 
 namespace dashpad::output {
 
@@ -21,6 +22,9 @@ inline constexpr KeyFigure figures_of_assessment[]{
     {"contact_end", &injury::KeyFigures::contact_end},
     {"rebound_speed", &injury::KeyFigures::rebound_speed},
     {"restitution", &injury::KeyFigures::restitution}};
+
+/// Each source of what is in force of a standard, with what comes from it.
+std::vector<Basis> sources_in_full(const injury::Standard& standard);
 
 Tone tone_of(injury::Verdict verdict);
 

@@ -35,15 +35,27 @@ std::string doubts_about(const Material& material) {
   return doubts;
 }
 
+std::string known_of(const Material& material, const UnitSystem& units) {
+  std::string words;
+  if (material.density) words = brief_quantity(*material.density, "kg/m3", units);
+  if (const auto range = range_of(material))
+    words += fmt::format(
+        "{}{} up to a strain of {}, at a strain rate of {}{} per second", words.empty() ? "" : "; ",
+        how_known(material), brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
+        range->highest_rate > range->lowest_rate ? " to " + brief(range->highest_rate, 3) : "");
+  return words;
+}
+
+std::string source_of(const Material& material) {
+  if (!material.source.empty()) return one_line(material.source);
+  return material.name == foam_of_the_case ? "typed in the case; no source is given" : "not stated";
+}
+
 Basis foam_basis(const Material& material, const UnitSystem& units) {
   Basis basis{.what = "Foam", .value = material_words(material)};
-  if (material.density) basis.value += ", " + brief_quantity(*material.density, "kg/m3", units);
-  if (const auto range = range_of(material))
-    basis.value +=
-        fmt::format("; {} up to a strain of {}, at a strain rate of {}{} per second", how_known(material),
-                    brief(range->highest_strain, 3), brief(range->lowest_rate, 3),
-                    range->highest_rate > range->lowest_rate ? " to " + brief(range->highest_rate, 3) : "");
-  basis.source = material.source.empty() ? "not stated" : one_line(material.source);
+  if (const std::string known = known_of(material, units); !known.empty())
+    basis.value += (material.density ? ", " : "; ") + known;
+  basis.source = source_of(material);
   basis.doubt = doubts_about(material);
   return basis;
 }
@@ -60,6 +72,14 @@ std::vector<Basis> case_basis(const ImpactCase& impact, const UnitSystem& units)
   for (const PadLayer& layer : impact.pad.layers) add(layer.material);
   rows.push_back({"Support", words.support});
   if (!words.blows.empty()) rows.push_back({"Blows", words.blows});
+  return rows;
+}
+
+std::vector<Basis> method_basis(const ImpactCase& impact, const Computed& computed) {
+  std::vector<Basis> rows;
+  for (const Use& use : method_of(impact, computed))
+    rows.push_back({rows.empty() ? "Method" : "", capitalised(fmt::format("{}", fmt::join(use.what, ", "))),
+                    source_of(use)});
   return rows;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -169,6 +170,8 @@ Document texts_of(const ImpactReport& report, const UnitSystem& units) {
   brief.push_back(errors);
   document.sections.push_back({.seen = Seen::in_brief, .paragraphs = std::move(brief)});
   std::vector<Basis> basis = case_basis(impact, units);
+  std::ranges::move(method_basis(impact, {report.injury.has_value(), summary.intervals.has_value()}),
+                    std::back_inserter(basis));
   basis.push_back(solver_basis(summary));
   document.sections.push_back({.heading = basis_heading, .tables = {basis_table(basis)}});
   return document;
