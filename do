@@ -33,6 +33,8 @@ Usage: ./do TASK [arguments]
   wheel                    make the package for Python 3 and try it: build/wheel/dashpad-VERSION-py3-none-linux_x86_64.whl
   notebooks [--record]     run the notebooks in examples/notebooks; pages go to build/notebooks (--record also keeps
                            their pictures in docs/images/notebooks)
+  package                  make a Debian package, an archive for any newer Linux, the sources and the wheel in build/package,
+                           and try them in minimal systems (as root)
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
                            WebAssembly, notebooks, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
@@ -278,7 +280,7 @@ task_check_layout() {
   say "Checking names ..."
   check_names
   say "Running shellcheck ..."
-  shellcheck ./do ./.ci/run tests/soak/*.sh tests/regression/*.sh
+  shellcheck ./do ./.ci/run package/*.sh tests/soak/*.sh tests/regression/*.sh
 }
 
 task_lint() {
@@ -517,6 +519,33 @@ task_notebooks() {
     /usr/bin/python3 "$root/python/run_notebooks.py" "$out/examples" "$out" "${pictures[@]}"
 }
 
+# Everything that is handed out, in build/package. A package for another system joins it as the wheel does.
+task_package() {
+  need_packages run wheel wasm package
+  task_wasm
+  task_wheel
+  say "Building the command ..."
+  configure release
+  build release dashpad-command dashpad-shared
+  local version packages="$root/build/package" stage="$root/build/package/stage" maintainer
+  version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
+  maintainer="$(git -C "$root" log -1 --format='%an <%ae>')"
+  SOURCE_DATE_EPOCH="$(git -C "$root" log -1 --format=%ct)"
+  export SOURCE_DATE_EPOCH
+  # shellcheck source=package/package.sh
+  source "$root/package/package.sh"
+  mkdir -p "$packages"
+  rm -f "$packages"/*.deb "$packages"/*.tar.xz "$packages"/*.whl
+  say "Packing ..."
+  stage_files
+  make_deb
+  make_archive
+  make_sources
+  cp "$root"/build/wheel/dashpad-*.whl "$packages"
+  find "$packages" -maxdepth 1 \( -name '*.deb' -o -name '*.tar.xz' -o -name '*.whl' \) -printf '  %f: %s bytes\n' | sort >&2
+  try_packages
+}
+
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
 # build/nightly, and what has passed is not done again while the code is the same, so that a night that is cut off goes on
 # and words in documents cost nothing.
@@ -576,7 +605,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | notebooks | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | notebooks | package | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

@@ -15,7 +15,7 @@ namespace {
 struct DataPlace {
   const char* variable;   ///< of the environment
   const char* installed;  ///< relative to the folder of the program
-  const char* source;
+  const char* source;     ///< likewise, for a program that was built but not installed
 };
 
 fs::path chosen(const std::string& folder, const DataPlace& place) {
@@ -23,10 +23,10 @@ fs::path chosen(const std::string& folder, const DataPlace& place) {
   if (const char* named = std::getenv(place.variable); named != nullptr && *named != '\0') return named;
 
   std::error_code ignored;
-  const fs::path installed =
-      (fs::absolute(running_executable(), ignored).parent_path() / place.installed).lexically_normal();
-  if (fs::exists(installed, ignored)) return installed;
-  return fs::exists(place.source, ignored) ? place.source : installed;
+  const fs::path program = fs::absolute(running_executable(), ignored).parent_path();
+  const fs::path installed = (program / place.installed).lexically_normal();
+  const fs::path source = (program / place.source).lexically_normal();
+  return !fs::exists(installed, ignored) && fs::exists(source, ignored) ? source : installed;
 }
 
 }  // namespace

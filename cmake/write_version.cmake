@@ -3,6 +3,9 @@
 # so nothing is compiled again without need.
 
 set(git_commit unknown)
+if(EXISTS "${SOURCE_DIR}/COMMIT")  # of an archive of the sources (./do package)
+  file(STRINGS "${SOURCE_DIR}/COMMIT" git_commit LIMIT_COUNT 1)
+endif()
 find_program(git git)
 if(git)
   # An unpacked tarball may lie inside another project's repository, whose commit would be the wrong one.
