@@ -273,8 +273,8 @@ TEST(Thinning, OfALineNeedsItsEndsOnly) {
 
 TEST(Thinning, OfASolvedImpactGetsBetterWithMorePoints) {
   const Curve all = curve("force", solve(test::example_case(), {}));
-  const double peak = *std::ranges::max_element(all.y);
-  EXPECT_LT(output::thinned(all, 50).error, 5e-3 * peak);
+  const double highest = *std::ranges::max_element(all.y);
+  EXPECT_LT(output::thinned(all, 50).error, 5e-3 * highest);
   EXPECT_LT(output::thinned(all, 50).error, output::thinned(all, 12).error);
 }
 
