@@ -353,7 +353,7 @@ wasm_batches() {
     'input/iso_mme/\(archive\|folder\|iso_mme\|test_files\).cpp'  # a test is a folder or an archive
     'input/material_deck/\(abaqus\|deck\|include\|ls_dyna\|material\|radioss\|stated\).*'  # files that no page reads
     fit/session.cpp                  # keeps finished work on the disk
-    'study/\(answers\|answers_of_store\|ranking\|run_study\|sqlite\|store.*\|study_.*\|turning_level\).cpp'
+    'study/\(answers\|answers_of_store\|ranking\|run_study\|sqlite\|store.*\|study_.*\|turning_level\|worker\).cpp'
     laboratory/creep.cpp             # tests of hours
     live/live_page.cpp               # writes the page that has the engine
     margin/draws.cpp                 # no page asks for a probability

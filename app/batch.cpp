@@ -105,7 +105,7 @@ int batch(const BatchRequest& request) {
   const std::optional<double> tolerance = tolerance_of(request.tolerance, errors);
   std::ifstream file;
   if (request.file != "-") {
-    file.open(request.file);
+    file.open(std::filesystem::path(request.file));
     if (!file || std::filesystem::is_directory(request.file))
       errors.push_back(request.file + ": does not exist or cannot be read");
   }

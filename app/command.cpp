@@ -13,6 +13,7 @@
 #include "input/option_values.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "system.hpp"
 
 namespace dashpad::app {
 

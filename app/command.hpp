@@ -123,8 +123,6 @@ std::optional<injury::Standard> standard_of(const std::string& name, const std::
 std::filesystem::path chosen_measured_tests(const std::string& folder);
 /// The engine of the live page: $DASHPAD_ENGINE, share/dashpad/engine.wasm.lzma, build/wasm/engine.wasm.lzma.
 std::filesystem::path chosen_engine();
-/// The file of the running program, or the name by which it was called.
-std::filesystem::path running_executable();
 
 /// The card of that name in a folder; a name that ends in .toml is a file.
 std::optional<std::filesystem::path> find_card(const std::string& name, const std::filesystem::path& folder,

@@ -2,9 +2,10 @@
 
 #include "command.hpp"
 
-#include <cerrno>
-#include <cstdlib>
+#include <string>
 #include <system_error>
+
+#include "system.hpp"
 
 namespace dashpad::app {
 
@@ -20,7 +21,7 @@ struct DataPlace {
 
 fs::path chosen(const std::string& folder, const DataPlace& place) {
   if (!folder.empty()) return folder;
-  if (const char* named = std::getenv(place.variable); named != nullptr && *named != '\0') return named;
+  if (const std::string named = environment(place.variable); !named.empty()) return named;
 
   std::error_code ignored;
   const fs::path program = fs::absolute(running_executable(), ignored).parent_path();
@@ -49,12 +50,6 @@ fs::path chosen_measured_tests(const std::string& folder) {
 fs::path chosen_engine() {
   return chosen("", {"DASHPAD_ENGINE", DASHPAD_INSTALLED_DATA "/engine.wasm.lzma",
                      DASHPAD_SOURCE_DATA "/build/wasm/engine.wasm.lzma"});
-}
-
-fs::path running_executable() {
-  std::error_code error;
-  fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path{program_invocation_name} : executable;
 }
 
 }  // namespace dashpad::app

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <new>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,7 @@
 #include "input/spelling.hpp"
 #include "output.hpp"
 #include "quantities/text.hpp"
+#include "system.hpp"
 
 namespace dashpad::app {
 
@@ -120,6 +122,7 @@ std::vector<std::string> given_empty(const CLI::App& app) {
 int command(int argument_count, char** arguments) {
   CLI::App app;
   app.get_formatter()->column_width(32);
+  app.allow_windows_style_options(false);  // a name of a file may begin with /, there too
   Action action;
   add_commands(app, action, argument_count > 1 ? arguments[1] : "");
   try {
@@ -140,7 +143,8 @@ int main(int argument_count, char** arguments) {
   using namespace dashpad::app;
   try {
     prepare_streams();
-    return command(argument_count, arguments);
+    const std::span<char*> given = arguments_in_utf8(argument_count, arguments);
+    return command(static_cast<int>(given.size()), given.data());
   } catch (const std::bad_alloc&) {
     write_error("dashpad: out of memory\n");
   } catch (const std::filesystem::filesystem_error& error) {

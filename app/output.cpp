@@ -43,20 +43,12 @@ fs::path place_of(const fs::path& file) {
   return error ? path.lexically_normal() : place;
 }
 
-/// The standard stream that is redirected to a file, if any.
-const char* stream_into(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return nullptr;
-  if (fs::equivalent(file, "/dev/stdout", error)) return "standard output";
-  if (fs::equivalent(file, "/dev/stderr", error)) return "standard error";
-  return nullptr;
-}
-
 /// Why a target cannot be written; empty if it can.
 std::string complaint(const Target& target, bool force) {
   const fs::path path{target.file};
   std::error_code error;
   if (fs::is_directory(path, error) || !path.has_filename()) return "is a folder; give the name of a file";
+  if (std::string missing = missing_for(path); !missing.empty()) return missing;
   if (is_device(path)) return "";
   if (is_taken(path) && !force) return "already exists; choose another name, or use --force to overwrite it";
   const fs::path folder = folder_of(fs::is_symlink(path, error) ? place_of(path) : path);
@@ -110,12 +102,6 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 }  // namespace
-
-bool is_device(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
 
 void judge_targets(const std::vector<Target>& targets, const std::vector<input::InputFile>& inputs,
                    bool force, std::vector<std::string>& errors) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dashpad/input/reading.hpp"
+#include "system.hpp"
 
 namespace dashpad::app {
 
@@ -34,9 +35,6 @@ struct Target {
   std::string file;
   [[nodiscard]] bool is_standard_output() const { return file == "-"; }
 };
-
-/// Whether a path is a device or a pipe, which is written to directly.
-bool is_device(const std::filesystem::path& path);
 
 /// Adds to `errors` what forbids writing to the targets: an existing file (without force), a folder that is
 /// missing or not writable, equal targets, a target of redirected standard output or error, an input.

@@ -1,28 +1,14 @@
 #include "output.hpp"
 
 #include <cerrno>
-#include <csignal>
 #include <stdexcept>
 #include <system_error>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include "quantities/text.hpp"
 
 namespace dashpad::app {
-
-void prepare_streams() {
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-  // Opened read-only, so that writing to a closed standard output still fails. Takes the lowest free number.
-  while (true) {
-    const int descriptor = ::open("/dev/null", O_RDONLY);
-    if (descriptor <= STDERR_FILENO && descriptor >= 0) continue;
-    if (descriptor > STDERR_FILENO) ::close(descriptor);
-    return;
-  }
-}
 
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {

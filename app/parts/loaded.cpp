@@ -11,6 +11,7 @@
 #include "dashpad/output/deck/iso_mme_test.hpp"
 #include "output/svg/svg.hpp"
 #include "parts/parts.hpp"
+#include "system.hpp"
 
 namespace dashpad {
 

@@ -12,6 +12,7 @@
 
 #include "command.hpp"
 #include "study/study.hpp"
+#include "system.hpp"
 
 namespace dashpad::app {
 
