@@ -35,10 +35,12 @@ Usage: ./do TASK [arguments]
                            their pictures in docs/images/notebooks)
   package                  make a Debian package, an archive for any newer Linux, the sources and the wheel in build/package,
                            and try them in minimal systems (as root)
+  windows                  build the command for Windows with mingw-w64 and try it under wine:
+                           build/windows/dashpad-VERSION-windows-x86_64.zip
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
                            cases compared with more accurate solutions and 200 with a second solver, the site,
-                           WebAssembly, notebooks, the tests by clang 19 under sanitizers, half a minute of fuzzing for each
-                           reader, and lint
+                           WebAssembly, Windows, notebooks, the tests by clang 19 under sanitizers, half a minute of fuzzing
+                           for each reader, and lint
   clean                    remove build/
   install-packages [GROUP...]
                            install the Debian packages in packages.txt (default: all groups)
@@ -235,7 +237,7 @@ task_pictures() {
 
 # Paths of the C++ and C files, relative to the root.
 cpp_files() {
-  (cd "$root" && find app bench c examples include src tests -name '*.[ch]pp' -o -name '*.[ch]' | sort)
+  (cd "$root" && find app bench c examples include src tests windows -name '*.[ch]pp' -o -name '*.[ch]' | sort)
 }
 
 task_format() {
@@ -546,6 +548,34 @@ task_package() {
   try_packages
 }
 
+# The command for Windows with its folders, packed, and compared with the native one under wine. The programs that it contains
+# want their licences beside it.
+task_windows() {
+  need_packages run windows
+  task_wasm
+  say "Building the command ..."
+  configure release
+  build release dashpad-command
+  say "Building the command for Windows ..."
+  configure windows
+  build windows dashpad-command
+  local version name folder="$root/build/windows" package
+  version="$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")"
+  name="dashpad-$version-windows-x86_64"
+  rm -rf "${folder:?}/$name" "$folder/$name.zip"
+  mkdir -p "$folder/$name/data" "$folder/$name/licences"
+  cp -R "$folder/app/dashpad.exe" "$root/materials" "$root/standards" "$root/examples" "$root/LICENSE" \
+    "$root/docs/windows.md" "$root/docs/case-files.md" "$root/build/wasm/engine.wasm.lzma" "$folder/$name"
+  cp -R "$root/data/validation" "$folder/$name/data"
+  for package in g++-mingw-w64-x86-64-posix mingw-w64-common $(packages_of windows | grep '^lib\|json'); do
+    cp -L "/usr/share/doc/$package/copyright" "$folder/$name/licences/$package.txt"
+  done
+  (cd "$folder" && cmake -E tar cf "$name.zip" --format=zip "--mtime=2020-01-01 00:00:00 UTC" "$name")
+  say "Trying it under wine ..."
+  node --no-warnings "$root/tests/windows/run.mjs" "$folder/$name.zip" "$root/build/release/app/dashpad" "$root" "$root/build/wine"
+  say "The command for Windows: build/windows/$name.zip"
+}
+
 # Every step is taken, whatever the one before it said; the last lines say how each ended. What a step printed stays in
 # build/nightly, and what has passed is not done again while the code is the same, so that a night that is cut off goes on
 # and words in documents cost nothing.
@@ -553,7 +583,7 @@ task_nightly() {
   need_packages run test bench format lint clang
   local tests="$root/build/release/tests" ended=() failed=0 kind commit kept
   local code=(.clang-tidy CMakeLists.txt CMakePresets.json app bench c cmake data examples include materials python schema src
-    standards tests web ':!*.md' ':!bench/results')
+    standards tests web windows ':!*.md' ':!bench/results')
   commit="$(git -C "$root" describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)"
   kept="$root/build/nightly/$( (cd "$root" && git ls-files --stage -- "${code[@]}") | git hash-object --stdin | head -c 12)"
   if [[ -n "$(cd "$root" && git status --porcelain -- "${code[@]}")" ]]; then
@@ -585,6 +615,7 @@ task_nightly() {
   step "$root/do" docs
   step "$root/do" wasm
   step "$root/do" notebooks
+  step "$root/do" windows
   step "$root/do" test asan-ubsan -LE 'page|documents|consumer|wasm'  # a browser, and other compilers' programs
   step "$root/do" lint
   step "$root/do" fuzz 30
@@ -605,7 +636,7 @@ task_install_packages() { need_packages "$@"; }
 task="${1:-help}"
 [[ $# -eq 0 ]] || shift
 case "$task" in
-  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | notebooks | package | nightly | clean | install-packages)
+  run | test | bench | pictures | docs | format | check-layout | lint | coverage | fuzz | wasm | npm | wheel | windows | notebooks | package | nightly | clean | install-packages)
     "task_${task//-/_}" "$@"
     ;;
   help | -h | --help) help ;;

@@ -1,0 +1,2 @@
+#pragma once
+#include "tbb/enumerable_thread_specific.h"
