@@ -33,8 +33,8 @@ Usage: ./do TASK [arguments]
   wheel                    make the package for Python 3 and try it: build/wheel/dashpad-VERSION-py3-none-linux_x86_64.whl
   notebooks [--record]     run the notebooks in examples/notebooks; pages go to build/notebooks (--record also keeps
                            their pictures in docs/images/notebooks)
-  package                  make a Debian package, an archive for any newer Linux, the sources and the wheel in build/package,
-                           and try them in minimal systems (as root)
+  package                  make a Debian package, an archive for any newer Linux, the sources, the wheel and the command for
+                           Windows in build/package, and try those for Linux in minimal systems (as root)
   windows                  build the command for Windows with mingw-w64 and try it under wine:
                            build/windows/dashpad-VERSION-windows-x86_64.zip
   nightly                  run the tests that take hours: fits to 60 synthetic mats of known parameters, 21,000 random
@@ -521,10 +521,10 @@ task_notebooks() {
     /usr/bin/python3 "$root/python/run_notebooks.py" "$out/examples" "$out" "${pictures[@]}"
 }
 
-# Everything that is handed out, in build/package. A package for another system joins it as the wheel does.
+# Everything that is handed out, in build/package.
 task_package() {
-  need_packages run wheel wasm package
-  task_wasm
+  need_packages run wheel wasm windows package
+  task_windows
   task_wheel
   say "Building the command ..."
   configure release
@@ -537,14 +537,15 @@ task_package() {
   # shellcheck source=package/package.sh
   source "$root/package/package.sh"
   mkdir -p "$packages"
-  rm -f "$packages"/*.deb "$packages"/*.tar.xz "$packages"/*.whl
+  rm -f "$packages"/*.deb "$packages"/*.tar.xz "$packages"/*.whl "$packages"/*.zip
   say "Packing ..."
   stage_files
   make_deb
   make_archive
   make_sources
-  cp "$root"/build/wheel/dashpad-*.whl "$packages"
-  find "$packages" -maxdepth 1 \( -name '*.deb' -o -name '*.tar.xz' -o -name '*.whl' \) -printf '  %f: %s bytes\n' | sort >&2
+  cp "$root"/build/wheel/dashpad-*.whl "$root"/build/windows/dashpad-*.zip "$packages"
+  find "$packages" -maxdepth 1 \( -name '*.deb' -o -name '*.tar.xz' -o -name '*.whl' -o -name '*.zip' \) \
+    -printf '  %f: %s bytes\n' | sort >&2
   try_packages
 }
 
