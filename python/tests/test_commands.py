@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import dashpad
-from dashpad import Case, DashpadFaults, _native
+from dashpad import Case, DashpadFaults, _command, _native
 
 sources = Path(__file__).resolve().parents[2]
 examples = sources / "examples"
@@ -25,7 +25,8 @@ half_sine = (time_of_sine, 600 * np.sin(np.pi * time_of_sine / 0.02))
 
 
 def by_command(*words):
-    done = subprocess.run([_native.command_file, *map(str, words), "--json", "-"], capture_output=True, text=True, check=False)
+    done = subprocess.run([_native.command_file, *map(str, words), "--json", "-"], capture_output=True, text=True, check=False,
+                          env=_command._environment())
     data = json.loads(done.stdout)
     data.get("program", {}).pop("commit", None)
     return data
