@@ -105,14 +105,19 @@ def _checked(words: Sequence[str], named: Mapping[str, str]) -> str:
     return out
 
 
-def _answer(command: str, files: Sequence[str], options: Mapping[str, typing.Any], named: Mapping[str, str]) -> Answer:
-    """`named`: what stands for a temporary file in all texts."""
+def _with_page(words: Sequence[str], files: Sequence[str], named: Mapping[str, str]) -> tuple[str, str]:
+    """What the command prints as data, and its page. `named`: what stands for a temporary file in all texts."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "page.html")
-        data = _checked([*command.split(), *_words_of(options), "--json=-", f"--report={file}", "--", *files], named)
+        data = _checked([*words, f"--report={file}", "--", *files], named)
         page = file.read_text(encoding="utf-8")
-    for file_name, name in named.items():
-        data, page = data.replace(file_name, name), page.replace(file_name, name)
+    for temporary, name in named.items():
+        data, page = data.replace(temporary, name), page.replace(temporary, name)
+    return data, page
+
+
+def _answer(command: str, files: Sequence[str], options: Mapping[str, typing.Any], named: Mapping[str, str]) -> Answer:
+    data, page = _with_page([*command.split(), *_words_of(options), "--json=-"], files, named)
     title = re.search("<h1[^>]*>(.*?)</h1>", page, re.DOTALL)
     # Without the sign of its tone.
     words = re.sub('<span class="sign[^>]*>[^<]*</span>|<[^>]*>', "", title[1]) if title else ""
@@ -121,16 +126,9 @@ def _answer(command: str, files: Sequence[str], options: Mapping[str, typing.Any
 
 def page_of(command: str, words: Sequence[str], options: Mapping[str, typing.Any], case: Case | None = None) -> str:
     """The page that the command makes of a case; after `words` of its own."""
-    with contextlib.ExitStack() as kept:
-        files = kept.enter_context(_as_files(case_toml=case.toml)) if case is not None else {}
+    with _as_files(**({"case_toml": case.toml} if case is not None else {})) as files:
         named = {file: "the case" for file in files.values()}
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "page.html")
-            _checked([command, *_words_of(options), f"--report={file}", "--", *words, *files.values()], named)
-            page = file.read_text(encoding="utf-8")
-    for name in files.values():
-        page = page.replace(name, "the case")
-    return page
+        return _with_page([command, *_words_of(options)], [*words, *files.values()], named)[1]
 
 
 @contextlib.contextmanager
