@@ -41,11 +41,12 @@ Open open_sources_of(const ImpactCase& impact, const Summary& summary) {
 
 namespace {
 
-/// Runs of the impacts at the places of lines, if with them all meet `tolerance_of_few_runs`: what these few
-/// runs leave of the error is nearly alike at all places, and cancels in the differences.
-constexpr int few_runs = 2;
-constexpr double tolerance_of_few_runs = 1e-2;
-/// Tolerance of the impacts if they do not.
+/// Runs of the impacts at the places of lines: the first of these numbers with which no error estimate of
+/// theirs exceeds `error_of_few_runs`. What so few runs leave of the error is nearly alike at all places, and
+/// cancels in the differences.
+constexpr int few_runs[]{2, 3};
+constexpr double error_of_few_runs = 0.03;
+/// Tolerance of the impacts if with none of them they do.
 constexpr double tolerance_of_ends = 1e-3;
 /// Share of the nominal figure that a point between the ends must add to be solved.
 constexpr double worth_solving = 3e-3;
@@ -102,14 +103,20 @@ struct Solved {
   bool failed = false;
 };
 
-/// The figures of a case; empty if it was not solved well enough, with a fixed number of runs if it missed
-/// the tolerance. Forces of a pad that bottoms are infinite.
+/// The largest error estimate of the figures that get intervals, and of those of which they are made.
+double largest_estimate(const ErrorEstimates& errors) {
+  return std::max({errors.peak_force, errors.peak_motion, errors.peak_penetration, errors.rebound_speed,
+                   errors.bottomed, errors.support});
+}
+
+/// The figures of a case; empty if it was not solved well enough, which a fixed number of runs decides by the
+/// error estimates. Forces of a pad that bottoms are infinite.
 std::vector<double> solved_figures(const ImpactCase& impact, const Options& options,
                                    const std::vector<AskedFigure>& asked) {
   if (!violations(impact).empty()) return {};
   const Solution solution = solve(impact, options);
   const Summary& summary = solution.summary;
-  if (options.fixed_runs > 0 && !summary.trustworthy()) return {};
+  if (options.fixed_runs > 0 && !(largest_estimate(summary.errors) <= error_of_few_runs)) return {};
   std::vector<double> values = figures_of(solution, asked);
   if (bottomed_on_rigid_support(summary)) {
     for (std::size_t i = 0; i < asked.size(); ++i)
@@ -126,10 +133,11 @@ class Search {
   Search(const ImpactCase& impact, const Options& options, const Solution& nominal,
          const std::vector<AskedFigure>& asked, const std::vector<Line>& lines)
       : impact_(impact), options_(options), asked_(asked), nominal_(figures_of(nominal, asked)) {
-    options_.tolerance = std::max(options.tolerance, tolerance_of_few_runs);
-    options_.fixed_runs = few_runs;
-    if (solve(lines)) return;
     options_.tolerance = std::max(options.tolerance, tolerance_of_ends);
+    for (const int runs : few_runs) {
+      options_.fixed_runs = runs;
+      if (solve(lines)) return;
+    }
     options_.fixed_runs = 0;
     solve(lines);
   }

@@ -14,6 +14,8 @@ namespace {
 
 /// Gap for which stations are laid while none is known, as a share of the thickness.
 constexpr double first_gap = 0.02;
+/// Precision of the layers' strains as a share of their change over a step, in rho^2, the order of the step.
+constexpr double precision_of_change = 1e-2;
 
 /// Mean of max(g, 0) over a cell in which g is linear, and its derivatives by g at both ends.
 struct PositiveMean {
@@ -41,6 +43,7 @@ void LayeredContact::set(const Parts& parts, const Sections& nose) {
 }
 
 void LayeredContact::start(double resolution, double expected) {
+  precision_ = precision_of_change * resolution * resolution;
   const double thickness = series_.thickness();
   const double gap = expected < thickness ? thickness - expected : first_gap * thickness;
   places_.clear();
@@ -125,7 +128,7 @@ void LayeredContact::solve_column(std::size_t j) {
   const Shortening end = shortening(j, trial_penetration_);
   const LayerStep step{last_.step, last_step_};
   const LayerStates now = states_before(j);
-  const LayerSeries::Solution found = series_.solve(end, now, step, guess(j, now, end.y));
+  const LayerSeries::Solution found = series_.solve(end, now, step, guess(j, now, end.y), precision_);
   State& next = next_[j];
   next = {found.stress, end.y, found.flexibility, {}, found.layer_flexibility};
   for (std::size_t i = 0; i < series_.size(); ++i) {

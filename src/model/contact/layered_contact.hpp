@@ -115,6 +115,7 @@ class LayeredContact {
   std::vector<Place> places_;
   std::vector<State> now_;
   std::vector<State> next_;  ///< at the end of the last trial
+  double precision_ = 0;     ///< of the layers' strains, as a share of their change over a step
   double penetration_ = 0;
   double last_step_ = 0;     ///< length of the last step, s; 0: there was none
   std::size_t touched_ = 0;  ///< columns that the nose has reached so far

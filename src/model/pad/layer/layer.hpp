@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -191,8 +192,9 @@ struct LogStrain {
     return strain.complement < 0.5 ? -portable::log(strain.complement) : of(strain.value);
   }
   static Strain strain(double x) {
+    if (x < std::numbers::ln2) return strain_of(-portable::expm1(-x));
     const double complement = portable::exp(-x);
-    return {complement > 0.5 ? -portable::expm1(-x) : 1 - complement, complement};
+    return {1 - complement, complement};
   }
 };
 

@@ -29,7 +29,8 @@ LayerState LayerSeries::after(std::size_t layer, Strain end, const LayerState& n
 }
 
 LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerStates& now,
-                                         const LayerStep& step, const ColumnGuess& guess) const {
+                                         const LayerStep& step, const ColumnGuess& guess,
+                                         double precision) const {
   Solution found;
   if (wanted.y <= 0) {
     found.strain.fill({wanted.y / thickness_, wanted.gap / thickness_});
@@ -38,7 +39,7 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
   // A trial may go beyond full compression.
   const double min_gap = 2 * LogStrain::min_complement * thickness_;
   const Shortening end = wanted.gap > min_gap ? wanted : Shortening{thickness_ - min_gap, min_gap};
-  StepSolver at(layers_, thicknesses_, now, step);
+  StepSolver at(layers_, thicknesses_, now, step, precision);
   at.begin(guess);
   const double first = std::max(guess.stress, min_stress_);
   const double scale = std::max(first, slow_.at({end.y / thickness_, end.gap / thickness_}).stress);

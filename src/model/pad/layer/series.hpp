@@ -49,8 +49,9 @@ class LayerSeries {
     std::size_t looks = 0;         ///< number of layer stresses computed
     std::size_t nested_looks = 0;  ///< those for a root within a root
   };
+  /// `precision` is that of the layers' strains, as a share of their change over the step.
   [[nodiscard]] Solution solve(const Shortening& wanted, const LayerStates& now, const LayerStep& step,
-                               const ColumnGuess& guess) const;
+                               const ColumnGuess& guess, double precision) const;
 
   /// The state of a layer at the end of a solved step.
   [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,

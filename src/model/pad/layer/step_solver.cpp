@@ -23,7 +23,9 @@ void StepSolver::begin(const ColumnGuess& guess) {
   last_stress_ = guess.stress;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     last_[i] = {strain_of(within_layer(guess.strain[i])), guess.flexibility[i]};
-    stride_[i] = std::max(std::abs(guess.strain[i] - now_[i].strain), 1e-6);
+    const double change = std::abs(guess.strain[i] - now_[i].strain);
+    stride_[i] = std::max(change, 1e-6);
+    precision_[i] = std::max(share_ * change, LogStrain::precision);
   }
 }
 
@@ -57,7 +59,8 @@ void StepSolver::look(std::size_t i, double stress) {
 
 bool StepSolver::settle(const Shortening& end, double min_stress, double& stress) {
   constexpr int most = 8;
-  constexpr double precision = LogStrain::precision;
+  // A last step by the slope of a chord is wrong by step times chord times curvature, usually below 100.
+  constexpr double inverse_of_curvature = 1e-2;
   PerLayer x{}, before{}, value{}, slope{}, chord{};
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     if (!(last_[i].flexibility > 0)) return false;
@@ -75,7 +78,7 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
       // If the step is shorter than the precision, its slope is rounding: the guessed slope is kept.
       if (k > 0) {
         chord[i] = std::abs(x[i] - before[i]);
-        if (chord[i] > precision) slope[i] = (now - value[i]) / (x[i] - before[i]);
+        if (chord[i] > LogStrain::precision) slope[i] = (now - value[i]) / (x[i] - before[i]);
         if (!(slope[i] > 0)) return false;
       }
       value[i] = now;
@@ -89,7 +92,7 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
     bool settled = true;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       const double step = (stress - value[i]) / slope[i];
-      settled = settled && is_close_to_root(step, chord[i], precision);
+      settled = settled && std::abs(step) * std::min(chord[i] / inverse_of_curvature, 1.0) <= precision_[i];
       before[i] = x[i];
       x[i] += step;
       if (!(x[i] >= 0 && x[i] < LogStrain::most())) return false;

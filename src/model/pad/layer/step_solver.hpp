@@ -30,10 +30,11 @@ struct ColumnGuess {
 
 class StepSolver {
  public:
-  /// The arguments must outlive the solver.
+  /// The arguments must outlive the solver. `share` is the precision of settle(), as a share of the change of
+  /// each strain over the step.
   StepSolver(const std::vector<Layer>& layers, const std::vector<double>& thicknesses, const LayerStates& now,
-             const LayerStep& step)
-      : layers_(layers), thicknesses_(thicknesses), now_(now), step_(step) {}
+             const LayerStep& step, double share)
+      : layers_(layers), thicknesses_(thicknesses), now_(now), step_(step), share_(share) {}
 
   void begin(const ColumnGuess& guess);
   /// Solves for all layers at once, by secants from the guess on; false if they do not settle soon, or not
@@ -61,9 +62,11 @@ class StepSolver {
   const std::vector<double>& thicknesses_;
   const LayerStates& now_;
   const LayerStep& step_;
+  double share_;
   double last_stress_ = 0;
   std::array<StrainOfStress, max_layers> last_;
   PerLayer stride_{};
+  PerLayer precision_{};
   double excess_ = 0;
   double flexibility_ = 0;
   std::size_t looks_ = 0;
