@@ -19,9 +19,9 @@ Numbers are in SI; texts may have any unit that case files know. Input that cann
 
 from ._answer import Answer
 from ._case import Case
-from ._command import Store, compare, fall_height, material_test, pulse, sensitivity, study
+from ._command import Store, compare, fall_height, fit, material_test, pulse, sensitivity, study
 from ._native import DashpadFaults, Fault, library
-from ._solve import Result, assess, batch, figures, fit, solve, solve_for, standards
+from ._solve import Result, assess, batch, figures, solve, solve_for, standards
 
 __version__ = library.dashpad_version().decode()
 __all__ = [

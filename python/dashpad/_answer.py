@@ -17,15 +17,15 @@ def framed(page: str) -> str:
 
 
 class Answer:
-    """An answer in words, ``title``, with what it rests on: ``data`` as the command writes it with ``--json`` (None where it
-    writes none), and the page of the command, which notebooks show and :meth:`save` writes.
+    """An answer in words, ``title``, with what it rests on: ``data`` as the command writes it with ``--json``, and the page of
+    the command, which notebooks show and :meth:`save` writes.
 
     ``card`` is the material card that a fit has made, a text; else None."""
 
-    def __init__(self, title: str, data: dict[str, typing.Any] | None, page: str | Callable[[], str], card: str | None = None):
+    def __init__(self, title: str, data: dict[str, typing.Any], page: str | Callable[[], str]):
         self.title = title
         self.data = data
-        self.card = card
+        self.card: str | None = None
         self._page = page
 
     @functools.cached_property

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import csv
 import html
+import io
 import json
 import os
 import pathlib
@@ -71,9 +73,11 @@ def _faults_of(text: str) -> list[Fault]:
             lines.append(line)
     faults = []
     for line in lines:
-        place = re.match(r"(?P<file>[^:\s]+\.\w+)(:(?P<line>\d+))?: ", line)
-        faults.append(Fault(file=place["file"] if place else "", line=int(place["line"] or 0) if place else 0, key="", value="",
-                            rule=line[place.end():] if place else line, text=line))
+        # As the command writes a fault: file:line: key = value: rule, each but the last where there is one.
+        parts = re.match(r"((?P<file>the \w+|[^:\s]+\.\w+)(:(?P<line>\d+))?: )?((?P<key>[^\s:]+)( = (?P<value>[^\n]+?))?: )?", line)
+        assert parts  # all of it is optional
+        faults.append(Fault(file=parts["file"] or "", line=int(parts["line"] or 0), key=parts["key"] or "",
+                            value=parts["value"] or "", rule=line[parts.end():], text=line))
     return faults
 
 
@@ -211,12 +215,44 @@ def material_test(material: File, test: str = "constant-rate", **options: typing
     return _answer("material-test", [os.fspath(material)], {"test": test, **options}, {})
 
 
+def fit(*tests: File, rate: typing.Any = None, **options: typing.Any) -> Answer:
+    """A foam from the tables of compression tests (CSV), as ``dashpad fit --auto`` makes it, or by a fit file (TOML).
+
+    ``card`` is the material card, None if the fit does not converge; a case takes the answer as its ``material``. ``rate``,
+    where the tables lack it, is one text for all of them or a list of one for each: ``rate="0.01 1/s"``. Further
+    ``options`` are those of the command, texts with units: ``thickness="25 mm"``, ``area="25 cm2"``, ``strain="e"``.
+    """
+    files = [os.fspath(file) for file in tests]
+    if [pathlib.Path(file).suffix for file in files] != [".toml"]:
+        options["auto"] = True
+    rates = [rate] * len(files) if isinstance(rate, str) else rate
+    with tempfile.TemporaryDirectory() as folder:
+        card = pathlib.Path(folder, "card.toml")
+        found = _answer("fit", files, {**options, "rate": rates, "output": card}, {str(card): "the card"})
+        found.card = card.read_text(encoding="utf-8") if card.exists() else None
+    return found
+
+
+def _drops_text(drops: typing.Any) -> str:
+    """A table of drops as CSV: a column for each key, with its unit as in "drop_height [m]"."""
+    columns = {str(key): list(drops[key]) for key in drops.keys()}
+    if len({len(column) for column in columns.values()}) > 1:
+        raise ValueError(f"columns of the drops have different lengths: {', '.join(f'{key} {len(column)}' for key, column in columns.items())}")
+    written = io.StringIO()
+    csv.writer(written).writerows([list(columns), *zip(*columns.values())])
+    return written.getvalue()
+
+
 def fall_height(*given: typing.Any, standard: str = "", **options: typing.Any) -> Answer:
-    """The critical fall height of a surface, as ``dashpad fall-height``: from a table of drops (a file), from a case, or from
-    both side by side.
+    """The critical fall height of a surface, as ``dashpad fall-height``: from a table of drops (a file, or a dictionary or data
+    frame with its columns, such as "position", "drop_height [m]", "gmax", "hic"), from a case, or from both side by side.
 
     ``standard`` has the limits (default: "en-1177"). Further ``options`` are those of the command: ``between="1 m..3 m"``
     for the heights to search with a case, ``about="Operator: ..."``.
+
+    >>> drops = {"drop_height [m]": [1.2, 1.5, 1.8, 2.1], "gmax": [89.2, 118, 157, 214], "hic": [319, 519, 806, 1290]}
+    >>> print(fall_height(drops).title)  # doctest: +ELLIPSIS
+    Critical fall height 1.9... m ...
     """
     options = {"standard": standard, **options}
     files, named = [], {}
@@ -225,9 +261,11 @@ def fall_height(*given: typing.Any, standard: str = "", **options: typing.Any) -
             if isinstance(each, (str, os.PathLike)):
                 files.append(os.fspath(each))
                 continue
-            file = kept.enter_context(_as_files(case_toml=Case(each).toml))["case_toml"]
+            is_table = hasattr(each, "keys") and any(str(key).startswith("drop_height") for key in each.keys())
+            text = {"drops_csv": _drops_text(each)} if is_table else {"case_toml": Case(each).toml}
+            [file] = kept.enter_context(_as_files(**text)).values()
             files.append(file)
-            named[file] = "the case"
+            named[file] = "the drops" if is_table else "the case"
         answer = _answer("fall-height", files, options, named)
     return answer
 

@@ -212,18 +212,6 @@ def solve_for(case: CaseLike, key: str, *, until: str | Sequence[str] = (), stan
     return Answer(found["title"], found["result"], functools.partial(page_of, "solve-for", [key], options, given))
 
 
-def fit(*files: str | os.PathLike[str], thickness: str = "", area: str = "", rate: str = "", units: str = "si") -> Answer:
-    """A foam from the tables of compression tests (CSV), as ``dashpad fit --auto`` makes it: ``card`` is the material card,
-    None if the fit does not converge. Specimen ``thickness`` and ``area``, or ``rate``, are texts with units where the
-    files lack them."""
-    options: dict[str, typing.Any] = {
-        name: text for name, text in (("thickness", thickness), ("area", area), ("rate", rate)) if text}
-    names = [os.path.abspath(file) for file in files]
-    found = _ask({"do": "fit", "files": names, "units": units, **options})
-    shown = {**options, "units": units, "auto": True, "rate": [rate] * len(names) if rate else ""}
-    return Answer(found["title"], None, functools.partial(page_of, "fit", names, shown), found.get("card"))
-
-
 def standards() -> dict[str, str]:
     """The titles of the standards, by name."""
     return {each["name"]: each["title"] for each in _ask({"do": "list"})["standards"]}

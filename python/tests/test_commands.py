@@ -1,5 +1,6 @@
 """What the package asks the command: its data is that of the command, and what is wrong is told as exceptions."""
 
+import csv
 import doctest
 import json
 import os
@@ -20,6 +21,7 @@ sources = Path(__file__).resolve().parents[2]
 examples = sources / "examples"
 measured = examples / "pulses/synthetic-helmet-pad.csv"
 helmet = examples / "helmet-pad-10fps.toml"
+tests_of_foam = [examples / "tutorial" / f"epp-{name}.csv" for name in ("slow", "fast")]
 time_of_sine = np.linspace(0, 0.02, 201)
 half_sine = (time_of_sine, 600 * np.sin(np.pi * time_of_sine / 0.02))
 
@@ -104,7 +106,53 @@ class Answers(unittest.TestCase):
         with self.assertRaises(DashpadFaults) as caught:
             dashpad.pulse("no-file.csv")
         (fault,) = caught.exception.faults
-        self.assertEqual((fault.file, fault.rule), ("no-file.csv", "no such file"))
+        self.assertEqual((fault.file, fault.key, fault.rule), ("no-file.csv", "", "no such file"))
+
+    def test_faults_have_file_line_key_and_value(self):
+        with self.assertRaises(DashpadFaults) as caught:
+            dashpad.fall_height({"drop_height [m]": [1, 2], "gmax": ["a", 3], "hic": [3, 4]})
+        (fault,) = caught.exception.faults
+        self.assertEqual((fault.file, fault.line, fault.key, fault.value), ("the drops", 2, "gmax", "a"))
+        self.assertTrue(fault.rule.startswith("a pure number must start with a number"))
+
+    def test_drops_are_a_file_a_dictionary_or_a_data_frame(self):
+        file = examples / "drops/mat-50mm.csv"
+        with open(file, encoding="utf-8") as lines:
+            rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        columns = {key: [row[key] for row in rows] for key in rows[0]}
+        self.assertEqual(dashpad.fall_height(columns).data["answer"], by_command("fall-height", file)["answer"])
+        with self.assertRaises(ValueError):
+            dashpad.fall_height({"drop_height [m]": [1, 2], "gmax": [3]})
+
+
+class Fits(unittest.TestCase):
+    def test_a_fitted_foam_is_the_material_of_a_case(self):
+        foam = dashpad.fit(*tests_of_foam, thickness="25 mm", area="25 cm2")
+        case = Case(impactor={"mass": "5 kg", "radius": "80 mm", "speed": "4 m/s"},
+                    pad={"thickness": "40 mm", "material": foam}, support={"type": "rigid"})
+        other = case | {"pad.material": "eps-29"}
+        other["pad.material"] = foam
+        self.assertEqual(dashpad.solve(case).hic15, dashpad.solve(other).hic15)
+        with self.assertRaises(ValueError):
+            other["pad.material"] = dashpad.assess(helmet)
+
+    def test_tests_become_a_foam(self):
+        found = dashpad.fit(*tests_of_foam, thickness="25 mm", area="25 cm2")
+        self.assertTrue(found.title.startswith("Proposed: law foam"))
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "epp.toml").write_text(found.card)
+            self.assertGreater(dashpad.solve(Case(helmet) | {"pad.material": str(Path(folder) / "epp.toml")}).hic15, 0)
+        self.assertTrue(found.data["converged"])
+        self.assertIn(found.data["title"], found.card)
+
+    def test_a_fit_file_is_fitted(self):
+        found = dashpad.fit(examples / "fits/vn600.toml")
+        self.assertEqual(found.data["unknowns"], by_command("fit", examples / "fits/vn600.toml")["unknowns"])
+
+    def test_what_is_wrong_is_told(self):
+        for wrong in ((), ("/nowhere.csv",), (__file__,), tests_of_foam[:1]):
+            with self.assertRaises(DashpadFaults):
+                dashpad.fit(*wrong)
 
 
 class Studies(unittest.TestCase):

@@ -276,9 +276,6 @@ class Questions(unittest.TestCase):
             (DashpadFaults, lambda: dashpad.solve_for(case, "pad.thickness")),
             (DashpadFaults, lambda: dashpad.solve_for(case, "pad.thickness", until="hic15")),
             (DashpadFaults, lambda: dashpad.solve_for(case, "pad.colour", until="hic15 <= 700")),
-            (DashpadFaults, lambda: dashpad.fit()),
-            (DashpadFaults, lambda: dashpad.fit("/nowhere.csv")),
-            (DashpadFaults, lambda: dashpad.fit(__file__)),
         ):
             with self.assertRaises(wrong):
                 ask()
@@ -292,29 +289,6 @@ class Questions(unittest.TestCase):
                 "with multiprocessing.get_context('fork').Pool(2) as pool:\n"
                 "    assert pool.map_async(total, range(2)).get(timeout=120) == [expected] * 2\n")
         subprocess.run([sys.executable, "-c", code], check=True)
-
-
-class Fits(unittest.TestCase):
-    def test_a_fitted_foam_is_the_material_of_a_case(self):
-        tests = sources / "examples/tutorial"
-        foam = dashpad.fit(tests / "epp-slow.csv", tests / "epp-fast.csv", thickness="25 mm", area="25 cm2")
-        case = Case(impactor={"mass": "5 kg", "radius": "80 mm", "speed": "4 m/s"},
-                    pad={"thickness": "40 mm", "material": foam}, support={"type": "rigid"})
-        other = drop()
-        other["pad.material"] = foam
-        self.assertEqual(solve(case).hic15, solve(other).hic15)
-        with self.assertRaises(ValueError):
-            other["pad.material"] = dashpad.assess(dashboard)
-
-    def test_tests_become_a_foam(self):
-        tests = [sources / "examples/tutorial" / f"epp-{name}.csv" for name in ("slow", "fast")]
-        found = dashpad.fit(*tests, thickness="25 mm", area="25 cm2")
-        self.assertTrue(found.title.startswith("Proposed: law foam"))
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "epp.toml").write_text(found.card)
-            self.assertGreater(solve(drop() | {"pad.material": str(Path(folder) / "epp.toml")}).hic15, 0)
-        with self.assertRaises(DashpadFaults):
-            dashpad.fit(tests[0])
 
 
 class Documents(unittest.TestCase):
