@@ -168,6 +168,17 @@ task_test() {
 }
 
 # Runs the programs of bench/ one after the other and keeps what they measure: not the names of this machine.
+# bench_rows of this tree with the library of another commit, in a tree of its own.
+build_rows_of() {
+  local before="$root/build/before"
+  say "Building the benchmark with $1 ..."
+  [[ -e "$before" ]] || git -C "$root" worktree add --detach --quiet "$before" "$1"
+  git -C "$before" checkout --quiet --force --detach "$1" || fail "no commit '$1'"
+  cp "$root/bench/bench_rows.cpp" "$before/bench"
+  (cd "$before" && cmake --preset release -DDASHPAD_BUILD_BENCH=ON && cmake --build build/release -j "$jobs" --target bench_rows) \
+    >"$root/build/do.log" 2>&1 || fail "cannot be built with $1; see build/do.log"
+}
+
 task_bench() {
   need_packages run bench
   say "Building the benchmarks ..."
@@ -179,6 +190,10 @@ task_bench() {
       local program="bench_${1//-/_}"
       shift
       exec "$programs/$program" "$@"
+      ;;
+    rows)
+      [[ $# -lt 2 ]] || build_rows_of "$2"
+      exec "$programs/bench_rows" ${2:+--against "$root/build/before/build/release/bench/bench_rows"}
       ;;
     --check) exec "$programs/bench_report" "$recorded" --readme "$root/bench/README.md" --check ;;
     --record) record=true ;;
