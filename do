@@ -17,6 +17,7 @@ Usage: ./do TASK [arguments]
                            writes two tables to bench/results and updates those in bench/README.md)
   bench PROGRAM [arguments]
                            run only impact, injury, work-precision, study or report, with its own arguments
+  bench rows [COMMIT]      the time of a row of a study by kind of case, if wanted beside that of another commit
   bench --check            check that the tables in bench/README.md match bench/results
   pictures                 redraw the pictures in README and docs, except those that were drawn by hand
   docs                     make the site of the documents in build/site, with all examples and the C++ API, and check
@@ -168,12 +169,14 @@ task_test() {
 }
 
 # Runs the programs of bench/ one after the other and keeps what they measure: not the names of this machine.
-# bench_rows of this tree with the library of another commit, in a tree of its own.
+# bench_rows of this tree with the library of another commit, in a clone of its own.
 build_rows_of() {
-  local before="$root/build/before"
+  local before="$root/build/before" commit
+  commit="$(git -C "$root" rev-parse --verify --quiet "$1^{commit}")" || fail "no commit '$1'"
   say "Building the benchmark with $1 ..."
-  [[ -e "$before" ]] || git -C "$root" worktree add --detach --quiet "$before" "$1"
-  git -C "$before" checkout --quiet --force --detach "$1" || fail "no commit '$1'"
+  [[ -e "$before" ]] || git clone --quiet --no-checkout "$root" "$before"
+  git -C "$before" fetch --quiet origin
+  git -C "$before" checkout --quiet --force --detach "$commit"
   cp "$root/bench/bench_rows.cpp" "$before/bench"
   (cd "$before" && cmake --preset release -DDASHPAD_BUILD_BENCH=ON && cmake --build build/release -j "$jobs" --target bench_rows) \
     >"$root/build/do.log" 2>&1 || fail "cannot be built with $1; see build/do.log"
@@ -198,7 +201,7 @@ task_bench() {
     --check) exec "$programs/bench_report" "$recorded" --readme "$root/bench/README.md" --check ;;
     --record) record=true ;;
     all) ;;
-    *) fail "no benchmark '$1': impact, injury, work-precision, study or report" ;;
+    *) fail "no benchmark '$1': impact, injury, work-precision, study, rows or report" ;;
   esac
   mkdir -p "$results"
   local program
