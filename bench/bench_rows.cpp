@@ -1,5 +1,5 @@
-/// Processor time of a row of a study, by kind of case: an impact with its injury figures on one thread, at the
-/// tolerance of studies and at a tenth of it, over speeds or stresses around those of an example.
+/// Processor time of a row of a study, by kind of case: an impact with its injury figures on one thread, at
+/// the tolerance of studies and at a tenth of it, over speeds or stresses around those of an example.
 ///
 /// With --against the same program of another commit is timed in turn with this one, so that both meet the
 /// same machine; the table has their medians.
@@ -60,7 +60,8 @@ std::vector<ImpactCase> cases_of(const Kind& kind) {
     const double share = 2.0 * k / (places - 1) - 1;
     std::vector<std::string> changes = kind.changes;
     if (kind.scale > 0) changes.push_back(fmt::format("pad.scale={}", kind.scale * (1 + 0.1 * share)));
-    auto read = input::read_case(folder + "/examples/" + kind.example + ".toml", folder + "/materials", changes);
+    auto read =
+        input::read_case(folder + "/examples/" + kind.example + ".toml", folder + "/materials", changes);
     if (!read) throw std::runtime_error(fmt::format("{} cannot be read", kind.example));
     if (kind.scale == 0) read->impact.impactor.speed *= 1 + 0.03 * share;
     cases.push_back(std::move(read->impact));
