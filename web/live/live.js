@@ -196,10 +196,11 @@ class LivePage {
       const answer = await this.thorough.ask(request, 10, this.command());
       if (!answer || serial !== this.serial) return null;
       this.settled = serial;
-      this.show(answer, true);
+      this.show(answer, true, request.whole);
       return answer;
     };
-    if (this.isLong && !(await answered({ ...this.request(true), tolerance: 1e-3 }))) return;
+    // The verdict first, without what is drawn below it.
+    if (this.isLong && !(await answered({ ...this.request(true), whole: false, tolerance: 1e-3 }))) return;
     const answer = await answered(this.request(true));
     if (!answer) return;
     await this.pads.compare(true, () => serial !== this.serial);
@@ -214,9 +215,10 @@ class LivePage {
     byId("result").dataset.complete = serial;
   }
 
-  show(answer, isWhole) {
+  show(answer, isJudged, isWhole = isJudged) {
     this.showFaults(answer.faults ?? []);
-    document.body.classList.toggle("pending", !isWhole || Boolean(answer.faults));
+    document.body.classList.toggle("pending", !isJudged || Boolean(answer.faults));
+    document.body.classList.toggle("partial", !isWhole);
     if (answer.faults) return this.dropVerdict();
     this.judged = this.state.standard;
     if (this.told) byId("found").textContent = this.told;
@@ -224,8 +226,8 @@ class LivePage {
     Sliders.lists(answer.numbers, this.state.units).forEach((list, i) => this.sliders[i].show(list, this.dragged));
     byId("case").textContent = answer.toml;
     byId("solves").textContent = this.command();
-    const parts = this.partsOf(answer, isWhole);
-    const [words, tone] = this.titleOf(answer, parts, isWhole);
+    const parts = this.partsOf(answer, isJudged);
+    const [words, tone] = this.titleOf(answer, parts, isJudged);
     const name = this.state.pads.length > 1 ? `${"ABCD"[this.state.active]}: ` : "";
     const title = name + words;
     parts.querySelector("h1").prepend(name);
@@ -235,6 +237,7 @@ class LivePage {
     const onTime = this.time?.slider && document.activeElement === this.time.slider;
     this.time?.stop();
     byId("result").querySelector(".lead").replaceWith(parts.querySelector(".lead"));
+    if (isJudged) byId("result").dataset.answer = this.serial;
     if (!isWhole) return;
     byId("announced").textContent = title;
     byId("result").querySelector("main").replaceWith(parts.querySelector("main"));
@@ -245,7 +248,6 @@ class LivePage {
     if (onTime) this.time?.slider?.focus();
     if (!this.hasPlayed && this.time?.button) this.time.play();
     this.hasPlayed = true;
-    byId("result").dataset.answer = this.serial;
   }
 
   // A verdict by another standard is none.
