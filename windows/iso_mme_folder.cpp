@@ -1,9 +1,6 @@
 // ISO-MME tests in a folder, in place of src/input/iso_mme/folder.cpp, which goes from folder to folder by
 // system calls of POSIX.
 
-#include <array>
-#include <fstream>
-#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -35,17 +32,6 @@ std::vector<std::string> list(const fs::path& folder, const std::string& prefix,
 }
 
 }  // namespace
-
-bool is_archive(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return false;
-  std::array<char, 512> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  const std::string_view bytes(begin.data(), static_cast<std::size_t>(stream.gcount()));
-  const bool is_zip = bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
-  return is_zip || bytes.starts_with("\x1f\x8b") || (bytes.size() == 512 && bytes.substr(257, 5) == "ustar");
-}
 
 std::vector<std::string> names_in_folder(const fs::path& folder) {
   std::vector<std::string> names;

@@ -1,12 +1,9 @@
-// Recognizes archives, and reads ISO-MME tests in a folder. Each step is by one name in one open folder, so
-// that no link is followed and no name leads elsewhere.
+// Reads ISO-MME tests in a folder. Each step is by one name in one open folder, so that no link is followed
+// and no name leads elsewhere.
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <memory>
-#include <string_view>
 #include <system_error>
 
 #include <dirent.h>
@@ -62,17 +59,6 @@ std::vector<std::string> list(DIR* folder, const std::string& prefix, std::vecto
 }
 
 }  // namespace
-
-bool is_archive(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;
-  std::array<char, 512> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  const std::string_view bytes(begin.data(), static_cast<std::size_t>(stream.gcount()));
-  const bool is_zip = bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
-  return is_zip || bytes.starts_with("\x1f\x8b") || (bytes.size() == 512 && bytes.substr(257, 5) == "ustar");
-}
 
 std::vector<std::string> names_in_folder(const std::filesystem::path& folder) {
   const OpenFolder root = open_root(folder);

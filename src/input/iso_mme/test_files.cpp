@@ -1,9 +1,13 @@
 #include "input/iso_mme/test_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -99,6 +103,17 @@ void check_number_of_samples(const MmeChannelText& channel, MeasurementFaults& f
 }
 
 }  // namespace
+
+bool is_archive(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  std::array<char, 512> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  const std::string_view bytes(begin.data(), static_cast<std::size_t>(stream.gcount()));
+  const bool is_zip = bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
+  return is_zip || bytes.starts_with("\x1f\x8b") || (bytes.size() == 512 && bytes.substr(257, 5) == "ustar");
+}
 
 std::vector<InputFile> MmeTestFiles::files() const {
   if (in_archive) return {{"the test", source}};
