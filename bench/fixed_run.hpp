@@ -15,7 +15,7 @@ class FixedRuns {
     return contacts_.visit(impact, ColumnMath::vector, [&](auto& contact) {
       const Options options;
       March march(impact, contact, options);
-      Refinement refinement(impact.impactor, options.tolerance);
+      Refinement refinement(impact, options.tolerance);
       if (extrapolated) refinement.add(march.run(2 * resolution, track_));
       refinement.add(march.run(resolution, track_));
       return refinement.figures();

@@ -6,7 +6,7 @@
 // many draws stay below 60 g:
 //
 //   25.0 mm: 75.1 g (72.3 to 77.5 g), 89 of 256 draws below 60 g
-//   27.5 mm: 58.1 g (56.6 to 59.8 g), 251 of 256 draws below 60 g
+//   27.5 mm: 58.1 g (56.5 to 59.8 g), 251 of 256 draws below 60 g
 //   30.0 mm: 48.8 g (48.5 to 49.7 g), 255 of 256 draws below 60 g
 //   35.0 mm: 43.9 g (43.6 to 44.6 g), 256 of 256 draws below 60 g
 

@@ -50,7 +50,7 @@ class March {
         has_backing_(impact.backing != Backing{}),
         motion_(impactor_, foundation_, contact, Sheet(impact.pad.sheet, sections_of(impact))),
         equilibrium_(contact, foundation_, motion_, thickness_),
-        control_(impactor_.mass, sections_of(impact), thickness_, foundation_) {
+        control_(impactor_.mass, sections_of(impact), thickness_, foundation_, FollowsRate<Contact>) {
     if constexpr (RemembersBlows<Contact>) crater_ = contact_.crater();
   }
   March(const March&) = delete;

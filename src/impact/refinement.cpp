@@ -72,14 +72,15 @@ Figures extrapolate(const Figures& fine, const Figures& coarse) {
 
 }  // namespace
 
-Refinement::Refinement(const Impactor& impactor, double tolerance)
-    : speed_(impactor.speed),
-      energy_(impactor.mass * impactor.speed * impactor.speed / 2),
+Refinement::Refinement(const ImpactCase& impact, double tolerance)
+    : speed_(impact.impactor.speed),
+      energy_(impact.impactor.mass * speed_ * speed_ / 2),
+      has_corners_at_once_(!impact.support.corners().empty() && impact.backing.mass == 0),
       tolerance_(tolerance) {
   for (double* value : all(errors_)) *value = unknown;
 }
 
-bool Refinement::add(const Figures& run) {
+bool Refinement::add(const Figures& run, double apart) {
   ++runs_;
   settled_ = false;
   if (!is_sound(run)) {
@@ -93,7 +94,7 @@ bool Refinement::add(const Figures& run) {
   last_run_ = run;
   has_sound_run_ = true;
   if (comparable)
-    judge(run, before);
+    judge(run, before, apart);
   else
     is_met_ = false;
   if (!comparable && compared_) return false;
@@ -102,7 +103,32 @@ bool Refinement::add(const Figures& run) {
   return true;
 }
 
-void Refinement::judge(const Figures& run, const Figures& before) {
+double distance_between(const History& fine, const History& coarse, const Impactor& impactor) {
+  const double largest_motion = *std::ranges::max_element(fine.motion);
+  double distance = 0;
+  const auto count = [&distance](double difference) {
+    if (std::isnan(difference) || difference > distance) distance = difference;
+  };
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < coarse.size() && coarse.time[i] <= fine.time.back(); ++i) {
+    while (j + 2 < fine.size() && fine.time[j + 1] <= coarse.time[i]) ++j;
+    const double step = fine.time[j + 1] - fine.time[j];
+    if (!(step > 0)) continue;
+    const double u = (coarse.time[i] - fine.time[j]) / step, v = 1 - u;
+    const auto between = [&](const std::vector<double>& value, double slope, double slope_then) {
+      return value[j] * v * v * (1 + 2 * u) + value[j + 1] * u * u * (1 + 2 * v) +
+             step * u * v * (slope * v - slope_then * u);
+    };
+    const double velocity = between(fine.velocity, fine.acceleration[j] + impactor.gravity,
+                                    fine.acceleration[j + 1] + impactor.gravity);
+    const double motion = between(fine.motion, fine.velocity[j], fine.velocity[j + 1]);
+    count(std::abs(velocity - coarse.velocity[i]) / impactor.speed);
+    count(std::abs(motion - coarse.motion[i]) / largest_motion);
+  }
+  return distance;
+}
+
+void Refinement::judge(const Figures& run, const Figures& before, double apart) {
   const Figures& now = extrapolated_;
   // std::max would ignore NaN.
   const auto error = [](double x, double x_before, double x_run, double scale) {
@@ -152,8 +178,10 @@ void Refinement::judge(const Figures& run, const Figures& before) {
   const double fall = ended_in_lock ? numerics.fastest_fall_of_error : numerics.fastest_fall_of_bottoming;
   errors_.bottomed = std::max(bottomed, fall * bottomed_error_);
   bottomed_error_ = bottomed;
-  worst = std::max(
-      {worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, errors_.bottomed});
+  // The first run may meet the bottom a step early or late.
+  const double of_bottoming = errors_.bottomed / (runs_ == 3 ? numerics.share_of_bottoming : 1);
+  worst =
+      std::max({worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, of_bottoming});
   const auto absorbed = [&](const Figures& f) {
     const double v = f.final_velocity / speed_;
     return 1 - v * v -
@@ -185,17 +213,25 @@ void Refinement::judge(const Figures& run, const Figures& before) {
     errors_.energy_absorbed = unknown;
   const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
   // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
-  const double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
+  double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
+  const bool are_two = runs_ == 2;
+  if (are_two) {
+    apart += numerics.residuals_of_two_runs * residual;
+    for (double* value : all(errors_))
+      if (*value > 0) *value = *value / 3 + apart;
+    worst = worst / 3 + apart;
+    of_energy = std::max(of_energy / 3, residual) + apart;
+  }
   // A reloading that only one of two runs has may matter or not: one more run decides.
-  const bool enough =
-      reloads_alike_ ? runs_ > 2 || tolerance_ >= numerics.min_tolerance_of_two_runs : runs_ > 3;
+  const bool may_be_two = tolerance_ >= numerics.min_tolerance_of_two_runs &&
+                          now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
+  const bool enough = reloads_alike_ ? !are_two || may_be_two : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   const auto is_within = [&](double allowed) {
-    return enough && worst <= allowed && of_energy <= (runs_ > 2 ? tolerance_ : allowed) &&
+    return enough && worst <= allowed && of_energy <= tolerance_ &&
            errors_.time_of_peak_force <= numerics.loosest_time_of_peak;
   };
-  const bool is_enough_once = runs_ > 2 && tolerance_ >= numerics.min_tolerance_in_full;
-  settled_ = is_within(is_enough_once || is_met_ ? tolerance_ : tolerance_ / 2);
+  settled_ = is_within(is_met_ || tolerance_ >= numerics.min_tolerance_in_full ? tolerance_ : tolerance_ / 2);
   is_met_ = is_within(tolerance_);
   for (double* value : all(errors_)) *value *= numerics.safety_factor;
 }

@@ -5,24 +5,27 @@
 ///
 ///   x_k* = x_k + (x_k - x_(k-1)) / 3,     error estimate of x_k*:  max(|x_k* - x_(k-1)*|, |x_k* - x_k|)
 ///
-/// where x_1* = x_1; two runs suffice only for coarse tolerances, if they agree to half of them. The second
-/// term, the last correction itself, keeps a chance agreement of two extrapolations from passing for
-/// accuracy. The estimate is held to the tolerance, and reported three times as large. It is on the safe side
-/// where the order is 2, and no bound. A run that was given up or has figures that are not finite changes
-/// nothing of the earlier agreement.
+/// where x_1* = x_1. The second term, the last correction itself, keeps a chance agreement of two
+/// extrapolations from passing for accuracy. Of two runs a third of it is taken, since the first is compared
+/// with its own error, plus the largest difference of their velocities and motions at any time, which no
+/// chance makes small; they suffice for coarse tolerances. The estimate is held to the tolerance, and
+/// reported three times as large. It is on the safe side where the order is 2, and no bound. A run that was
+/// given up or has figures that are not finite changes nothing of the earlier agreement.
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"
+#include "dashpad/quantities/constants.hpp"
 #include "impact/figures.hpp"
 
 namespace dashpad {
 
 class Refinement {
  public:
-  Refinement(const Impactor& impactor, double tolerance);
+  Refinement(const ImpactCase& impact, double tolerance);
 
-  /// Adds a run and returns whether it is the finest whose figures are reported.
-  bool add(const Figures& run);
+  /// Adds a run and returns whether it is the finest whose figures are reported. `apart` is the distance of
+  /// the second run from the first (distance_between()); without it two runs never suffice.
+  bool add(const Figures& run, double apart = infinite);
   [[nodiscard]] int runs() const { return runs_; }
   /// Whether error estimates and energy residual are within the tolerance; the time of the peak force only to
   /// 1 %, the absorbed share to ten times the tolerance relative to itself.
@@ -36,10 +39,11 @@ class Refinement {
   [[nodiscard]] const ErrorEstimates& errors() const { return errors_; }
 
  private:
-  void judge(const Figures& run, const Figures& before);
+  void judge(const Figures& run, const Figures& before, double apart);
 
   double speed_;
-  double energy_;  ///< impact energy, J
+  double energy_;             ///< impact energy, J
+  bool has_corners_at_once_;  ///< of the support, where its speed jumps
   double tolerance_;
   int runs_ = 0;
   bool settled_ = false;
@@ -53,6 +57,11 @@ class Refinement {
   ErrorEstimates errors_;
   double rebound_error_ = 0, bottomed_error_ = 0;  ///< errors by the last comparison alone
 };
+
+/// Largest difference of two runs at any time: of the velocities relative to the impact speed, or of the
+/// motions relative to the largest. The fine one is a cubic in its steps, compared at the times of the
+/// coarse.
+double distance_between(const History& fine, const History& coarse, const Impactor& impactor);
 
 // The summary of an impact from the figures of its runs.
 

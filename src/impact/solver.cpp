@@ -47,7 +47,7 @@ struct Runs {
 /// Runs the impact at increasingly fine resolution until the figures settle or the work is spent.
 template <class Contact>
 Refinement refine(const ImpactCase& impact, Contact& contact, const Options& options, Runs& runs) {
-  Refinement refinement(impact.impactor, options.tolerance);
+  Refinement refinement(impact, options.tolerance);
   March<Contact> march(impact, contact, options);
   double expected = impact.pad.thickness;
   double left = numerics.max_work *
@@ -61,7 +61,10 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   runs.coarser.acceleration.clear();
   for (double resolution = numerics.first_resolution;; resolution /= 2) {
     const Figures run = march.run(resolution, runs.now, {.expected = expected, .max_work = left});
-    if (refinement.add(run)) {
+    const bool are_two = refinement.runs() == 1 && runs.finest.size() > 1 && runs.now.size() > 1;
+    const double apart =
+        are_two ? distance_between(runs.now.history, runs.finest.history, impact.impactor) : infinite;
+    if (refinement.add(run, apart)) {
       if (refinement.runs_compared()) {
         runs.coarser.time = runs.finest.history.time;
         runs.coarser.acceleration = runs.finest.history.acceleration;

@@ -24,12 +24,15 @@ struct LastTurn {
 
 class StepControl {
  public:
-  StepControl(double mass, const Sections& nose, double thickness, const Foundation& foundation)
+  /// `follows_rate`: the pad's contact does, as that of a foam given by its curves.
+  StepControl(double mass, const Sections& nose, double thickness, const Foundation& foundation,
+              bool follows_rate)
       : mass_(mass),
         nose_(nose),
         share_of_side_(1 - nose.tip / nose.area_beyond()),
         thickness_(thickness),
-        foundation_(foundation) {}
+        foundation_(foundation),
+        follows_rate_(follows_rate) {}
 
   /// Starts a run; `lock`: penetration at which the pad locks, m.
   void start(double resolution, double lock) {
@@ -86,13 +89,12 @@ class StepControl {
     double step = usual_;
     const bool firm =
         foundation_.kind() == Foundation::Kind::damper || foundation_.is_firm(now.back, now.force);
-    if (phase == Phase::loading && firm)
-      step = std::min(step, turning_limit(now, predictor, FollowsRate<Contact>));
+    if (phase == Phase::loading && firm) step = std::min(step, turning_limit(now, predictor));
     const bool is_damped = foundation_.kind() == Foundation::Kind::damper &&
-                           (FollowsRate<Contact> || (!HasEnergy<Contact> && now.time < usual_));
+                           (follows_rate_ || (!HasEnergy<Contact> && now.time < usual_));
     if (phase == Phase::loading && is_damped && motion.force_rate() > 0)
       step = std::min(step, damped_limit(predictor, now.time));
-    if (phase == Phase::unloading && firm && FollowsRate<Contact> && turn.elapsed > 0)
+    if (phase == Phase::unloading && firm && follows_rate_ && turn.elapsed > 0)
       step = std::min(step, logarithm_limit(turn.elapsed));
     if (phase == Phase::unloading) {
       step = std::min(step, end_of_unloading_limit(now, predictor));
@@ -129,17 +131,21 @@ class StepControl {
   }
   [[nodiscard]] double gap_limit(const State& state, double pad_stiffness, double pad_rate) const {
     const double gap = lock_ - state.penetration;
-    const double share = std::min(numerics.max_closing, numerics.closing * resolution_);
+    const double open = gap / lock_;
+    const double closing =
+        follows_rate_ ? numerics.closing_of_foam + numerics.closing_of_open_foam * open * open * open * open
+                      : numerics.closing;
+    const double share = std::min(numerics.max_closing, closing * resolution_);
     // A bounded force grows over more than the remaining gap.
     const bool is_bounded = pad_stiffness * gap < numerics.bounded * state.force;
     const double least = is_bounded ? numerics.min_closing_if_bounded : numerics.min_closing;
     return (share * gap + least * resolution_ * resolution_ * thickness_) / std::abs(pad_rate);
   }
-  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor, bool follows_rate) const {
+  [[nodiscard]] double turning_limit(const State& now, const Predictor& predictor) const {
     const double left = predictor.time_to_turning(now);
     if (!(left > 0)) return infinite;
     double step = numerics.towards_turning * left;
-    if (follows_rate) step = std::min(step, logarithm_limit(left));
+    if (follows_rate_) step = std::min(step, logarithm_limit(left));
     return std::max(step, resolution_ * usual_);
   }
   /// Near the turning point the force depends on the logarithm of the time to it; steps that grow with the
@@ -172,6 +178,7 @@ class StepControl {
   double share_of_side_;  ///< share of the nose's largest area that is not the tip's
   double thickness_;
   const Foundation& foundation_;
+  bool follows_rate_;
   double resolution_ = 0;
   double lock_ = 0;
   double largest_force_ = 0;  ///< largest force so far, N

@@ -82,19 +82,23 @@ InjuryFigures injury_figures(const Solution& solution) {
     return figures;
   }
   const InjuryFigures coarser = injury_figures(solution.coarser);
-  const auto error = [force](const char* key, double value, double coarse) {
-    return step_error(value, coarse) + acceleration_power(key) * force;
-  };
   figures.errors.peak = force;
-  figures.errors.hic15 = error("hic15", figures.hic15.value, coarser.hic15.value);
-  figures.errors.hic36 = error("hic36", figures.hic36.value, coarser.hic36.value);
-  figures.errors.hic_unlimited =
-      error("hic_unlimited", figures.hic_unlimited.value, coarser.hic_unlimited.value);
-  figures.errors.hic_d = error("hic_d", figures.hic_d, coarser.hic_d);
   figures.errors.clip_3ms = step_error(pulse, figures.clip_3ms, coarser.clip_3ms) + force;
   figures.errors.cumulative_3ms = step_error(pulse, figures.cumulative_3ms, coarser.cumulative_3ms) + force;
-  figures.errors.severity_index = error("severity_index", figures.severity_index, coarser.severity_index);
-  figures.errors.velocity_change = error("velocity_change", figures.velocity_change, coarser.velocity_change);
+  figures.clip_3ms.level = extrapolated(figures.clip_3ms.level, coarser.clip_3ms.level);
+  figures.cumulative_3ms.level = extrapolated(figures.cumulative_3ms.level, coarser.cumulative_3ms.level);
+  const auto refine = [force](const char* key, double& value, double coarse, double& error) {
+    error = step_error(value, coarse) + acceleration_power(key) * force;
+    value = extrapolated(value, coarse);
+  };
+  InjuryFigures::Errors& errors = figures.errors;
+  refine("hic15", figures.hic15.value, coarser.hic15.value, errors.hic15);
+  refine("hic36", figures.hic36.value, coarser.hic36.value, errors.hic36);
+  refine("hic_unlimited", figures.hic_unlimited.value, coarser.hic_unlimited.value, errors.hic_unlimited);
+  figures.hic_d = hic_d(figures.hic36.value);
+  errors.hic_d = hic_d_error(errors.hic36, figures.hic_d, force);
+  refine("severity_index", figures.severity_index, coarser.severity_index, errors.severity_index);
+  refine("velocity_change", figures.velocity_change, coarser.velocity_change, errors.velocity_change);
   return figures;
 }
 

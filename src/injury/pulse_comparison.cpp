@@ -77,13 +77,17 @@ double error_of_solver(std::string_view key, double value, const Summary& summar
   return acceleration_power(key) * errors.peak_force;
 }
 
-/// Sets the errors: those of the solver plus those of the time steps, by the coarser run.
-void estimate_errors(std::array<ComparedFigure, 6>& figures, const std::array<ComparedFigure, 6>& coarser,
-                     const Summary& summary) {
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    if (const std::optional<double> value = figures[i].computed)
-      figures[i].error = step_error(*value, coarser[i].computed.value_or(0)) +
-                         error_of_solver(figures[i].quantity->key, *value, summary);
+/// Extrapolates the computed figures by the coarser run and sets their errors: those of the solver plus those
+/// of the time steps.
+void refine(std::array<ComparedFigure, 6>& figures, const std::array<ComparedFigure, 6>& coarser,
+            const Summary& summary) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    std::optional<double>& computed = figures[i].computed;
+    if (!computed) continue;
+    figures[i].error = step_error(*computed, coarser[i].computed.value_or(0));
+    computed = extrapolated(*computed, coarser[i].computed.value_or(*computed));
+    figures[i].error += error_of_solver(figures[i].quantity->key, *computed, summary);
+  }
 }
 
 }  // namespace
@@ -171,9 +175,9 @@ PulseComparison compare_pulses(const PulseReport& report, const Solution& soluti
   }
   comparison.figures = compared_figures(comparison.measured, comparison.computed, alignment);
   if (is_whole)
-    estimate_errors(comparison.figures,
-                    compared_figures(comparison.measured, shape_of(processed(solution.coarser)), alignment),
-                    solution.summary);
+    refine(comparison.figures,
+           compared_figures(comparison.measured, shape_of(processed(solution.coarser)), alignment),
+           solution.summary);
   comparison.shift = shift_of(comparison.measured, comparison.computed, alignment);
   return comparison;
 }

@@ -104,10 +104,25 @@ class AccurateSum {
 
 inline bool has_coarser_run(const Solution& solution) { return solution.coarser.time.size() >= 2; }
 
-/// Relative error of a figure that has the value `coarser` with twice the step. The method is of second
-/// order, so a third of the difference remains; twice that is taken, since events fall anywhere in a step.
+/// A figure of a history, extrapolated by its value `coarser` with twice the step as a method of second order
+/// allows (theory.md, Eq. 31); never beyond 0.
+inline double extrapolated(double value, double coarser) {
+  const double further = value + (value - coarser) / 3;
+  return further * value > 0 ? further : value;
+}
+
+/// Relative error of an extrapolated figure, before which it was `value`: twice the extrapolation, since
+/// events fall anywhere in a step.
 inline double step_error(double value, double coarser) {
   return value == 0 ? std::abs(coarser) : 2.0 / 3 * std::abs(coarser / value - 1);
+}
+
+/// Relative error of a HIC(d) by that of its HIC36. The offset has none: the error of the samples shrinks
+/// with it; that of the force does not.
+inline double hic_d_error(double hic36_error, double value, double force_error) {
+  const double of_force = hic_power * force_error;
+  if (!std::isfinite(of_force)) return of_force;
+  return (hic36_error - of_force) * (value - hic_d(0)) / value + of_force;
 }
 
 /// Relative error of the level of a clip due to the chords that cross it. A curve leaves a chord of length h

@@ -56,10 +56,7 @@ class PulseFigures {
   EstimatedValue hic_d() {
     const EstimatedValue hic36 = hic(injury::hic36_window);
     const double value = injury::hic_d(hic36.value);
-    // The offset of HIC(d) has no error. The error of the samples shrinks with it; that of the force does
-    // not, as in injury_figures().
-    const double of_samples = (hic36.error - hic_power * force_error_) * (value - injury::hic_d(0)) / value;
-    return {value, of_samples + hic_power * force_error_};
+    return {value, injury::hic_d_error(hic36.error, value, force_error_)};
   }
   EstimatedValue clip_3ms() {
     const auto clip = [](const Sampled& sampled) {
@@ -112,13 +109,15 @@ class PulseFigures {
     const double value = figure(fine_);
     if (!has_coarse_) return {value, infinite};
     const double coarse = figure(coarse_);
-    return {value, injury::step_error(value, coarse) + power * force_error_};
+    return {injury::extrapolated(value, coarse), injury::step_error(value, coarse) + power * force_error_};
   }
   template <class ClipOf>
   EstimatedValue level_of(ClipOf clip_of) {
     const injury::Clip clip = clip_of(fine_);
     if (!has_coarse_) return {clip.level, infinite};
-    return {clip.level, injury::step_error(fine_.pulse, clip, clip_of(coarse_)) + force_error_};
+    const injury::Clip coarse = clip_of(coarse_);
+    return {injury::extrapolated(clip.level, coarse.level),
+            injury::step_error(fine_.pulse, clip, coarse) + force_error_};
   }
 
   Sampled fine_, coarse_;

@@ -193,6 +193,7 @@ TEST(assessment, of_two_humps_only_the_cumulative_time_counts_both) {
     solution.history.time.push_back(time);
     solution.history.acceleration.push_back(-100 * g * std::max(0.0, 1 - std::abs(into / 2e-3 - 1)));
   }
+  solution.coarser = {solution.history.time, solution.history.acceleration};
   const Assessment assessment =
       assess(standard_with({criterion("clip_3ms", 80 * g), criterion("cumulative_3ms", 80 * g)}), solution);
   EXPECT_NEAR(assessment.results[0].value.value(), 25 * g, 1e-3 * g);

@@ -48,7 +48,7 @@ ImpactCase case_of(const char* example) {
 }
 
 const Solution& computed() {
-  static const Solution solution = solve(case_of("dashboard-20mph.toml"), {});
+  static const Solution solution = solve(case_of("dashboard-20mph.toml"), {.tolerance = 1e-5});
   return solution;
 }
 injury::MeasuredImpact at(double speed) { return {.speed = speed}; }

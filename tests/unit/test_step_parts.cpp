@@ -162,8 +162,8 @@ TEST(Predictor, UnloadsWithTheStiffnessBeforeTheRateBrokeDown) {
   EXPECT_EQ(predictor.pad_rate(), -0.5);
 }
 
-StepControl control_on(const Foundation& foundation) {
-  StepControl control(mass, Sphere{radius}.sections(), thickness, foundation);
+StepControl control_on(const Foundation& foundation, bool follows_rate = false) {
+  StepControl control(mass, Sphere{radius}.sections(), thickness, foundation, follows_rate);
   control.start(resolution, thickness);
   return control;
 }
@@ -185,6 +185,9 @@ TEST(StepControl, ResolvesStrainAndGap) {
   const double gap = 0.001 * thickness;
   EXPECT_NEAR(control.longest(Phase::loading, state, 1, 5),
               (4 * resolution * gap + 1e-6 * resolution * resolution * thickness) / 5, 1e-12);
+  EXPECT_NEAR(control_on(rigid, true).longest(Phase::loading, state, 1, 5),
+              (0.7 * resolution * gap + 1e-6 * resolution * resolution * thickness) / 5, 1e-12)
+      << "a foam by its curves";
 }
 
 TEST(StepControl, BeginsWithAQuarterOfWhatItsOwnStiffnessAllows) {

@@ -51,8 +51,9 @@ std::optional<InjuryValue> injury_value(const InjuryFigures& injury_figures, con
 /// contain values that are not finite.
 Pulse pulse_of(const History& history);
 
-/// The figures of pulse_of(solution.history). Their errors combine the solver's error of the force with the
-/// error of the time steps, by comparison with the run of twice the step.
+/// The figures of pulse_of(solution.history), extrapolated by those of the run of twice the step (theory.md,
+/// Eq. 31); windows and stretches are those of the history. The errors combine the solver's error of the
+/// force with that of the time steps, two thirds of the difference of the two runs.
 InjuryFigures injury_figures(const Solution& solution);
 
 /// Whether the impactor left the pad and the history is finite.
