@@ -98,7 +98,7 @@ struct Numerics {
   double closing = 4;
   /// The same of a foam by its curves: `closing_of_foam`, plus `closing_of_open_foam` times the fourth power
   /// of the gap over its first size. A foam takes the impact up in its steepest part, so that the gap that is
-  /// left shows every error before; with 4 one pressed nearly flat took two runs more, in 0.4 of the steps.
+  /// left shows every error before. (With 4, one pressed nearly flat took half the steps, but two runs more.)
   double closing_of_foam = 0.7;
   double closing_of_open_foam = 8;
   double max_closing = 0.5;
