@@ -223,6 +223,7 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
     of_energy = std::max(of_energy / 3, residual) + apart;
   }
   // A reloading that only one of two runs has may matter or not: one more run decides.
+  // Impactors that come to rest may do so a swing too early in both.
   const bool may_be_two = tolerance_ >= numerics.min_tolerance_of_two_runs &&
                           now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
   const bool enough = reloads_alike_ ? !are_two || may_be_two : runs_ > 3;
