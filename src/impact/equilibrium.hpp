@@ -164,7 +164,7 @@ class Equilibrium {
   /// The trial with its drive (Eq. 26) at the end of the step, m/s, and its lasting stiffness: steps that
   /// resolved the effect of a changing rate like a spring would shrink without end.
   Trial with_drive(Trial trial) {
-    const double rate = contact_.force_rate_when_held(trial.pad);
+    const double rate = foundation_.follows_force_rate() ? contact_.force_rate_when_held(trial.pad) : 0;
     trial.end.drive =
         trial.end.velocity - foundation_.retreat(trial.end.back, trial.end.force, trial.pad.force, rate);
     if (foundation_.kind() == Foundation::Kind::damper &&

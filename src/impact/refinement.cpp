@@ -130,12 +130,34 @@ double distance_between(const History& fine, const History& coarse, const Impact
 
 void Refinement::judge(const Figures& run, const Figures& before, double apart) {
   const Figures& now = extrapolated_;
-  // std::max would ignore NaN.
-  const auto error = [](double x, double x_before, double x_run, double scale) {
+  const auto absorbed = [&](const Figures& f) {
+    const double v = f.final_velocity / speed_;
+    return 1 - v * v -
+           (f.energy.support + f.energy.support_loss + f.energy.moving - f.energy.weight) / energy_;
+  };
+  const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
+  // Impactors that come to rest may do so a swing too early in both of two runs.
+  const bool may_be_two = tolerance_ >= numerics.min_tolerance_of_two_runs &&
+                          now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
+  const bool are_two = runs_ == 2;
+  apart = are_two || may_be_two ? apart + numerics.residuals_of_two_runs * residual : unknown;
+  // Eq. 31. std::max would ignore NaN.
+  const auto change = [](double x, double x_before, double x_run, double scale) {
     if (!std::isfinite(x) || !std::isfinite(x_before) || !std::isfinite(x_run)) return unknown;
     const double difference =
         std::max({std::abs(x - x_before), std::abs(x - x_run), numerics.rounding_of_figures * std::abs(x)});
     return difference == 0 ? 0 : difference / scale;
+  };
+  // Eq. 31a, if it is less.
+  const auto error = [&](double x, double x_before, double x_run, double scale) {
+    const double by_three = change(x, x_before, x_run, scale);
+    if (by_three == 0 || !std::isfinite(by_three)) return by_three;
+    const double by_two = 4.0 / 3 * std::abs(x - x_run) / scale + apart;
+    return are_two ? by_two : std::min(by_three, by_two);
+  };
+  // The distance is small relative to the impact speed, which is less than enough for what follows the peak.
+  const auto error_after_peak = [&](double x, double x_before, double x_run, double scale) {
+    return are_two ? error(x, x_before, x_run, scale) : change(x, x_before, x_run, scale);
   };
   const auto relative = [&](double Figures::*figure) {
     return error(now.*figure, before.*figure, run.*figure, std::abs(now.*figure));
@@ -156,37 +178,33 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
     errors_.peak_motion = errors_.peak_penetration = unknown;
   else
     worst = std::max({worst, errors_.peak_motion, errors_.peak_penetration});
-  const auto of_speed = [&](const Moment& m, const Moment& m_before, const Moment& m_run) {
-    return error(m.velocity, m_before.velocity, m_run.velocity,
-                 std::max(std::abs(m.velocity), numerics.min_speed * speed_));
+  const auto of_speed = [&](const auto& estimate, std::optional<Moment> Figures::*figure) {
+    const double v = (now.*figure)->velocity;
+    return estimate(v, (before.*figure)->velocity, (run.*figure)->velocity,
+                    std::max(std::abs(v), numerics.min_speed * speed_));
   };
-  // The larger of the errors of time and velocity.
-  const auto moment = [&](std::optional<Moment> Figures::*figure) {
+  // The larger of those of time and velocity.
+  const auto moment = [&](const auto& estimate, std::optional<Moment> Figures::*figure) {
     if (!(now.*figure)) return 0.0;
-    const Moment &m = *(now.*figure), &m_before = *(before.*figure), &m_run = *(run.*figure);
-    return std::max(error(m.time, m_before.time, m_run.time, std::abs(m.time)), of_speed(m, m_before, m_run));
+    const double t = (now.*figure)->time;
+    return std::max(estimate(t, (before.*figure)->time, (run.*figure)->time, std::abs(t)),
+                    of_speed(estimate, figure));
   };
   // The time of release is ill-posed (theory.md, Eq. 27); the speed then is not.
   if (now.release) {
-    const double rebound = of_speed(*now.release, *before.release, *run.release);
-    errors_.rebound_speed = std::max(rebound, numerics.fastest_fall_of_error * rebound_error_);
-    rebound_error_ = rebound;
+    errors_.rebound_speed = std::max(of_speed(error_after_peak, &Figures::release),
+                                     numerics.fastest_fall_of_error * rebound_change_);
+    rebound_change_ = of_speed(change, &Figures::release);
   }
-  errors_.contact_end = moment(&Figures::contact_end);
-  errors_.force_below_weight = moment(&Figures::force_below_weight);
-  const double bottomed = moment(&Figures::bottomed);
+  errors_.contact_end = moment(error_after_peak, &Figures::contact_end);
+  errors_.force_below_weight = moment(error_after_peak, &Figures::force_below_weight);
   const double fall = ended_in_lock ? numerics.fastest_fall_of_error : numerics.fastest_fall_of_bottoming;
-  errors_.bottomed = std::max(bottomed, fall * bottomed_error_);
-  bottomed_error_ = bottomed;
+  errors_.bottomed = std::max(moment(error_after_peak, &Figures::bottomed), fall * bottomed_change_);
+  bottomed_change_ = moment(change, &Figures::bottomed);
   // The first run may meet the bottom a step early or late.
   const double of_bottoming = errors_.bottomed / (runs_ == 3 ? numerics.share_of_bottoming : 1);
   worst =
       std::max({worst, errors_.rebound_speed, errors_.contact_end, errors_.force_below_weight, of_bottoming});
-  const auto absorbed = [&](const Figures& f) {
-    const double v = f.final_velocity / speed_;
-    return 1 - v * v -
-           (f.energy.support + f.energy.support_loss + f.energy.moving - f.energy.weight) / energy_;
-  };
   const auto of_support = [&](double Figures::*figure, double scale) {
     if (now.*figure == 0 && before.*figure == 0 && run.*figure == 0) return 0.0;
     return scale > 0 ? error(now.*figure, before.*figure, run.*figure, scale) : unknown;
@@ -200,9 +218,14 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
   errors_.support = std::max(of_others, of_ways(now.peak_deflection));
   worst = std::max(
       {worst, of_others, of_ways(std::max(now.peak_deflection, numerics.min_deflection * now.peak_motion))});
-  // A small difference of large numbers has their rounding.
-  errors_.energy_absorbed =
-      std::max(error(absorbed(now), absorbed(before), absorbed(run), 1), numerics.rounding_of_figures);
+  const auto of_absorbed = [&](double scale) {
+    // A small difference of large numbers has their rounding.
+    return std::max(error_after_peak(absorbed(now), absorbed(before), absorbed(run), scale),
+                    numerics.rounding_of_figures / scale);
+  };
+  errors_.energy_absorbed = of_absorbed(1);
+  // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
+  double of_energy = std::max(of_absorbed(10 * std::max(absorbed(now), 0.05)), residual);
   // The last swing adds an unknown share unless the speeds of swings differ clearly from the limit of rest.
   const double slow = numerics.speed_at_rest * speed_;
   const auto is_beyond = [&](double side, double x, double x_before, double x_run) {
@@ -210,22 +233,8 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
   };
   if (!is_beyond(-1, now.last_swing, before.last_swing, run.last_swing) ||
       !is_beyond(1, now.slowest_swing, before.slowest_swing, run.slowest_swing))
-    errors_.energy_absorbed = unknown;
-  const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
-  // The absorbed share is held to ten times the tolerance, relative to itself or a twentieth of the energy.
-  double of_energy = std::max(errors_.energy_absorbed / (10 * std::max(absorbed(now), 0.05)), residual);
-  const bool are_two = runs_ == 2;
-  if (are_two) {
-    apart += numerics.residuals_of_two_runs * residual;
-    for (double* value : all(errors_))
-      if (*value > 0) *value = *value / 3 + apart;
-    worst = worst / 3 + apart;
-    of_energy = std::max(of_energy / 3, residual) + apart;
-  }
+    errors_.energy_absorbed = of_energy = unknown;
   // A reloading that only one of two runs has may matter or not: one more run decides.
-  // Impactors that come to rest may do so a swing too early in both.
-  const bool may_be_two = tolerance_ >= numerics.min_tolerance_of_two_runs &&
-                          now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
   const bool enough = reloads_alike_ ? !are_two || may_be_two : runs_ > 3;
   // The moment of a flat peak is poorly determined, whatever the step: it is not held to the tolerance.
   const auto is_within = [&](double allowed) {

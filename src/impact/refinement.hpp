@@ -55,7 +55,7 @@ class Refinement {
   Figures extrapolated_;        ///< extrapolated figures of the last sound run
   Figures reported_;
   ErrorEstimates errors_;
-  double rebound_error_ = 0, bottomed_error_ = 0;  ///< errors by the last comparison alone
+  double rebound_change_ = 0, bottomed_change_ = 0;  ///< by the last comparison alone
 };
 
 /// Largest difference of two runs at any time: of the velocities relative to the impact speed, or of the

@@ -61,9 +61,9 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   runs.coarser.acceleration.clear();
   for (double resolution = numerics.first_resolution;; resolution /= 2) {
     const Figures run = march.run(resolution, runs.now, {.expected = expected, .max_work = left});
-    const bool are_two = refinement.runs() == 1 && runs.finest.size() > 1 && runs.now.size() > 1;
+    const bool has_two = runs.finest.size() > 1 && runs.now.size() > 1;
     const double apart =
-        are_two ? distance_between(runs.now.history, runs.finest.history, impact.impactor) : infinite;
+        has_two ? distance_between(runs.now.history, runs.finest.history, impact.impactor) : infinite;
     if (refinement.add(run, apart)) {
       if (refinement.runs_compared()) {
         runs.coarser.time = runs.finest.history.time;

@@ -14,6 +14,14 @@ namespace {
 
 /// Gap for which stations are laid while none is known, as a share of the thickness.
 constexpr double first_gap = 0.02;
+/// With the bend of g, columns near the axis may be as far apart as the first steps are long.
+constexpr StationSpacing spacing{.first = 0.5, .of_depth = 12};
+/// Smallest of neighbouring g over the largest below which less than their whole bend counts, so that it is
+/// continuous where a column is freed of its stress.
+constexpr double min_ratio_with_bend = 0.25;
+/// Width of the next cell over that of a cell below which less than its whole bend counts: a column that has
+/// just been touched is close to the edge, and its ratio of small stresses must not bend the cell before.
+constexpr double min_width_with_bend = 0.5;
 /// Precision of the layers' strains as a share of their change over a step, in rho^2, the order of the step.
 constexpr double precision_of_change = 1e-2;
 
@@ -47,7 +55,7 @@ void LayeredContact::start(double resolution, double expected) {
   const double thickness = series_.thickness();
   const double gap = expected < thickness ? thickness - expected : first_gap * thickness;
   places_.clear();
-  lay_stations(nose_, {resolution, expected, thickness, gap},
+  lay_stations(nose_, {resolution, expected, thickness, gap, spacing},
                [this](double depth) { places_.push_back({.depth = depth}); });
   for (std::size_t j = 0; j + 1 < places_.size(); ++j)
     places_[j].weights = nose_.weights(places_[j].depth, places_[j + 1].depth);
@@ -170,7 +178,8 @@ double LayeredContact::integrate() const {
   double sum = 0;
   for_each_cell([&](const Cell& cell) {
     const auto [inner, outer] = g(cell);
-    sum += cell.width * positive_mean_of(inner, outer).value;
+    sum += cell.width * (positive_mean_of(inner, outer).value +
+                         bend(cell, [&](std::size_t j) { return next_[j].stress; }));
   });
   return nose_.tip * std::max(next_[0].stress, 0.0) + 2 * std::numbers::pi * series_.thickness() * sum;
 }
@@ -198,6 +207,41 @@ LayeredContact::Ends LayeredContact::g(const Cell& cell) const {
           outer / places_[cell.outer].shape * cell.weights.outer};
 }
 
+/// Mean of g over a cell less that of a line, by Hermite's cubic with the slopes of parabolas through three
+/// columns; at the axis of one parabola, at the last column of the chord. `value(j)` stands for the stress of
+/// a column, and the result is linear in it. 0 where one of these columns is free of stress.
+template <class Value>
+double LayeredContact::bend(const Cell& cell, Value&& value) const {
+  if (cell.inner == cell.outer) return 0;
+  const auto over_shape = [&](std::size_t j) {
+    return (nose_.shape ? cell.weights.inner : nose_.rate(places_[j].depth)) / places_[j].shape;
+  };
+  const bool has_before = cell.inner > 0, has_beyond = cell.outer + 1 < trial_live_;
+  double min_g = std::numeric_limits<double>::infinity(), max_g = 0;
+  for (std::size_t j = cell.inner - has_before; j <= cell.outer + has_beyond; ++j) {
+    const double g = next_[j].stress * over_shape(j);
+    min_g = std::min(min_g, g);
+    max_g = std::max(max_g, g);
+  }
+  if (!(min_g > 0)) return 0;
+  const auto width = [&](std::size_t j) { return places_[j].measure - places_[j + 1].measure; };
+  const auto chord = [&](std::size_t j) {
+    return (value(j) * over_shape(j) - value(j + 1) * over_shape(j + 1)) / width(j);
+  };
+  const double middle = chord(cell.inner);
+  double change = 0;  // of the slope, from the axis outwards
+  if (has_beyond) {
+    const double beyond = width(cell.outer);
+    const double share = std::min(beyond / (min_width_with_bend * cell.width), 1.0);
+    change += share * (chord(cell.outer) - middle) / (cell.width + beyond);
+  }
+  if (has_before)
+    change += (middle - chord(cell.inner - 1)) / (cell.width + width(cell.inner - 1));
+  else
+    change *= 2;
+  return std::min(min_g / (min_ratio_with_bend * max_g), 1.0) * cell.width * cell.width * change / 12;
+}
+
 FoamCurve::Point LayeredContact::edge_of_contact() const {
   if (trial_penetration_ <= nose_.depth) return {};
   return series_.slow_curve().at(pad_strain(
@@ -211,22 +255,20 @@ Strain LayeredContact::pad_strain(const Shortening& shortening) const {
 double LayeredContact::force_rate_when_held(const PadTrial& trial) {
   recall(trial);
   if (trial_live_ == 0) return 0;
-  const auto rate_of = [&](std::size_t j) {
+  for (std::size_t j = 0; j < trial_live_; ++j) {
     const State& next = next_[j];
-    return next.stress > 0 ? series_.stress_rate_when_held(next.layers) : 0.0;
-  };
-  const double axis = rate_of(0);
+    places_[j].rate = next.stress > 0 ? series_.stress_rate_when_held(next.layers) : 0.0;
+  }
   double sum = 0;
-  double inner_rate = axis;
   for_each_cell([&](const Cell& cell) {
-    const double outer_rate = cell.outer == cell.inner ? inner_rate : rate_of(cell.outer);
+    const Place &at_inner = places_[cell.inner], &at_outer = places_[cell.outer];
     const auto [inner, outer] = g(cell);
     const PositiveMean mean = positive_mean_of(inner, outer);
-    sum += cell.width * (mean.by_inner * cell.weights.inner * inner_rate / places_[cell.inner].shape +
-                         mean.by_outer * cell.weights.outer * outer_rate / places_[cell.outer].shape);
-    inner_rate = outer_rate;
+    sum += cell.width * (mean.by_inner * cell.weights.inner * at_inner.rate / at_inner.shape +
+                         mean.by_outer * cell.weights.outer * at_outer.rate / at_outer.shape +
+                         bend(cell, [&](std::size_t j) { return places_[j].rate; }));
   });
-  return (next_[0].stress > 0 ? nose_.tip * axis : 0) + 2 * std::numbers::pi * series_.thickness() * sum;
+  return nose_.tip * places_[0].rate + 2 * std::numbers::pi * series_.thickness() * sum;
 }
 
 double LayeredContact::lasting_stiffness(const PadTrial& trial) {

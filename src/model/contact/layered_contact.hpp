@@ -5,8 +5,9 @@
 ///   int = 2 pi L int max(g, 0) dw,  g = stress a' / (2 pi A),  dw = A d(y / L)           (theory.md, Eq. 55)
 ///
 /// A is the stress of the column pressed slowly, and w its area: stress over A is smooth at the contact edge
-/// and near full compression, and g is taken as linear in w between stations. Each layer of each column keeps
-/// its own strain, largest strain and slip, since its share of the shortening changes with the rate.
+/// and near full compression. Between stations g is a line in w with the bend of parabolas through the next
+/// columns. Each layer of each column keeps its own strain, largest strain and slip, since its share of the
+/// shortening changes with the rate.
 ///
 /// Lengths in m, stress in Pa, compression positive.
 
@@ -71,6 +72,7 @@ class LayeredContact {
     double shape = 0;                ///< A, Pa
     double measure = 0;              ///< w, Pa
     double chord = 0;                ///< d(stress)/dy over the last step, Pa/m; the guess for the next
+    double rate = 0;                 ///< rate of the stress while the nose is held, Pa/s
   };
   /// State of a column.
   struct State {
@@ -102,6 +104,8 @@ class LayeredContact {
     double outer = 0;
   };
   [[nodiscard]] Ends g(const Cell& cell) const;
+  template <class Value>
+  [[nodiscard]] double bend(const Cell& cell, Value&& value) const;
   /// A and w at the edge of the contact.
   [[nodiscard]] FoamCurve::Point edge_of_contact() const;
   [[nodiscard]] Strain pad_strain(const Shortening& shortening) const;

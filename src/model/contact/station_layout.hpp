@@ -31,6 +31,7 @@ struct StationPlan {
   double expected = 0;  ///< expected largest penetration
   double reach = 0;     ///< depth up to which columns are laid
   double gap = 0;       ///< gap between nose and support on the axis
+  StationSpacing spacing = station_spacing;
 };
 
 /// The knots of a shape in order; columns are laid there since a' jumps.
@@ -60,13 +61,14 @@ void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append
   constexpr double min_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
   const double end = std::min(plan.reach, nose.depth);
-  const double widest = station_spacing.even * plan.resolution * std::min(plan.expected, end);
-  const double of_gap = station_spacing.of_gap * plan.resolution;
-  double first = station_spacing.first * widest;
-  if (nose.shape && nose.shape->is_steep_at_tip()) first *= station_spacing.even * plan.resolution;
+  const StationSpacing& spacing_of = plan.spacing;
+  const double widest = spacing_of.even * plan.resolution * std::min(plan.expected, end);
+  const double of_gap = spacing_of.of_gap * plan.resolution;
+  double first = spacing_of.first * widest;
+  if (nose.shape && nose.shape->is_steep_at_tip()) first *= spacing_of.even * plan.resolution;
   const auto spacing = [&](double depth) {
     return std::min({std::max(widest, plan.resolution * (depth - plan.expected)), of_gap * (plan.gap + depth),
-                     station_spacing.of_depth * plan.resolution * depth});
+                     spacing_of.of_depth * plan.resolution * depth});
   };
   std::size_t count = 1;
   append(0.0);

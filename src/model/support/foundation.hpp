@@ -124,6 +124,10 @@ class Foundation {
     if (plain_) return support_.compliance(force) * force_rate;
     return moving_retreat(end, force, of_pad, force_rate);
   }
+  /// Whether the retreat, or the growth of the rate on a damper, depends on the `force_rate` of the held pad.
+  [[nodiscard]] bool follows_force_rate() const {
+    return kind_ == Kind::damper || (kind_ == Kind::at_once && !support_.is_rigid());
+  }
   /// Growth of the rate dY/dt = V - v_body - (F - Fs) / c of a pad on a damper where that rate is 0, times c
   /// over the first slope of Fs, m/s (theory.md, Eq. 45). `acceleration` is that of the impactor, m/s2,
   /// `force_rate` is dF/dt of the held pad, N/s.
