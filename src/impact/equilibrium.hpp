@@ -173,9 +173,15 @@ class Equilibrium {
     if (foundation_.crushes()) trial.force_rate = motion_.force_rate_after(trial.end.force, trial.step);
     if constexpr (FollowsRate<Contact>) {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
-      if (trial.pad.advance < 0 || (trial.pad.advance > 0 && is_loaded_again()))
-        trial.lasting_stiffness =
-            std::max(trial.lasting_stiffness, (trial.pad.force - now().force) / trial.pad.advance);
+      if (trial.pad.advance < 0 || (trial.pad.advance > 0 && is_loaded_again())) {
+        double chord = (trial.pad.force - now().force) / trial.pad.advance;
+        // Where a foam turns against a panel, that is mostly the stress of the rate; crushed foam is as
+        // stiff.
+        if constexpr (!HasLayers<Contact>)
+          if (foundation_.kind() == Foundation::Kind::panel && contact_.recovers())
+            chord = std::min(chord, numerics.max_unloading_on_panel * trial.lasting_stiffness);
+        trial.lasting_stiffness = std::max(trial.lasting_stiffness, chord);
+      }
     }
     if constexpr (MayForget<Contact>) {
       // Against a panel the pad turns at rate zero, where the effect of a changing rate has no bound.

@@ -40,6 +40,9 @@ struct Numerics {
   /// Rounding of the fourth root of an advance, relative to its upper bound.
   double fourth_root_resolution = 1e-14;
 
+  /// Largest stiffness of a pad that unloads on a panel, in that of slow compression, of which steps take
+  /// note.
+  double max_unloading_on_panel = 10;
   /// Relative extension of a step that yields the stiffness at an unchanged rate.
   double more_of_the_same = 1e-3;
 
