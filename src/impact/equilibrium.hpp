@@ -175,8 +175,7 @@ class Equilibrium {
       trial.lasting_stiffness = contact_.lasting_stiffness(trial.pad);
       if (trial.pad.advance < 0 || (trial.pad.advance > 0 && is_loaded_again())) {
         double chord = (trial.pad.force - now().force) / trial.pad.advance;
-        // Where a foam turns against a panel, that is mostly the stress of the rate; crushed foam is as
-        // stiff.
+        // Where a foam turns against a panel, that is the stress of the rate; crushed foam is as stiff.
         if constexpr (!HasLayers<Contact>)
           if (foundation_.kind() == Foundation::Kind::panel && contact_.recovers())
             chord = std::min(chord, numerics.max_unloading_on_panel * trial.lasting_stiffness);

@@ -152,10 +152,10 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
   const auto error = [&](double x, double x_before, double x_run, double scale) {
     const double by_three = change(x, x_before, x_run, scale);
     if (by_three == 0 || !std::isfinite(by_three)) return by_three;
-    const double by_two = 4.0 / 3 * std::abs(x - x_run) / scale + apart;
+    const double by_two = std::isfinite(apart) ? 4.0 / 3 * std::abs(x - x_run) / scale + apart : unknown;
     return are_two ? by_two : std::min(by_three, by_two);
   };
-  // The distance is small relative to the impact speed, which is less than enough for what follows the peak.
+  // The distance is relative to the impact speed, and says little of the slow motion after the peak.
   const auto error_after_peak = [&](double x, double x_before, double x_run, double scale) {
     return are_two ? error(x, x_before, x_run, scale) : change(x, x_before, x_run, scale);
   };

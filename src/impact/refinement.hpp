@@ -8,9 +8,10 @@
 /// where x_1* = x_1. The second term, the last correction itself, keeps a chance agreement of two
 /// extrapolations from passing for accuracy. Of two runs a third of it is taken, since the first is compared
 /// with its own error, plus the largest difference of their velocities and motions at any time, which no
-/// chance makes small; they suffice for coarse tolerances. The estimate is held to the tolerance, and
-/// reported three times as large. It is on the safe side where the order is 2, and no bound. A run that was
-/// given up or has figures that are not finite changes nothing of the earlier agreement.
+/// chance makes small; they suffice for coarse tolerances, as do the last two of more runs for peaks. The
+/// estimate is held to the tolerance, and reported three times as large. It is on the safe side where the
+/// order is 2, and no bound. A run that was given up or has figures that are not finite changes nothing of
+/// the earlier agreement.
 
 #include "dashpad/impact/impact_case.hpp"
 #include "dashpad/impact/solution.hpp"

@@ -61,14 +61,13 @@ void lay_stations(const Sections& nose, const StationPlan& plan, Append&& append
   constexpr double min_rim = 1e-6;
   const bool has_rim = nose.depth < plan.reach && nose.rate(nose.depth) > 0;
   const double end = std::min(plan.reach, nose.depth);
-  const StationSpacing& spacing_of = plan.spacing;
-  const double widest = spacing_of.even * plan.resolution * std::min(plan.expected, end);
-  const double of_gap = spacing_of.of_gap * plan.resolution;
-  double first = spacing_of.first * widest;
-  if (nose.shape && nose.shape->is_steep_at_tip()) first *= spacing_of.even * plan.resolution;
+  const double widest = plan.spacing.even * plan.resolution * std::min(plan.expected, end);
+  const double of_gap = plan.spacing.of_gap * plan.resolution;
+  double first = plan.spacing.first * widest;
+  if (nose.shape && nose.shape->is_steep_at_tip()) first *= plan.spacing.even * plan.resolution;
   const auto spacing = [&](double depth) {
     return std::min({std::max(widest, plan.resolution * (depth - plan.expected)), of_gap * (plan.gap + depth),
-                     spacing_of.of_depth * plan.resolution * depth});
+                     plan.spacing.of_depth * plan.resolution * depth});
   };
   std::size_t count = 1;
   append(0.0);
