@@ -76,7 +76,8 @@ Refinement::Refinement(const ImpactCase& impact, double tolerance)
     : speed_(impact.impactor.speed),
       energy_(impact.impactor.mass * speed_ * speed_ / 2),
       has_corners_at_once_(!impact.support.corners().empty() && impact.backing.mass == 0),
-      tolerance_(tolerance) {
+      tolerance_(tolerance),
+      allows_two_(tolerance >= numerics.min_tolerance_of_two_runs) {
   for (double* value : all(errors_)) *value = unknown;
 }
 
@@ -137,8 +138,8 @@ void Refinement::judge(const Figures& run, const Figures& before, double apart) 
   };
   const double residual = std::abs(absorbed(now) - (now.energy.pad + now.energy.sheet) / energy_);
   // Impactors that come to rest may do so a swing too early in both of two runs.
-  const bool may_be_two = tolerance_ >= numerics.min_tolerance_of_two_runs &&
-                          now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
+  const bool may_be_two =
+      allows_two_ && now.ending == Status::released && !now.bottomed && !has_corners_at_once_;
   const bool are_two = runs_ == 2;
   apart = are_two || may_be_two ? apart + numerics.residuals_of_two_runs * residual : unknown;
   // Eq. 31. std::max would ignore NaN.

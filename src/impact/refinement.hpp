@@ -25,9 +25,11 @@ class Refinement {
   Refinement(const ImpactCase& impact, double tolerance);
 
   /// Adds a run and returns whether it is the finest whose figures are reported. `apart` is the distance of
-  /// the second run from the first (distance_between()); without it two runs never suffice.
+  /// the run from the one before (distance_between()); without it two runs never suffice.
   bool add(const Figures& run, double apart = infinite);
   [[nodiscard]] int runs() const { return runs_; }
+  /// Whether the errors of the next run may depend on its distance from the last.
+  [[nodiscard]] bool asks_for_distance() const { return runs_ == 1 || allows_two_; }
   /// Whether error estimates and energy residual are within the tolerance; the time of the peak force only to
   /// 1 %, the absorbed share to ten times the tolerance relative to itself.
   [[nodiscard]] bool is_met() const { return is_met_; }
@@ -46,6 +48,7 @@ class Refinement {
   double energy_;             ///< impact energy, J
   bool has_corners_at_once_;  ///< of the support, where its speed jumps
   double tolerance_;
+  bool allows_two_;  ///< whether the tolerance is one for which two runs may suffice
   int runs_ = 0;
   bool settled_ = false;
   bool compared_ = false;

@@ -61,7 +61,7 @@ Refinement refine(const ImpactCase& impact, Contact& contact, const Options& opt
   runs.coarser.acceleration.clear();
   for (double resolution = numerics.first_resolution;; resolution /= 2) {
     const Figures run = march.run(resolution, runs.now, {.expected = expected, .max_work = left});
-    const bool has_two = runs.finest.size() > 1 && runs.now.size() > 1;
+    const bool has_two = refinement.asks_for_distance() && runs.finest.size() > 1 && runs.now.size() > 1;
     const double apart =
         has_two ? distance_between(runs.now.history, runs.finest.history, impact.impactor) : infinite;
     if (refinement.add(run, apart)) {

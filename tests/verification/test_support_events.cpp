@@ -126,9 +126,10 @@ TEST(Panel, IsNotTakenForOneBodyWithWhatMovesAgainstIt) {
     const History& h = run.track.history;
     for (std::size_t i = 1; i < h.size(); ++i) {
       const double step = h.time[i] - h.time[i - 1];
-      const double most = 1.5 * std::max(h.force[i - 1], h.force[i]) / impact.impactor.mass;
-      // In a step of 2e-8 s, 1e-16 m are 1e-8 m/s.
-      ASSERT_LE(std::abs(h.velocity[i] - h.velocity[i - 1]), most * step + 2e-8) << "a blow at " << h.time[i];
+      // The force is a parabola through three moments (theory.md, Eq. 23), which overshoots behind a corner.
+      const double force = std::max({h.force[i > 1 ? i - 2 : 0], h.force[i - 1], h.force[i]});
+      const double most = 1.5 * force / impact.impactor.mass;
+      ASSERT_LE(std::abs(h.velocity[i] - h.velocity[i - 1]), most * step + 1e-9) << "a blow at " << h.time[i];
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dashpad/quantities/constants.hpp"
 #include "model/contact/station_layout.hpp"
 #include "model/pad/scalar.hpp"
 
@@ -217,7 +218,7 @@ double LayeredContact::bend(const Cell& cell, Value&& value) const {
     return (nose_.shape ? cell.weights.inner : nose_.rate(places_[j].depth)) / places_[j].shape;
   };
   const bool has_before = cell.inner > 0, has_beyond = cell.outer + 1 < trial_live_;
-  double min_g = std::numeric_limits<double>::infinity(), max_g = 0;
+  double min_g = infinite, max_g = 0;
   for (std::size_t j = cell.inner - has_before; j <= cell.outer + has_beyond; ++j) {
     const double g = next_[j].stress * over_shape(j);
     min_g = std::min(min_g, g);
