@@ -97,19 +97,19 @@ LayerStates LayeredContact::states_before(std::size_t j) const {
   return states;
 }
 
-ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double y) const {
+ColumnGuess LayeredContact::guess_by_trial(std::size_t j, double y) const {
+  const State& next = next_[j];
+  const double change = y - next.y;
+  ColumnGuess guess{.stress = next.stress + change / next.flexibility,
+                    .flexibility = next.layer_flexibility,
+                    .total_flexibility = next.flexibility};
+  for (std::size_t i = 0; i < series_.size(); ++i)
+    guess.strain[i] = next.layers[i].strain + change * guess.flexibility[i] / guess.total_flexibility;
+  return guess;
+}
+
+ColumnGuess LayeredContact::guess_by_step(std::size_t j, const LayerStates& now, double y) const {
   ColumnGuess guess;
-  if (const State& next = next_[j]; has_trial_ && j < trial_touched_ && next.flexibility > 0) {
-    // From the last trial of this state.
-    const double change = y - next.y;
-    guess.total_flexibility = next.flexibility;
-    guess.stress = next.stress + change / guess.total_flexibility;
-    for (std::size_t i = 0; i < series_.size(); ++i) {
-      guess.flexibility[i] = next.layer_flexibility[i];
-      guess.strain[i] = next.layers[i].strain + change * guess.flexibility[i] / guess.total_flexibility;
-    }
-    return guess;
-  }
   double speed = 0;
   double fastest = 0;
   for (std::size_t i = 0; i < series_.size(); ++i) {
@@ -133,19 +133,59 @@ ColumnGuess LayeredContact::guess(std::size_t j, const LayerStates& now, double 
   return guess;
 }
 
+/// The guess, corrected as that for the column before should have been.
+ColumnGuess LayeredContact::corrected(ColumnGuess guess) const {
+  for (std::size_t i = 0; i < series_.size(); ++i) {
+    guess.strain[i] += miss_.strain[i];
+    guess.flexibility[i] *= miss_.flexibility[i];
+  }
+  guess.total_flexibility *= miss_.total_flexibility;
+  return guess;
+}
+void LayeredContact::learn_miss(const ColumnGuess& guess, const LayerSeries::Solution& found) {
+  // A slope that is far too steep would make the search end before it has begun.
+  const auto ratio = [](double value, double guessed) {
+    return value > 0 && guessed > 0 ? std::clamp(value / guessed, 0.5, 2.0) : 1.0;
+  };
+  for (std::size_t i = 0; i < series_.size(); ++i) {
+    miss_.strain[i] = found.strain[i].value - guess.strain[i];
+    miss_.flexibility[i] = ratio(found.layer_flexibility[i], guess.flexibility[i]);
+  }
+  miss_.total_flexibility = ratio(found.flexibility, guess.total_flexibility);
+  miss_.is_known = true;
+}
+
 void LayeredContact::solve_column(std::size_t j) {
   const Shortening end = shortening(j, trial_penetration_);
   const LayerStep step{last_.step, last_step_};
   const LayerStates now = states_before(j);
-  const LayerSeries::Solution found = series_.solve(end, now, step, guess(j, now, end.y), precision_);
   State& next = next_[j];
+  const bool is_tried = has_trial_ && j < trial_touched_ && next.flexibility > 0;
+  const ColumnGuess guess = is_tried ? guess_by_trial(j, end.y) : guess_by_step(j, now, end.y);
+  const bool is_corrected = !is_tried && miss_.is_known && j < touched_;
+  const LayerSeries::Solution found =
+      series_.solve(end, now, step, is_corrected ? corrected(guess) : guess, precision_);
+  miss_.is_known = false;
+  if (!is_tried && j < touched_ && found.stress > 0) learn_miss(guess, found);
   next = {found.stress, end.y, found.flexibility, {}, found.layer_flexibility};
-  for (std::size_t i = 0; i < series_.size(); ++i) {
-    next.layers[i] = series_.after(i, found.strain[i], now[i], step);
-    if (!(end.y > 0)) next.layers[i].memory = series_.memory_off_contact(i, next.layers[i].memory);
-  }
+  for (std::size_t i = 0; i < series_.size(); ++i) next.layers[i].strain = found.strain[i].value;
   updates_ += found.looks;
   nested_updates_ += found.nested_looks;
+}
+
+/// Sets the states of the layers at the end of the last trial, beyond their strains.
+void LayeredContact::complete_states() {
+  if (is_complete_) return;
+  const LayerStep step{last_.step, last_step_};
+  for (std::size_t j = 0; j < trial_touched_; ++j) {
+    const LayerStates now = states_before(j);
+    State& next = next_[j];
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      next.layers[i] = series_.after(i, next.layers[i].strain, now[i], step);
+      if (!(next.y > 0)) next.layers[i].memory = series_.memory_off_contact(i, next.layers[i].memory);
+    }
+  }
+  is_complete_ = true;
 }
 
 PadTrial LayeredContact::trial(double advance, double from, double step) {
@@ -157,6 +197,7 @@ PadTrial LayeredContact::trial(double advance, double from, double step) {
   const auto end = std::ranges::lower_bound(places_, trial_penetration_, {}, &Place::depth);
   trial_live_ = static_cast<std::size_t>(end - places_.begin());
   const std::size_t touched = std::max(touched_, trial_live_);
+  miss_.is_known = is_complete_ = false;
   for (std::size_t j = 0; j < touched; ++j) solve_column(j);
   trial_touched_ = touched;
   weigh_columns();
@@ -256,6 +297,7 @@ Strain LayeredContact::pad_strain(const Shortening& shortening) const {
 double LayeredContact::force_rate_when_held(const PadTrial& trial) {
   recall(trial);
   if (trial_live_ == 0) return 0;
+  complete_states();
   for (std::size_t j = 0; j < trial_live_; ++j) {
     const State& next = next_[j];
     places_[j].rate = next.stress > 0 ? series_.stress_rate_when_held(next.layers) : 0.0;
@@ -307,6 +349,7 @@ double LayeredContact::largest_stress(const PadTrial& trial) {
 
 void LayeredContact::accept(const PadTrial& trial) {
   recall(trial);
+  complete_states();
   for (std::size_t j = 0; j < trial_touched_; ++j) {
     const State& next = next_[j];
     const double stress = j < touched_ ? now_[j].stress : 0;

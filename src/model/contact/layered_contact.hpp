@@ -83,10 +83,24 @@ class LayeredContact {
     PerLayer layer_flexibility{};
   };
 
+  /// By how much the guess from the step before missed a column; the next one's misses alike.
+  struct Miss {
+    bool is_known = false;
+    PerLayer strain{};             ///< strain less its guess
+    PerLayer flexibility{};        ///< flexibility of a layer over its guess, at most a factor of two
+    double total_flexibility = 1;  ///< the same for the column
+  };
+
   [[nodiscard]] Shortening shortening(std::size_t j, double penetration) const;
   [[nodiscard]] LayerStates states_before(std::size_t j) const;
-  [[nodiscard]] ColumnGuess guess(std::size_t j, const LayerStates& now, double y) const;
+  /// The guess from the last trial of this step.
+  [[nodiscard]] ColumnGuess guess_by_trial(std::size_t j, double y) const;
+  /// The guess from the step before.
+  [[nodiscard]] ColumnGuess guess_by_step(std::size_t j, const LayerStates& now, double y) const;
+  [[nodiscard]] ColumnGuess corrected(ColumnGuess guess) const;
+  void learn_miss(const ColumnGuess& guess, const LayerSeries::Solution& found);
   void solve_column(std::size_t j);
+  void complete_states();
   void weigh_columns();
   [[nodiscard]] double integrate() const;
   /// A cell between two columns, or from the last one to the edge of the contact.
@@ -121,10 +135,12 @@ class LayeredContact {
   std::vector<State> next_;  ///< at the end of the last trial
   double precision_ = 0;     ///< of the layers' strains, as a share of their change over a step
   double penetration_ = 0;
-  double last_step_ = 0;     ///< length of the last step, s; 0: there was none
-  std::size_t touched_ = 0;  ///< columns that the nose has reached so far
-  PadTrial last_;            ///< step 0: no trial from the accepted state
-  bool has_trial_ = false;   ///< whether the last trial had the same start and length
+  double last_step_ = 0;      ///< length of the last step, s; 0: there was none
+  std::size_t touched_ = 0;   ///< columns that the nose has reached so far
+  PadTrial last_;             ///< step 0: no trial from the accepted state
+  Miss miss_;                 ///< of the column solved last in this trial
+  bool is_complete_ = false;  ///< complete_states() was called since the last trial
+  bool has_trial_ = false;    ///< whether the last trial had the same start and length
   double trial_penetration_ = 0;
   std::size_t trial_touched_ = 0;
   std::size_t trial_live_ = 0;  ///< columns under the nose at the end of the trial

@@ -117,11 +117,13 @@ struct SlipScale {
   /// The same for pulls of one sign.
   [[nodiscard]] double followed(double z, double from, double to, double time) const {
     const double lags = (from + to) / 2 * time / strain;
-    const double change = (to - from) * time / strain;
+    const double growth = (to - from) * (strain / time);
+    // What z was before is below rounding then; that of a column at rest is far above the steady one.
+    if (lags > (z * to < 10 * rate ? 36 : 60)) return steady(to, growth, 1);
     const double left = portable::exp(std::min(-lags, max_growth));
     if (std::abs(lags) < 1e-3)
-      return z * left + rate * time / strain * (1 - lags / 2 + lags * lags / 6 - change / 12);
-    const double growth = strain * (to - from) / time;
+      return z * left +
+             rate * time / strain * (1 - lags / 2 + lags * lags / 6 - (to - from) * time / strain / 12);
     const double sign = lags < 0 ? -1 : 1;
     return steady(to, growth, sign) + (z - steady(from, growth, sign)) * left;
   }

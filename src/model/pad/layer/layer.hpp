@@ -54,17 +54,17 @@ class FoamLayer {
 
   /// The stress at the end of a step. That of crushed foam continues below zero along its line of unloading,
   /// so that each stress belongs to one strain.
-  [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
+  [[nodiscard, gnu::flatten]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
     const double ahead = std::max(now.largest - end.value, 0.0);
-    const double stress = stress_.response(end, ahead, slip_rate(end, now, step)).stress;
+    const double stress = stress_.response(end, ahead, slip_rate(end.value, now, step)).stress;
     if (stress > 0 || !stress_.stays_crushed()) return factor_ * stress;
     const Strain largest{end.value + ahead, end.complement - ahead};
     return factor_ * (stress_.curve().at(largest).stress - stress_.slope_back(largest) * ahead);
   }
-  [[nodiscard]] LayerState after(Strain end, const LayerState& now, const LayerStep& step) const {
+  [[nodiscard]] LayerState after(double end, const LayerState& now, const LayerStep& step) const {
     const SlipScale::State slip = slip_after(end, now, step);
-    return {.strain = end.value,
-            .largest = std::max(now.largest, end.value),
+    return {.strain = end,
+            .largest = std::max(now.largest, end),
             .rate = rate(end, now, step),
             .memory = slip.side * slip.z};
   }
@@ -94,13 +94,13 @@ class FoamLayer {
   static SlipScale::State slip_of(const LayerState& state) {
     return {std::abs(state.memory), state.memory < 0 ? -1.0 : 1.0};
   }
-  static double rate(Strain end, const LayerState& now, const LayerStep& step) {
-    return (end.value - now.strain) / step.time;
+  static double rate(double end, const LayerState& now, const LayerStep& step) {
+    return (end - now.strain) / step.time;
   }
-  [[nodiscard]] SlipScale::State slip_after(Strain end, const LayerState& now, const LayerStep& step) const {
+  [[nodiscard]] SlipScale::State slip_after(double end, const LayerState& now, const LayerStep& step) const {
     return stress_.slip().after_step(slip_of(now), rate(end, now, step), step.time, now.rate, step.last_time);
   }
-  [[nodiscard]] double slip_rate(Strain end, const LayerState& now, const LayerStep& step) const {
+  [[nodiscard]] double slip_rate(double end, const LayerState& now, const LayerStep& step) const {
     return stress_.slip().slip_rate(slip_after(end, now, step));
   }
 
@@ -126,12 +126,12 @@ class LinearLayer {
         time_(law.relaxation_time) {}
 
   [[nodiscard]] double stress(Strain end, const LayerState& now, const LayerStep& step) const {
-    return lasting_ * end.value + branch_after(end, now, step);
+    return lasting_ * end.value + branch_after(end.value, now, step);
   }
-  [[nodiscard]] LayerState after(Strain end, const LayerState& now, const LayerStep& step) const {
-    return {.strain = end.value,
-            .largest = std::max(now.largest, end.value),
-            .rate = (end.value - now.strain) / step.time,
+  [[nodiscard]] LayerState after(double end, const LayerState& now, const LayerStep& step) const {
+    return {.strain = end,
+            .largest = std::max(now.largest, end),
+            .rate = (end - now.strain) / step.time,
             .memory = branch_after(end, now, step)};
   }
   [[nodiscard]] LayerTangent tangent(const LayerState& state) const {
@@ -145,11 +145,11 @@ class LinearLayer {
 
  private:
   /// q at the end of a step, Pa. If the column is touched within the step, its strain begins below 0.
-  [[nodiscard]] double branch_after(Strain end, const LayerState& now, const LayerStep& step) const {
+  [[nodiscard]] double branch_after(double end, const LayerState& now, const LayerStep& step) const {
     if (relaxing_ == 0) return 0;
     const double from = std::max(now.strain, 0.0);
-    const double whole = end.value - now.strain;
-    const double time = now.strain < 0 && whole > 0 ? step.time * (end.value - from) / whole : step.time;
+    const double whole = end - now.strain;
+    const double time = now.strain < 0 && whole > 0 ? step.time * (end - from) / whole : step.time;
     const double fall = -portable::expm1(-time / time_);
     const double rate = whole / step.time;
     return now.memory * (1 - fall) + relaxing_ * rate * time_ * fall;
@@ -180,22 +180,22 @@ struct StrainOfStress {
   double flexibility = 0;  ///< d(strain)/d(stress), 1/Pa
 };
 
-/// The variable x = -ln(1 - e) of root searches, in which the complement of a closing layer keeps its digits.
-struct LogStrain {
+/// The variable x of root searches: the strain up to a half, then 1/2 - ln(2 (1 - e)) / 2, in which the
+/// complement of a closing layer keeps its digits; smooth at a half.
+struct SearchStrain {
   static constexpr double precision = 1e-13;
   /// Share of the thickness at which a layer counts as closed, below that at which a pad locks (Eq. 29).
   static constexpr double min_complement = 1e-10;
 
-  static double most() { return -portable::log(min_complement); }
-  static double of(double strain) { return -portable::log1p(-strain); }
-  static double of(Strain strain) {
-    return strain.complement < 0.5 ? -portable::log(strain.complement) : of(strain.value);
-  }
+  static double most() { return of({1, min_complement}); }
+  static double of(Strain e) { return e.value < 0.5 ? e.value : 0.5 - portable::log(2 * e.complement) / 2; }
   static Strain strain(double x) {
-    if (x < std::numbers::ln2) return strain_of(-portable::expm1(-x));
-    const double complement = portable::exp(-x);
+    if (x < 0.5) return strain_of(x);
+    const double complement = portable::exp(1 - 2 * x) / 2;
     return {1 - complement, complement};
   }
+  /// de/dx.
+  static double slope(Strain e) { return e.value < 0.5 ? 1 : 2 * e.complement; }
 };
 
 /// The strain at which `stress_at(strain)` equals `stress`, Pa. The search starts at `x` with the slope
@@ -203,15 +203,15 @@ struct LogStrain {
 template <class StressAt>
 StrainOfStress strain_at(double stress, double x, double slope, double stride, StressAt&& stress_at) {
   const IncreasingRoot root =
-      increasing_root([&](double at) { return stress_at(LogStrain::strain(at)) - stress; },
+      increasing_root([&](double at) { return stress_at(SearchStrain::strain(at)) - stress; },
                       {.guess = x,
                        .slope = slope,
                        .low = 0,
-                       .high = LogStrain::most(),
+                       .high = SearchStrain::most(),
                        .stride = stride,
-                       .precision = LogStrain::precision});
-  const Strain strain = LogStrain::strain(root.x);
-  return {strain, root.slope > 0 ? strain.complement / root.slope : 0};
+                       .precision = SearchStrain::precision});
+  const Strain strain = SearchStrain::strain(root.x);
+  return {strain, root.slope > 0 ? SearchStrain::slope(strain) / root.slope : 0};
 }
 
 }  // namespace dashpad

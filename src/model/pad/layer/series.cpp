@@ -23,7 +23,7 @@ double LayerSeries::memory_off_contact(std::size_t layer, double memory) const {
   return std::visit([&](const auto& given) { return given.memory_off_contact(memory); }, layers_[layer]);
 }
 
-LayerState LayerSeries::after(std::size_t layer, Strain end, const LayerState& now,
+LayerState LayerSeries::after(std::size_t layer, double end, const LayerState& now,
                               const LayerStep& step) const {
   return std::visit([&](const auto& given) { return given.after(end, now, step); }, layers_[layer]);
 }
@@ -37,7 +37,7 @@ LayerSeries::Solution LayerSeries::solve(const Shortening& wanted, const LayerSt
     return found;
   }
   // A trial may go beyond full compression.
-  const double min_gap = 2 * LogStrain::min_complement * thickness_;
+  const double min_gap = 2 * SearchStrain::min_complement * thickness_;
   const Shortening end = wanted.gap > min_gap ? wanted : Shortening{thickness_ - min_gap, min_gap};
   StepSolver at(layers_, thicknesses_, now, step, precision);
   at.begin(guess);

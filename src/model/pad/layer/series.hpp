@@ -54,7 +54,7 @@ class LayerSeries {
                                const ColumnGuess& guess, double precision) const;
 
   /// The state of a layer at the end of a solved step.
-  [[nodiscard]] LayerState after(std::size_t layer, Strain end, const LayerState& now,
+  [[nodiscard]] LayerState after(std::size_t layer, double end, const LayerState& now,
                                  const LayerStep& step) const;
   /// d(stress)/dt at a held shortening, Pa/s: layers that relax more yield to the others (theory.md, Eq. 54).
   [[nodiscard]] double stress_rate_when_held(const LayerStates& state) const;

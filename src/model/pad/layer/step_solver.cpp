@@ -5,7 +5,7 @@
 namespace dashpad {
 namespace {
 
-double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - LogStrain::min_complement); }
+double within_layer(double strain) { return std::clamp(strain, 0.0, 1 - SearchStrain::min_complement); }
 
 /// Sum of L_i e_i less y, layer by layer; near full compression by the gaps, which keep their digits.
 struct Excess {
@@ -25,7 +25,7 @@ void StepSolver::begin(const ColumnGuess& guess) {
     last_[i] = {strain_of(within_layer(guess.strain[i])), guess.flexibility[i]};
     const double change = std::abs(guess.strain[i] - now_[i].strain);
     stride_[i] = std::max(change, 1e-6);
-    precision_[i] = std::max(share_ * change, LogStrain::precision);
+    precision_[i] = std::max(share_ * change, SearchStrain::precision);
   }
 }
 
@@ -44,12 +44,12 @@ double StepSolver::excess(double stress, const Shortening& end) {
 void StepSolver::look(std::size_t i, double stress) {
   StrainOfStress& last = last_[i];
   const double change = (stress - last_stress_) * last.flexibility;
-  const double x =
-      change == 0 ? LogStrain::of(last.strain) : LogStrain::of(within_layer(last.strain.value + change));
-  const double slope = last.flexibility > 0 ? last.strain.complement / last.flexibility : 0;
+  const double x = change == 0 ? SearchStrain::of(last.strain)
+                               : SearchStrain::of(strain_of(within_layer(last.strain.value + change)));
+  const double slope = last.flexibility > 0 ? SearchStrain::slope(last.strain) / last.flexibility : 0;
   last = std::visit(
       [&](const auto& layer) {
-        return strain_at(stress, std::min(x, LogStrain::most()), slope, stride_[i], [&](Strain strain) {
+        return strain_at(stress, std::min(x, SearchStrain::most()), slope, stride_[i], [&](Strain strain) {
           ++looks_, ++nested_looks_;
           return layer.stress(strain, now_[i], step_);
         });
@@ -64,8 +64,8 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
   PerLayer x{}, before{}, value{}, slope{}, chord{};
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     if (!(last_[i].flexibility > 0)) return false;
-    slope[i] = last_[i].strain.complement / last_[i].flexibility;
-    x[i] = LogStrain::of(last_[i].strain);
+    slope[i] = SearchStrain::slope(last_[i].strain) / last_[i].flexibility;
+    x[i] = SearchStrain::of(last_[i].strain);
     chord[i] = 1;
   }
   for (int k = 0; k < most; ++k) {
@@ -73,16 +73,16 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
     double weighted = 0;
     flexibility_ = 0;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-      const Strain strain = LogStrain::strain(x[i]);
+      const Strain strain = SearchStrain::strain(x[i]);
       const double now = stress_of(i, strain);
       // If the step is shorter than the precision, its slope is rounding: the guessed slope is kept.
       if (k > 0) {
         chord[i] = std::abs(x[i] - before[i]);
-        if (chord[i] > LogStrain::precision) slope[i] = (now - value[i]) / (x[i] - before[i]);
+        if (chord[i] > SearchStrain::precision) slope[i] = (now - value[i]) / (x[i] - before[i]);
         if (!(slope[i] > 0)) return false;
       }
       value[i] = now;
-      last_[i] = {strain, strain.complement / slope[i]};
+      last_[i] = {strain, SearchStrain::slope(strain) / slope[i]};
       excess.add(thicknesses_[i], strain);
       weighted += thicknesses_[i] * last_[i].flexibility * now;
       flexibility_ += thicknesses_[i] * last_[i].flexibility;
@@ -95,10 +95,10 @@ bool StepSolver::settle(const Shortening& end, double min_stress, double& stress
       settled = settled && std::abs(step) * std::min(chord[i] / inverse_of_curvature, 1.0) <= precision_[i];
       before[i] = x[i];
       x[i] += step;
-      if (!(x[i] >= 0 && x[i] < LogStrain::most())) return false;
+      if (!(x[i] >= 0 && x[i] < SearchStrain::most())) return false;
     }
     if (!settled) continue;
-    for (std::size_t i = 0; i < layers_.size(); ++i) last_[i].strain = LogStrain::strain(x[i]);
+    for (std::size_t i = 0; i < layers_.size(); ++i) last_[i].strain = SearchStrain::strain(x[i]);
     last_stress_ = stress;
     excess_ = 0;
     return true;
