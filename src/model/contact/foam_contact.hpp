@@ -252,7 +252,9 @@ class FoamContact {
     const double end = std::min(Y, nose_.depth);
     if (end <= 0) return force;
     const double edge = (Y - end) / thickness_;
-    if (ahead_ <= 0 && slip_rate_ >= 0) return force + integral(edge, edge, top, top);
+    // Where the slip goes on as before, the rate adds stress to every column (Eq. 33), and none is free.
+    if (slip_rate_ >= 0 && (ahead_ <= 0 || !stress_.stays_crushed()))
+      return force + integral(edge, edge, top, top);
     if (stress_.stays_crushed() && ahead_ > 0) return force + integral_of_crushed(edge, top);
 
     const auto at = [&](double root) { return sign_at(root * root, top); };
