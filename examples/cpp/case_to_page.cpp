@@ -6,7 +6,7 @@
 // the reservations:
 //
 //   EN 1078, bicycle helmets: pass, with reservations
-//   Peak acceleration 94.6 g, at most 250 g
+//   Peak acceleration 94.7 g, at most 250 g
 //   EXTRAPOLATED STRAIN
 //   NO INTERVAL
 //   UNVERIFIED

@@ -280,7 +280,8 @@ class Equilibrium {
     }
 
     /// Whether the trial is solved. The force then takes up the remaining residual linearly: Eq. 25 holds but
-    /// for the curvature, and the columns stay as they were tried.
+    /// for the curvature. Pads that follow the rate move on with it, the columns of others stay as they were
+    /// tried.
     bool is_solved(double left) {
       State& end = trial.end;
       // Without force there is none on the way to the root either: the step passes the release.
@@ -291,7 +292,9 @@ class Equilibrium {
       const double allowed = of_.allowed_residual(scale, end.force, trial.pad_stiffness) *
                              (trials_ > 1 ? 1 : numerics.solved_first_trial);
       if (std::abs(left) > allowed) return false;
-      if (std::abs(missing) > numerics.largest_take_up * of_.resolution_ * std::abs(trial.pad.advance))
+      constexpr double max_taken_up =
+          FollowsRate<Contact> ? numerics.largest_move_on : numerics.largest_take_up;
+      if (std::abs(missing) > max_taken_up * of_.resolution_ * std::abs(trial.pad.advance))
         return is_rounding(left, scale) ||
                (std::abs(left) < numerics.solved_small_advance * allowed &&
                 std::abs(missing) < numerics.max_take_up * std::abs(trial.pad.advance));
@@ -301,7 +304,9 @@ class Equilibrium {
       const double most =
           numerics.max_force_taken_up * of_.resolution_ * std::max(end.force, of_.now().force);
       if (std::abs(taken_up) > most) return is_rounding(left, scale);
-      of_.motion_.residual(end.penetration, end.force + taken_up, trial.step, end);
+      if constexpr (FollowsRate<Contact>)
+        if (end.penetration + missing > 0) trial.pad.further = missing;
+      of_.motion_.residual(end.penetration + trial.pad.further, end.force + taken_up, trial.step, end);
       return true;
     }
 

@@ -414,9 +414,8 @@ class March {
     if (has_sheet_) h.pad_force.push_back(now_.force);
     h.velocity.push_back(now_.velocity);
     h.motion.push_back(now_.motion);
-    // In flight the nose is above the pad.
-    const double in_pad = phase_ == Phase::flight ? std::max(now_.penetration, 0.0) : now_.penetration;
-    h.penetration.push_back(crater_ + in_pad);
+    // In flight, and by the precision of a release, the nose is above the pad.
+    h.penetration.push_back(crater_ + std::max(now_.penetration, 0.0));
     h.support_deflection.push_back(foundation_.is_plain() ? now_.motion - now_.penetration
                                                           : now_.back.deflection);
     if (has_backing_) {

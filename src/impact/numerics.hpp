@@ -23,6 +23,9 @@ struct Numerics {
   /// Largest correction of the penetration equivalent to what the force takes up, in rho of the advance,
   /// above which the stricter `solved_small_advance` holds: the columns stay as they were tried.
   double largest_take_up = 0.05;
+  /// The same for a pad that moves on with what the force takes up: its rate then is exact, and only the
+  /// force is that of a guessed slope. (With 0.05 a head on a pillar took a fifth more steps or a run more.)
+  double largest_move_on = 0.01;
   double solved_small_advance = 0.1;  ///< share of the allowed residual
   /// Largest such correction as a share of the advance, but for rounding: the next step, which makes up for
   /// it, may hardly move. (Without this, steps near the turning point on a rigid support shrank to rounding.)
@@ -102,7 +105,7 @@ struct Numerics {
   /// The same of a foam by its curves: `closing_of_foam`, plus `closing_of_open_foam` times the fourth power
   /// of the gap over its first size. A foam takes the impact up in its steepest part, so that the gap that is
   /// left shows every error before. (With 4, one pressed nearly flat took half the steps, but two runs more.)
-  double closing_of_foam = 0.7;
+  double closing_of_foam = 0.6;
   double closing_of_open_foam = 8;
   double max_closing = 0.5;
   /// Closing always allowed, in rho^2 of the thickness, as a pad may lock. (With 1e-2 the last step into the

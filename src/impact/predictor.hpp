@@ -117,7 +117,7 @@ class Predictor {
       pad_stiffness_ = trial.pad_stiffness;
       stiffness_to_resolve_ = trial.stiffness_to_resolve();
       if (is_mere_guess && trial.pad.advance != 0) {
-        const double shown = (trial.end.force - before.force) / trial.pad.advance;
+        const double shown = (trial.end.force - before.force) / trial.pad.whole_advance();
         pad_stiffness_ = std::clamp(shown, 0.0, pad_stiffness_);
         stiffness_to_resolve_ =
             std::min(stiffness_to_resolve_, std::max(pad_stiffness_, trial.lasting_stiffness));

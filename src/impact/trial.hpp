@@ -53,7 +53,7 @@ struct Trial {
     return lasting_stiffness > 0 ? lasting_stiffness : pad_stiffness;
   }
   /// Mean rate of the penetration, m/s.
-  [[nodiscard]] double pad_rate() const { return pad.advance / step; }
+  [[nodiscard]] double pad_rate() const { return pad.whole_advance() / step; }
 };
 
 }  // namespace dashpad

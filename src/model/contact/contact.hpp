@@ -19,7 +19,11 @@ struct PadTrial {
   double from = 0;     ///< start of the step, s
   double step = 0;     ///< length of the step, s
   double force = 0;    ///< force of the pad at its end, N
+  /// Advance with which the step ends beyond the trial, m, small against `advance`, as the nose takes up what
+  /// is left of Eq. 25: only accept() asks for it, of a contact that follows the rate.
+  double further = 0;
 
+  [[nodiscard]] double whole_advance() const { return advance + further; }
   [[nodiscard]] double end() const { return from + step; }
   /// Whether start and length agree, so that what depends on time alone is the same.
   [[nodiscard]] bool shares_time_with(const PadTrial& other) const {

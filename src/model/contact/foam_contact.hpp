@@ -88,10 +88,7 @@ class FoamContact {
 
   PadTrial trial(double advance, double from, double step) {
     last_ = {advance, from, step, 0};
-    trial_penetration_ = penetration_ + advance;
-    trial_largest_ = std::max(largest_, trial_penetration_);
-    trial_rate_ = advance / (thickness_ * step);
-    trial_slip_ = stress_.slip().after_step(slip_, trial_rate_, step, rate_, rate_step_);
+    follow(advance, step);
     last_.force = factor_ * integrate();
     updates_ += points_;
     return last_;
@@ -131,6 +128,7 @@ class FoamContact {
 
   void accept(const PadTrial& trial) {
     recall(trial);
+    if (trial.further != 0) follow(trial.whole_advance(), trial.step);
     penetration_ = trial_penetration_;
     largest_ = trial_largest_;
     slip_ = trial_slip_;
@@ -227,6 +225,13 @@ class FoamContact {
     pieces_.clear();
     if (nose_.shape) pieces_ = nose_.shape->pieces(grading * std::sqrt(resolution));
     thin_ = thin * resolution;
+  }
+  /// Sets the state of the pad at the end of a trial.
+  void follow(double advance, double step) {
+    trial_penetration_ = penetration_ + advance;
+    trial_largest_ = std::max(largest_, trial_penetration_);
+    trial_rate_ = advance / (thickness_ * step);
+    trial_slip_ = stress_.slip().after_step(slip_, trial_rate_, step, rate_, rate_step_);
   }
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);

@@ -347,8 +347,24 @@ double LayeredContact::largest_stress(const PadTrial& trial) {
   return largest;
 }
 
+/// Moves the nose a little beyond the last trial; layers and stresses follow by their flexibilities.
+void LayeredContact::move_on(double further) {
+  trial_penetration_ += further;
+  is_complete_ = false;
+  for (std::size_t j = 0; j < trial_touched_; ++j) {
+    State& next = next_[j];
+    next.y += further;
+    const bool is_stressed = next.flexibility > 0;
+    if (is_stressed) next.stress += further / next.flexibility;
+    for (std::size_t i = 0; i < series_.size(); ++i)
+      next.layers[i].strain +=
+          further * (is_stressed ? next.layer_flexibility[i] / next.flexibility : 1 / series_.thickness());
+  }
+}
+
 void LayeredContact::accept(const PadTrial& trial) {
   recall(trial);
+  if (trial.further != 0) move_on(trial.further);
   complete_states();
   for (std::size_t j = 0; j < trial_touched_; ++j) {
     const State& next = next_[j];

@@ -101,6 +101,7 @@ class LayeredContact {
   void learn_miss(const ColumnGuess& guess, const LayerSeries::Solution& found);
   void solve_column(std::size_t j);
   void complete_states();
+  void move_on(double further);
   void weigh_columns();
   [[nodiscard]] double integrate() const;
   /// A cell between two columns, or from the last one to the edge of the contact.

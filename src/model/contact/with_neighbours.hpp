@@ -68,7 +68,7 @@ class WithNeighbours : public Contact {
   }
   void accept(const PadTrial& trial) {
     Contact::accept(trial);
-    penetration_ += trial.advance;
+    penetration_ += trial.whole_advance();
   }
   double force_rate_when_held(const PadTrial& trial) {
     return Contact::force_rate_when_held(trial) * factor_at(trial);
