@@ -77,6 +77,24 @@ Worst force_against_columns(const Law& law, const Sections& nose, std::uint64_t 
   return worst;
 }
 
+/// A step that ends beyond its trial leaves the foam as if it had been tried there.
+TEST(FoamContact, MovesOnAsIfTriedThere) {
+  FoamContact moved(sample_law<Foam>(), thickness, sections_of(Sphere{0.08}));
+  FoamContact tried(sample_law<Foam>(), thickness, sections_of(Sphere{0.08}));
+  for (FoamContact* contact : {&moved, &tried}) contact->start(0.1, thickness / 2);
+  constexpr double step = 2e-4;
+  for (int k = 0; k < 30; ++k) {
+    const double advance = k < 20 ? 5e-4 : -5e-4;
+    PadTrial trial = moved.trial(0.99 * advance, k * step, step);
+    trial.further = 0.01 * advance;
+    moved.accept(trial);
+    tried.accept(tried.trial(advance, k * step, step));
+    const double force = moved.trial(advance, (k + 1) * step, step).force;
+    const double expected = tried.trial(advance, (k + 1) * step, step).force;
+    ASSERT_NEAR(force, expected, 1e-9 * std::abs(expected)) << k;
+  }
+}
+
 /// Also where columns in the middle of the contact press while others are let go.
 TEST(FoamContactForce, IsTheIntegralOfItsColumns) {
   double of_all = 0;

@@ -232,6 +232,31 @@ TEST(Layers, AreWeightedByCubics) {
   EXPECT_LT(of_more, 2e-4);
 }
 
+/// A step that ends a little beyond its trial leaves the layers as if it had been tried there, but for the
+/// square of that little.
+TEST(Layers, MoveOnAsIfTriedThere) {
+  const std::vector<LayerSeries::Part> parts{{0.02, steady_foam(PowerRateEffect{0.08, 0, 1000})},
+                                             {0.05, sample_law<Foam>()}};
+  LayeredContact moved(parts, sections_of(Sphere{0.08})), tried(parts, sections_of(Sphere{0.08}));
+  for (LayeredContact* contact : {&moved, &tried}) contact->start(0.02, 0.045);
+  constexpr double step = 2e-4;
+  double worst = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double advance = k < 40 ? 1e-3 : -1e-3;
+    const double further = k == 40 ? 0 : 1e-3 * advance;  // at the turn stresses jump
+    PadTrial trial = moved.trial(advance - further, k * step, step);
+    const PadTrial there = tried.trial(advance, k * step, step);
+    trial.further = further;
+    moved.accept(trial);
+    tried.accept(there);
+    const double force = moved.trial(0, (k + 1) * step, step).force;
+    const double expected = tried.trial(0, (k + 1) * step, step).force;
+    if (expected > 0) worst = std::max(worst, std::abs(force / expected - 1));
+  }
+  fmt::print("largest difference of the force: {:.1e}\n", worst);
+  EXPECT_LT(worst, 1e-4);
+}
+
 /// What was just solved is its own guess: a column looked at again, or free of stress, takes few looks.
 TEST(Layers, AColumnSolvedBeforeTakesFewLooks) {
   CrushableFoam crushed = sample_law<CrushableFoam>();
