@@ -254,7 +254,7 @@ TEST(Layers, MoveOnAsIfTriedThere) {
     if (expected > 0) worst = std::max(worst, std::abs(force / expected - 1));
   }
   fmt::print("largest difference of the force: {:.1e}\n", worst);
-  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(worst, 1e-6);
 }
 
 /// What was just solved is its own guess: a column looked at again, or free of stress, takes few looks.

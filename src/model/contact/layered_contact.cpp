@@ -347,18 +347,22 @@ double LayeredContact::largest_stress(const PadTrial& trial) {
   return largest;
 }
 
-/// Moves the nose a little beyond the last trial; layers and stresses follow by their flexibilities.
+/// Moves the nose a little beyond the last trial. Layers follow by their flexibilities; those of a column
+/// free of stress share the change as they share its shortening (Eq. 53).
 void LayeredContact::move_on(double further) {
   trial_penetration_ += further;
   is_complete_ = false;
   for (std::size_t j = 0; j < trial_touched_; ++j) {
     State& next = next_[j];
+    const bool is_stressed = next.stress > 0 && next.flexibility > 0;
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      const double share = is_stressed   ? next.layer_flexibility[i] / next.flexibility
+                           : next.y != 0 ? next.layers[i].strain / next.y
+                                         : 1 / series_.thickness();
+      next.layers[i].strain += further * share;
+    }
+    if (next.flexibility > 0) next.stress += further / next.flexibility;
     next.y += further;
-    const bool is_stressed = next.flexibility > 0;
-    if (is_stressed) next.stress += further / next.flexibility;
-    for (std::size_t i = 0; i < series_.size(); ++i)
-      next.layers[i].strain +=
-          further * (is_stressed ? next.layer_flexibility[i] / next.flexibility : 1 / series_.thickness());
   }
 }
 
