@@ -175,14 +175,17 @@ double scaled_erfc_by_sum(double x) {
   return 2 * h * x / std::numbers::pi * sum - error;
 }
 
-/// Taylor series of w(x) = exp(x^2) erfc(x) about places a sixteenth apart, by w' = 2 x w - 2 / sqrt(pi).
+/// Taylor series of w(x) = exp(x^2) erfc(x) about the middles of cells, by w' = 2 x w - 2 / sqrt(pi).
 class ScaledErfcTable {
+  static constexpr std::size_t cells = 128;
+  static constexpr double per_unit = 16;
+
  public:
-  static constexpr double end = 8;
+  static constexpr double end = cells / per_unit;
 
   ScaledErfcTable() {
     for (std::size_t i = 0; i < series_.size(); ++i) {
-      const double x = double(i) / per_unit;
+      const double x = middle(i);
       Series& c = series_[i];
       c[0] = scaled_erfc_by_sum(x);
       c[1] = 2 * (x * c[0] - std::numbers::inv_sqrtpi);
@@ -190,18 +193,18 @@ class ScaledErfcTable {
     }
   }
   [[nodiscard]] double at(double x) const {
-    const auto place = static_cast<std::size_t>(x * per_unit + 0.5);
-    const double t = x - double(place) / per_unit;
-    const Series& c = series_[place];
+    const auto cell = static_cast<std::size_t>(x * per_unit);
+    const double t = x - middle(cell);
+    const Series& c = series_[cell];
     const double t2 = t * t, t4 = t2 * t2;
     return (c[0] + t * c[1] + t2 * (c[2] + t * c[3])) +
            t4 * (c[4] + t * c[5] + t2 * (c[6] + t * c[7] + t2 * c[8]));
   }
 
  private:
-  static constexpr double per_unit = 16;
+  static double middle(std::size_t cell) { return (double(cell) + 0.5) / per_unit; }
   using Series = std::array<double, 9>;
-  std::array<Series, static_cast<std::size_t>(end* per_unit) + 1> series_;
+  std::array<Series, cells> series_;
 };
 
 }  // namespace
