@@ -202,13 +202,16 @@ TEST(Layers, HeldStillRelaxAsEq74Says) {
   }
 }
 
+/// Two foams of different rate effects.
+std::vector<LayerSeries::Part> skin_and_core() {
+  return {{0.02, steady_foam(PowerRateEffect{0.08, 0, 1000})}, {0.05, sample_law<Foam>()}};
+}
+
 /// A penetration, slow and then fast, with few columns, twice as many, and sixteen times. With lines in place
 /// of the cubics of Eq. 55a the errors are 1.4e-3 and 5.1e-4.
 TEST(Layers, AreWeightedByCubics) {
-  const std::vector<LayerSeries::Part> parts{{0.02, steady_foam(PowerRateEffect{0.08, 0, 1000})},
-                                             {0.05, sample_law<Foam>()}};
   const auto forces = [&](double resolution) {
-    LayeredContact contact(parts, sections_of(Sphere{0.08}));
+    LayeredContact contact(skin_and_core(), sections_of(Sphere{0.08}));
     contact.start(resolution, 0.045);
     std::vector<double> force;
     double time = 0;
@@ -235,9 +238,8 @@ TEST(Layers, AreWeightedByCubics) {
 /// A step that ends a little beyond its trial leaves the layers as if it had been tried there, but for the
 /// square of that little.
 TEST(Layers, MoveOnAsIfTriedThere) {
-  const std::vector<LayerSeries::Part> parts{{0.02, steady_foam(PowerRateEffect{0.08, 0, 1000})},
-                                             {0.05, sample_law<Foam>()}};
-  LayeredContact moved(parts, sections_of(Sphere{0.08})), tried(parts, sections_of(Sphere{0.08}));
+  LayeredContact moved(skin_and_core(), sections_of(Sphere{0.08}));
+  LayeredContact tried(skin_and_core(), sections_of(Sphere{0.08}));
   for (LayeredContact* contact : {&moved, &tried}) contact->start(0.02, 0.045);
   constexpr double step = 2e-4;
   double worst = 0;
