@@ -86,6 +86,7 @@ class ColumnField {
     live_ = 0;
     updates_ = 0;
     last_ = {};
+    series_columns_ = 0;
     correction_ = 1;
     columns_.clear();
   }
@@ -95,6 +96,7 @@ class ColumnField {
   void begin_after(const std::vector<LoadingStep>& steps, double force) {
     penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
     last_ = {};
+    series_columns_ = 0;
     columns_.clear();
     lay_columns(penetration_, penetration_);
     if (penetration_ <= 0) return;
@@ -116,16 +118,16 @@ class ColumnField {
     trial_live_ = static_cast<std::size_t>(std::lower_bound(depth, depth + columns_.size(), trial_) - depth);
     updates_ += trial_live_;
     if (trial_live_ == 0) return last_;
-    sweep_.step(law_, power_, rate_part_, time_part_, sweep_step(), columns_.now, columns_.next_state);
+    step_columns();
     const double edge = rate >= 0 ? law_.edge_ratio(rate_part_) : unknown_edge;
-    last_.force = correction_ * integrate(columns_.next_state, trial_live_, trial_, edge);
+    last_.force = correction_ * integrate(*next_, trial_live_, trial_, edge);
     return last_;
   }
 
   [[nodiscard]] double force_rate_when_held(const PadTrial& trial) {
     recall(trial);
     if (trial_live_ == 0) return 0;
-    const Columns& next = columns_.next_state;
+    const Columns& next = *next_;
     double edge = 0;
     double sum = sweep_.sum_of_held(law_, power_, trial.end(), sweep_step(), columns_.weights(), next, edge);
     sum += edge * edge_weights(trial_live_, trial_).inner *
@@ -143,7 +145,7 @@ class ColumnField {
   [[nodiscard]] double largest_stress(const PadTrial& trial) {
     recall(trial);
     if (trial_live_ == 0) return not_pressed;
-    return *std::max_element(columns_.next_state.stress, columns_.next_state.stress + trial_live_);
+    return *std::max_element(next_->stress, next_->stress + trial_live_);
   }
 
   void accept(const PadTrial& trial) {
@@ -151,7 +153,8 @@ class ColumnField {
     for (std::size_t j = trial_live_; j < columns_.size(); ++j) let_go(j);
     penetration_ = trial_;
     largest_penetration_ = std::max(largest_penetration_, penetration_);
-    std::swap(columns_.now, columns_.next_state);
+    std::swap(columns_.now, *next_);
+    series_columns_ = 0;
     live_ = trial_live_;
     last_ = {};
     if (penetration_ == largest_penetration_) grade_axis();
@@ -187,6 +190,30 @@ class ColumnField {
   [[nodiscard]] SweepStep sweep_step() const {
     return {columns_.depth(), trial_live_, thickness_, penetration_, trial_, largest_penetration_};
   }
+  /// The columns that fill vectors of any number of lanes, so that all give the same bits.
+  static std::size_t whole_groups(std::size_t columns) { return columns - columns % 4; }
+  /// Computes the columns after the trial: by series, if it ends near one whose columns were all computed, as
+  /// the second and third trial of a search do, except for the outermost, whose strain it changes too much.
+  void step_columns() {
+    SweepStep step = sweep_step();
+    if (series_columns_ > 0) {
+      next_ = &columns_.moved;
+      step.count = whole_groups(std::min(trial_live_, series_columns_));
+      const MovedStep move{(trial_ - series_at_) / thickness_, max_bend_of_series(resolution_)};
+      step.first = whole_groups(sweep_.move(law_, power_, rate_part_, time_part_, step, columns_.now, *next_,
+                                            move, columns_.tried, columns_.series));
+      step.count = trial_live_;
+      if (2 * step.first >= step.count) {
+        sweep_.step(law_, power_, rate_part_, time_part_, step, columns_.now, *next_, nullptr);
+        return;
+      }
+      step.first = 0;
+    }
+    next_ = &columns_.tried;
+    sweep_.step(law_, power_, rate_part_, time_part_, step, columns_.now, *next_, &columns_.series);
+    series_at_ = trial_;
+    series_columns_ = trial_live_;
+  }
   /// The numbers of a column's strain part.
   static std::array<double, Formulas::parts> parts_of(const Columns& columns, std::size_t j) {
     std::array<double, Formulas::parts> part;
@@ -196,7 +223,7 @@ class ColumnField {
   /// Sets a column that the nose no longer touches to strain zero. The stresses of its branches continue to
   /// relax, and count again when the nose comes back.
   void let_go(std::size_t j) const {
-    for (double* array : columns_.next_state.all()) array[j] = 0;
+    for (double* array : next_->all()) array[j] = 0;
     if constexpr (scalar::carries_branches<Law, double>) {
       std::array<double, Formulas::parts> left = parts_of(columns_.now, j);
       if (left[1] == 0 && left[2] == 0) return;
@@ -208,7 +235,7 @@ class ColumnField {
       static_cast<void>(formulas.carry(strained.data(), fallen.data(), share));
       formulas.relax(fallen.data(), 1 - share);
       formulas.relax(left.data(), 1.0);
-      for (std::size_t k = 1; k < left.size(); ++k) columns_.next_state.part[k][j] = left[k] + fallen[k];
+      for (std::size_t k = 1; k < left.size(); ++k) next_->part[k][j] = left[k] + fallen[k];
     }
   }
   /// Force on the flat tip, below which the strain is that of the axis, N.
@@ -216,10 +243,10 @@ class ColumnField {
     return nose_.tip > 0 ? nose_.tip * std::max(stress, 0.0) : 0;
   }
   [[nodiscard]] double tip_rate_when_held(double time) const {
-    const double stress = columns_.next_state.stress[0];
+    const double stress = next_->stress[0];
     if (!(nose_.tip > 0 && stress > 0)) return 0;
     if constexpr (scalar::carries_branches<Law, double>) {
-      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(parts_of(columns_.next_state, 0).data());
+      return nose_.tip * Formulas{law_, power_, {}, {}}.relaxing(parts_of(*next_, 0).data());
     }
     const double strain = trial_ / thickness_;
     const double largest = std::max(largest_penetration_, trial_) / thickness_;
@@ -381,7 +408,10 @@ class ColumnField {
   std::size_t live_ = 0;        ///< columns under strain in the accepted state
   std::size_t trial_live_ = 0;  ///< columns under strain at the end of the trial
   std::size_t updates_ = 0;
+  double series_at_ = 0;            ///< penetration about which there are series, m
+  std::size_t series_columns_ = 0;  ///< columns that have them, from the axis on
   ColumnStorage columns_;
+  Columns* next_ = &columns_.tried;  ///< the columns after the trial: tried or moved
 };
 
 }  // namespace dashpad

@@ -11,6 +11,7 @@
 
 #include "dashpad/model/nose/sections.hpp"
 #include "dashpad/model/pad/nine_parameter.hpp"
+#include "model/pad/column_law.hpp"
 
 namespace dashpad {
 
@@ -28,27 +29,43 @@ class ContactShape {
       moment_ = PowerShape({exponents.m + 1, exponents.n});
     }
   }
-  [[nodiscard]] const PowerShape& power() const { return power_; }
 
-  /// K at a penetration, m2.
-  [[nodiscard]] double at(double penetration) const {
+  using Series = scalar::Series<double>;
+  /// K as a series in the penetration from a given one on, m2, m and 1.
+  [[nodiscard]] Series around(double penetration) const {
     if (penetration <= 0) return 0;
-    const Strain axis{penetration / thickness_, (thickness_ - penetration) / thickness_};
-    double sum = integral_up_to(axis, penetration);
-    if (penetration > nose_.depth)
-      sum -= integral_up_to(
-          {(penetration - nose_.depth) / thickness_, ((thickness_ - penetration) + nose_.depth) / thickness_},
-          penetration);
-    return (nose_.tip > 0 ? nose_.tip * power_.at(axis).shape : 0) + 2 * std::numbers::pi * thickness_ * sum;
+    Series sum = integral_from(0, penetration);
+    if (penetration > nose_.depth) sum = sum - integral_from(nose_.depth, penetration);
+    sum = 2 * std::numbers::pi * thickness_ * sum;
+    return nose_.tip > 0 ? nose_.tip * shape_at(strain_at(penetration, 0)).shape + sum : sum;
+  }
+  /// Whether no edge of the nose meets the pad between two penetrations, m.
+  [[nodiscard]] bool is_smooth_between(double a, double b) const {
+    return (a > nose_.depth) == (b > nose_.depth);
   }
 
  private:
-  /// Integral over the strains from 0 to `strain`.
-  [[nodiscard]] double integral_up_to(Strain strain, double penetration) const {
-    const PowerShape::Value at = power_.at(strain);
-    return (nose_.width - nose_.taper * penetration) * at.measure +
-           nose_.taper * thickness_ *
-               moment_.measure(strain, {strain.value * at.shape, 0, at.log_strain, at.log_complement});
+  [[nodiscard]] Strain strain_at(double penetration, double depth) const {
+    return {(penetration - depth) / thickness_, ((thickness_ - penetration) + depth) / thickness_};
+  }
+  [[nodiscard]] scalar::Shape<Series> shape_at(Strain strain) const {
+    const double growth = 1 / thickness_;
+    return scalar::shape_at(
+        power_, scalar::Strains<Series>{{strain.value, growth, 0}, {strain.complement, -growth, 0}});
+  }
+  /// Integral of A a' / (2 pi L) over the depths from `depth`, where it would go on with the same a', to the
+  /// contact edge. Its slope follows from dw = A d(strain).
+  [[nodiscard]] Series integral_from(double depth, double penetration) const {
+    const Strain strain = strain_at(penetration, depth);
+    const auto [shape, log_strain, log_complement] = shape_at(strain);
+    const PowerShape::Value at{shape.value, 0, log_strain.value, log_complement.value};
+    const PowerShape::Value moment{strain.value * shape.value, 0, at.log_strain, at.log_complement};
+    const double measure = power_.measure(strain, at);
+    const double width = nose_.width - nose_.taper * depth;
+    return {(nose_.width - nose_.taper * penetration) * measure +
+                nose_.taper * thickness_ * moment_.measure(strain, moment),
+            width / thickness_ * shape.value - nose_.taper * measure,
+            (width * shape.first - nose_.taper * shape.value) / (2 * thickness_)};
   }
 
   double thickness_ = 0;
@@ -80,11 +97,11 @@ class LoadingForce {
     steps_.clear();
     force_ = shape_force_ = 0;
   }
-  [[nodiscard]] LoadingTrial trial(const ContactShape& shape, const NineParameter& law, double penetration,
+  [[nodiscard]] LoadingTrial trial(double shape_force, const NineParameter& law, double penetration,
                                    const NineParameter::RatePart& rate,
                                    const NineParameter::TimePart& time) const {
     LoadingTrial trial{{penetration, rate.modulus, time.decay}};
-    trial.shape_force = shape.at(penetration);
+    trial.shape_force = shape_force;
     trial.force = rate.modulus * trial.shape_force + (force_ - rate.modulus * shape_force_) * time.decay;
     trial.force_rate_when_held =
         (law.asymptotic_modulus * trial.shape_force - trial.force) / law.relaxation_time;

@@ -2,6 +2,7 @@
 /// A nose on a pad of the 9-parameter law: a closed form while the pad is only loaded (loading_force.hpp), a
 /// field of columns from the first unloading on (column_field.hpp).
 
+#include <cmath>
 #include <cstddef>
 
 #include "dashpad/quantities/constants.hpp"
@@ -42,6 +43,8 @@ class NineParameterContact {
     was_unloaded_ = has_columns_ = false;
     loading_.start();
     field_.clear(resolution);
+    resolution_ = resolution;
+    series_ = 0;
   }
 
   PadTrial trial(double advance, double from, double step) {
@@ -49,8 +52,9 @@ class NineParameterContact {
     const PadTrial next{advance, from, step, 0};
     if (!next.shares_time_with(last_)) time_part_ = law_.time_part(from, from + step);
     ++updates_;
-    trial_ = loading_.trial(shape_, law_, penetration_ + advance,
-                            law_.rate_part(advance / (thickness_ * step)), time_part_);
+    const double end = penetration_ + advance;
+    trial_ = loading_.trial(shape_force(end), law_, end, law_.rate_part(advance / (thickness_ * step)),
+                            time_part_);
     return last_ = {advance, from, step, trial_.force};
   }
   [[nodiscard]] double force_rate_when_held(const PadTrial& trial) {
@@ -83,6 +87,18 @@ class NineParameterContact {
 
  private:
   [[nodiscard]] bool is_closed_form(double advance) const { return !was_unloaded_ && advance >= 0; }
+  /// K at a penetration: by its series about the last one for which it was computed, if that is near.
+  [[nodiscard]] double shape_force(double penetration) {
+    double further = penetration - series_at_;
+    const double bend = std::abs(series_.second) * further * further;
+    if (!(bend < max_bend_of_series(resolution_) * series_.value &&
+          shape_.is_smooth_between(penetration, series_at_))) {
+      series_ = shape_.around(penetration);
+      series_at_ = penetration;
+      further = 0;
+    }
+    return series_.value + further * (series_.first + further * series_.second);
+  }
   void recall(const PadTrial& wanted) {
     if (!last_.is_same_step_as(wanted)) trial(wanted.advance, wanted.from, wanted.step);
   }
@@ -106,6 +122,9 @@ class NineParameterContact {
   NineParameter::TimePart time_part_{};  ///< time part of the last trial
   PadTrial last_;                        ///< step 0: no trial from the accepted state
   LoadingTrial trial_;
+  double resolution_ = 0;
+  ContactShape::Series series_ = 0;  ///< K, about the penetration series_at_, m
+  double series_at_ = 0;
   LoadingForce loading_;
   ColumnField<NineParameter> field_;
 };

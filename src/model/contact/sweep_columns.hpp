@@ -1,31 +1,39 @@
-/// A step of all columns under strain, their replay, and sums over them, for a number type N.
+/// A step of columns under strain, computed or moved by series, their replay, and sums over them, for a
+/// number type N.
 ///
 /// Included as text, like src/model/pad/formulas.hpp and after it. Register<N> loads and stores.
 
-/// Strain, envelope, stress (theory.md, Eq. 9) and stress over A (Eq. 20) of each column.
-template <class N, class Law>
-void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
-                  const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
-                  const Columns& next) {
+/// A and w of columns.
+template <class N>
+struct ShapeAndMeasure {
+  N shape;
+  N measure;
+};
+
+/// Stress (theory.md, Eq. 9) and stress over A (Eq. 20) of each column. strain_part(j, strains, part, at)
+/// sets what the strain alone determines from the j-th column on, or returns false if it cannot; returns the
+/// number of columns up to there.
+template <class N, class Law, class StrainPart>
+std::size_t stress_columns(const Formulas<Law>& formulas, const SweepStep& step, const Columns& now,
+                           const Columns& next, StrainPart&& strain_part) {
   using R = Register<N>;
-  const Formulas<Law> formulas{law, power, rate, time};
   constexpr std::size_t parts = Formulas<Law>::parts;
   static_assert(parts <= Columns::max_parts, "no room in a column for this many values of a strain part");
   const N per_thickness(1 / step.thickness);
   const N least(min_strain);
   const bool loading = step.after > step.before;
   const N per_advance(loading ? 1 / (step.after - step.before) : 0);
-  for (std::size_t j = 0; j < step.count; j += R::size()) {
+  for (std::size_t j = step.first; j < step.count; j += R::size()) {
     const N depth = R::load(step.depth + j);
     const N strain = max((step.after - depth) * per_thickness, least);
     const N complement = ((step.thickness - step.after) + depth) * per_thickness;
     const N before = max((step.before - depth) * per_thickness, least);
     const N largest = max((step.largest - depth) * per_thickness, least);
     N part[parts];
+    ShapeAndMeasure<N> at;
+    if (!strain_part(j, Strains<N>{strain, complement}, part, at)) return j;
     N part_before[parts];
     for (std::size_t k = 0; k < parts; ++k) part_before[k] = R::load(now.part[k] + j);
-    const Strains<N> e{strain, complement};
-    const Shape<N> at = formulas.strain_part(e, part);
     N share(1.0);
     if (loading) share = min(share, (step.after - depth) * per_advance);
     N stress;
@@ -47,10 +55,69 @@ void step_columns(const Law& law, const PowerShape& power, const typename Law::R
     R::store(stress, next.stress + j);
     for (std::size_t k = 0; k < parts; ++k) R::store(part[k], next.part[k] + j);
     R::store(at.shape, next.shape + j);
-    R::store(measure_of(formulas, e, at), next.measure + j);
+    R::store(at.measure, next.measure + j);
     // Stress over A of a column in tension that has just been met again has no bound of its own.
     R::store(max(stress / at.shape, N(-1e100)), next.ratio + j);
   }
+  return step.count;
+}
+
+template <class N, class Law>
+void step_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
+                  const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
+                  const Columns& next, const StrainSeries* to) {
+  using R = Register<N>;
+  constexpr std::size_t parts = Formulas<Law>::parts;
+  const Formulas<Law> formulas{law, power, rate, time};
+  const auto strain_part = [&](std::size_t j, Strains<N> e, N* part, ShapeAndMeasure<N>& at) {
+    Series<N> series[parts];
+    const Shape<Series<N>> shape = formulas.strain_part(
+        Strains<Series<N>>{{e.value, N(1.0), N(0.0)}, {e.complement, N(-1.0), N(0.0)}}, series);
+    for (std::size_t k = 0; k < parts; ++k) part[k] = series[k].value;
+    const Shape<N> value{shape.shape.value, shape.log_strain.value, shape.log_complement.value};
+    at = {value.shape, measure_of(formulas, e, value)};
+    if (!to) return true;
+    for (std::size_t k = 0; k < parts; ++k) {
+      R::store(series[k].first, to->part_first[k] + j);
+      R::store(series[k].second, to->part_second[k] + j);
+    }
+    R::store(shape.shape.first, to->shape_first + j);
+    R::store(shape.shape.second, to->shape_second + j);
+    return true;
+  };
+  static_cast<void>(stress_columns<N>(formulas, step, now, next, strain_part));
+}
+
+template <class N, class Law>
+std::size_t move_columns(const Law& law, const PowerShape& power, const typename Law::RatePart& rate,
+                         const typename Law::TimePart& time, const SweepStep& step, const Columns& now,
+                         const Columns& next, const MovedStep& move, const Columns& tried,
+                         const StrainSeries& from) {
+  using R = Register<N>;
+  const Formulas<Law> formulas{law, power, rate, time};
+  const double x = move.further;
+  const N square(x * x);
+  const N limit(move.max_bend);
+  const auto suffices = [&](N value, N bend) {
+    return max(bend, 0.0 - bend) <= limit * max(value, 0.0 - value);
+  };
+  const auto strain_part = [&](std::size_t j, Strains<N>, N* part, ShapeAndMeasure<N>& at) {
+    const N shape = R::load(tried.shape + j);
+    const N first = R::load(from.shape_first + j);
+    const N bend = square * R::load(from.shape_second + j);
+    auto all_suffice = suffices(shape, bend);
+    for (std::size_t k = 0; k < Formulas<Law>::parts; ++k) {
+      const N value = R::load(tried.part[k] + j);
+      const N bend_of_part = square * R::load(from.part_second[k] + j);
+      all_suffice = both(all_suffice, suffices(value, bend_of_part));
+      part[k] = value + x * R::load(from.part_first[k] + j) + bend_of_part;
+    }
+    // dw = A d(strain).
+    at = {shape + x * first + bend,
+          R::load(tried.measure + j) + x * (shape + 0.5 * (x * first) + (1.0 / 3) * bend)};
+    return all(all_suffice);
+  };
+  return stress_columns<N>(formulas, step, now, next, strain_part);
 }
 
 template <class N>
@@ -146,7 +213,7 @@ double sum_held(const Law& law, const PowerShape& power, double time, const Swee
 
 template <class N, class Law>
 constexpr SweepOf<Law> sweep_of() {
-  return {step_columns<N, Law>, sum_held<N, Law>};
+  return {step_columns<N, Law>, move_columns<N, Law>, sum_held<N, Law>};
 }
 
 /// Fills `sweeps` with these functions for every law with memory.

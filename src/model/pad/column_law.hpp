@@ -36,12 +36,12 @@ double envelope(const Law& law, const PowerShape& power, Strain strain, const ty
 template <HasMemory Law>
 double envelope_slope(const Law& law, const PowerShape& power, Strain strain,
                       const typename Law::RatePart& rate, double largest) {
-  using scalar::Dual;
+  using Series = scalar::Series<double>;
   const scalar::Formulas<Law> at{law, power, rate, {}};
-  std::array<Dual, scalar::Formulas<Law>::parts> part{};
-  const scalar::Strains<Dual> e{{strain.value, 1}, {strain.complement, -1}};
+  std::array<Series, scalar::Formulas<Law>::parts> part{};
+  const scalar::Strains<Series> e{{strain.value, 1, 0}, {strain.complement, -1, 0}};
   static_cast<void>(at.strain_part(e, part.data()));
-  return at.envelope(part.data(), e.value, Dual(largest)).slope;
+  return at.envelope(part.data(), e.value, Series(largest)).first;
 }
 
 /// h, 1/s.

@@ -1,11 +1,12 @@
-/// The formulas of the laws with memory, over a number type N: double, dual numbers, vector lanes.
+/// The formulas of the laws with memory, over a number type N: double, vector lanes, series of either.
 ///
 /// Included as text, since code with vectors must be compiled once for every instruction set, each time in a
 /// namespace of its own in which N has + - * /, exp, log, max, min, select and choose (model/pad/scalar.hpp,
-/// model/pad/lanes.hpp). The formulas of each law are at the end of its header, included by means of
-/// DASHPAD_FORMULAS: the powers of the strain that a column keeps (strain_part), G from them (envelope), and
-/// exp(-H) over a step (decay); and if they are not the usual ones (measure_of and relaxation_of below), the
-/// measure w (measure) and the factor of h at strain zero (relaxation). Stresses in Pa.
+/// model/pad/lanes.hpp); a Series of N, by the strain, has what strain_part and envelope need. The formulas
+/// of each law are at the end of its header, included by means of DASHPAD_FORMULAS: the powers of the strain
+/// that a column keeps (strain_part), G from them (envelope), and exp(-H) over a step (decay); and if they
+/// are not the usual ones (measure_of and relaxation_of below), the measure w (measure) and the factor of h
+/// at strain zero (relaxation). Stresses in Pa.
 ///
 /// Strains must be at least min_strain.
 
@@ -36,6 +37,46 @@ DASHPAD_FORMULA Shape<N> shape_at(const PowerShape& power, Strains<N> e) {
   const N log_complement = log(e.complement);
   return {exp(x.m * log_strain - x.n * log_complement), log_strain, log_complement};
 }
+
+/// The first terms of a function of a change x of the strain: value + first x + second x^2.
+template <class N>
+struct Series {
+  N value;
+  N first;
+  N second;
+
+  Series() = default;
+  Series(double constant)
+      : value(constant), first(0.0), second(0.0) {}  // NOLINT(google-explicit-constructor)
+  Series(N constant, N linear, N quadratic) : value(constant), first(linear), second(quadratic) {}
+
+  DASHPAD_FORMULA friend Series operator+(const Series& a, const Series& b) {
+    return {a.value + b.value, a.first + b.first, a.second + b.second};
+  }
+  DASHPAD_FORMULA friend Series operator-(const Series& a, const Series& b) {
+    return {a.value - b.value, a.first - b.first, a.second - b.second};
+  }
+  DASHPAD_FORMULA friend Series operator*(double a, const Series& b) {
+    return {a * b.value, a * b.first, a * b.second};
+  }
+  DASHPAD_FORMULA friend Series operator*(const Series& a, const Series& b) {
+    return {a.value * b.value, a.first * b.value + a.value * b.first,
+            a.second * b.value + a.first * b.first + a.value * b.second};
+  }
+  DASHPAD_FORMULA friend Series operator/(const Series& a, const Series& b) {
+    const N ratio = a.value / b.value;
+    const N linear = (a.first - ratio * b.first) / b.value;
+    return {ratio, linear, (a.second - ratio * b.second - linear * b.first) / b.value};
+  }
+  DASHPAD_FORMULA friend Series exp(const Series& x) {
+    const N power = exp(x.value);
+    return {power, power * x.first, power * (x.second + 0.5 * (x.first * x.first))};
+  }
+  DASHPAD_FORMULA friend Series log(const Series& x) {
+    const N linear = x.first / x.value;
+    return {log(x.value), linear, x.second / x.value - 0.5 * (linear * linear)};
+  }
+};
 
 /// A polynomial in y = 4x - 1, as four independent sums.
 template <class N, std::size_t terms>

@@ -1,5 +1,5 @@
 #pragma once
-/// Doubles, and a number with its derivative by the strain, as number types of src/model/pad/formulas.hpp.
+/// Doubles as a number type of src/model/pad/formulas.hpp.
 
 #include <cstddef>
 
@@ -32,29 +32,6 @@ struct Register<double> {
   static double load(const double* from) { return *from; }
   static void store(double x, double* to) { *to = x; }
   static double first(std::size_t, double x) { return x; }
-};
-
-struct Dual {
-  double value = 0;
-  double slope = 0;
-
-  Dual() = default;
-  Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
-  Dual(double number, double by_strain) : value(number), slope(by_strain) {}
-
-  friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
-  friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
-  friend Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.slope * b.value + a.value * b.slope}; }
-  friend Dual operator/(Dual a, Dual b) {
-    const double ratio = a.value / b.value;
-    return {ratio, (a.slope - ratio * b.slope) / b.value};
-  }
-  friend bool operator<=(Dual a, Dual b) { return a.value <= b.value; }
-  friend Dual exp(Dual x) {
-    const double power = portable::exp(x.value);
-    return {power, power * x.slope};
-  }
-  friend Dual log(Dual x) { return {portable::log(x.value), x.slope / x.value}; }
 };
 
 }  // namespace dashpad::scalar
