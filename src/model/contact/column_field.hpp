@@ -190,18 +190,18 @@ class ColumnField {
   [[nodiscard]] SweepStep sweep_step() const {
     return {columns_.depth(), trial_live_, thickness_, penetration_, trial_, largest_penetration_};
   }
-  /// The columns that fill vectors of any number of lanes, so that all give the same bits.
-  static std::size_t whole_groups(std::size_t columns) { return columns - columns % 4; }
   /// Computes the columns after the trial: by series, if it ends near one whose columns were all computed, as
   /// the second and third trial of a search do, except for the outermost, whose strain it changes too much.
   void step_columns() {
     SweepStep step = sweep_step();
     if (series_columns_ > 0) {
       next_ = &columns_.moved;
-      step.count = whole_groups(std::min(trial_live_, series_columns_));
+      step.count = std::min(trial_live_, series_columns_);
       const MovedStep move{(trial_ - series_at_) / thickness_, max_bend_of_series(resolution_)};
-      step.first = whole_groups(sweep_.move(law_, power_, rate_part_, time_part_, step, columns_.now, *next_,
-                                            move, columns_.tried, columns_.series));
+      const std::size_t moved = sweep_.move(law_, power_, rate_part_, time_part_, step, columns_.now, *next_,
+                                            move, columns_.tried, columns_.series);
+      // Vectors of any number of lanes must leave the same columns to be computed.
+      step.first = moved == step.count ? moved : moved - moved % 4;
       step.count = trial_live_;
       if (2 * step.first >= step.count) {
         sweep_.step(law_, power_, rate_part_, time_part_, step, columns_.now, *next_, nullptr);

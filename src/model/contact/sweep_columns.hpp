@@ -104,11 +104,15 @@ std::size_t move_columns(const Law& law, const PowerShape& power, const typename
   const auto strain_part = [&](std::size_t j, Strains<N>, N* part, ShapeAndMeasure<N>& at) {
     const N shape = R::load(tried.shape + j);
     const N first = R::load(from.shape_first + j);
-    const N bend = square * R::load(from.shape_second + j);
+    // Lanes beyond the columns do not count.
+    const auto bend_of = [&](const double* second) {
+      return R::first(step.count - j, square * R::load(second + j));
+    };
+    const N bend = bend_of(from.shape_second);
     auto all_suffice = suffices(shape, bend);
     for (std::size_t k = 0; k < Formulas<Law>::parts; ++k) {
       const N value = R::load(tried.part[k] + j);
-      const N bend_of_part = square * R::load(from.part_second[k] + j);
+      const N bend_of_part = bend_of(from.part_second[k]);
       all_suffice = both(all_suffice, suffices(value, bend_of_part));
       part[k] = value + x * R::load(from.part_first[k] + j) + bend_of_part;
     }
