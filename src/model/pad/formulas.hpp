@@ -46,8 +46,7 @@ struct Series {
   N second;
 
   Series() = default;
-  Series(double constant)
-      : value(constant), first(0.0), second(0.0) {}  // NOLINT(google-explicit-constructor)
+  Series(double constant) : Series(N(constant), 0.0, 0.0) {}  // NOLINT(google-explicit-constructor)
   Series(N constant, N linear, N quadratic) : value(constant), first(linear), second(quadratic) {}
 
   DASHPAD_FORMULA friend Series operator+(const Series& a, const Series& b) {
