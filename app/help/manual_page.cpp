@@ -61,7 +61,7 @@ class Section {
 /// Without its first word if that is the command: "dashpad simulates ..."
 std::string name_line(const CommandHelp& command) {
   std::string line = command.app->get_description();
-  line = line.substr(0, line.find('\n'));
+  line.resize(std::min(line.find('\n'), line.size()));
   if (line.starts_with(command.app->get_name() + " ")) line.erase(0, command.app->get_name().size() + 1);
   if (line.ends_with('.')) line.pop_back();
   line.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(line.front())));
