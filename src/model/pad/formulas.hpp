@@ -45,7 +45,7 @@ struct Series {
   N first;
   N second;
 
-  Series() = default;
+  Series() : Series(0.0) {}
   Series(double constant) : Series(N(constant), 0.0, 0.0) {}  // NOLINT(google-explicit-constructor)
   Series(N constant, N linear, N quadratic) : value(constant), first(linear), second(quadratic) {}
 
