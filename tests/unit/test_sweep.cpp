@@ -104,12 +104,16 @@ double error_of_moved(double before, double after, double share, double max_bend
   EXPECT_LE(moved, count);
   of_law.step(law, power, rate, time, step, columns.now, columns.tried, nullptr);
   double worst = 0;
-  for (std::size_t i = 0; i < columns.moved.all().size(); ++i)
-    for (std::size_t j = 0; j < moved && columns.moved.all()[i]; ++j) {
-      const double computed = columns.tried.all()[i][j];
-      if (computed == 0) continue;
-      worst = std::max(worst, std::abs(columns.moved.all()[i][j] / computed - 1));
-    }
+  const auto compare = [&](const double* by_series, const double* computed) {
+    for (std::size_t j = 0; j < moved; ++j)
+      if (computed[j] != 0) worst = std::max(worst, std::abs(by_series[j] / computed[j] - 1));
+  };
+  compare(columns.moved.stress, columns.tried.stress);
+  compare(columns.moved.shape, columns.tried.shape);
+  compare(columns.moved.measure, columns.tried.measure);
+  compare(columns.moved.ratio, columns.tried.ratio);
+  for (std::size_t k = 0; k < scalar::Formulas<Law>::parts; ++k)
+    compare(columns.moved.part[k], columns.tried.part[k]);
   return worst;
 }
 
