@@ -140,8 +140,8 @@ struct MovedStep {
 };
 
 /// Largest second-order term of a series in the strain up to which it is used, as a share of its value: the
-/// error, of third order in the change, is then of order 4.5 in the resolution rho. (With ten times that, the
-/// figures of laws 4 and 5 moved by less than 1e-4 of their estimates, with thirty times by 1.6 %.)
+/// error, of third order in the change, is then of order 4.5 in the resolution rho. (With three times that,
+/// the figures of laws 4 and 5 moved by less than 1e-4 of their estimates, with thirty times by 1.6 %.)
 inline double max_bend_of_series(double resolution) { return 0.03 * resolution * resolution * resolution; }
 
 /// The functions of one law.
