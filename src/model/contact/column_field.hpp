@@ -86,7 +86,6 @@ class ColumnField {
     live_ = 0;
     updates_ = 0;
     last_ = {};
-    series_columns_ = 0;
     correction_ = 1;
     columns_.clear();
   }
@@ -96,7 +95,6 @@ class ColumnField {
   void begin_after(const std::vector<LoadingStep>& steps, double force) {
     penetration_ = largest_penetration_ = steps.empty() ? 0 : steps.back().penetration;
     last_ = {};
-    series_columns_ = 0;
     columns_.clear();
     lay_columns(penetration_, penetration_);
     if (penetration_ <= 0) return;
@@ -112,6 +110,8 @@ class ColumnField {
     trial_ = penetration_ + advance;
     const PadTrial next{advance, from, step, 0};
     if (!next.shares_time_with(last_)) time_part_ = law_.time_part(from, from + step);
+    // Series belong to trials from the accepted state.
+    if (last_.step == 0) series_columns_ = 0;
     last_ = next;
     rate_part_ = law_.rate_part(rate);
     const double* depth = columns_.depth();
@@ -154,7 +154,6 @@ class ColumnField {
     penetration_ = trial_;
     largest_penetration_ = std::max(largest_penetration_, penetration_);
     std::swap(columns_.now, *next_);
-    series_columns_ = 0;
     live_ = trial_live_;
     last_ = {};
     if (penetration_ == largest_penetration_) grade_axis();
